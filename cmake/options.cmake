@@ -1,0 +1,53 @@
+# What can be switched, and the flags that every target of the project carries.
+option(FELT_TESTS "Build the tests" ${PROJECT_IS_TOP_LEVEL})
+option(FELT_BENCHMARKS "Build the benchmarks" OFF)
+option(FELT_FUZZERS "Build the libFuzzer targets (clang only)" OFF)
+option(FELT_WERROR "Warnings are errors" OFF)
+set(FELT_SANITIZE "" CACHE STRING "Sanitizers: address,undefined | thread | realtime | (empty)")
+
+set(CMAKE_CXX_STANDARD 20)
+set(CMAKE_CXX_STANDARD_REQUIRED ON)
+set(CMAKE_CXX_EXTENSIONS OFF)
+set(CMAKE_CXX_VISIBILITY_PRESET hidden)
+set(CMAKE_VISIBILITY_INLINES_HIDDEN ON)
+set(CMAKE_POSITION_INDEPENDENT_CODE ON)
+set(CMAKE_RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/bin)
+
+if(NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)
+  set(CMAKE_BUILD_TYPE Release CACHE STRING "" FORCE)
+endif()
+# -O3 in release: the fitter's inner loops are written to be vectorised.
+set(CMAKE_CXX_FLAGS_RELEASE "-O3 -DNDEBUG")
+set(CMAKE_CXX_FLAGS_RELWITHDEBINFO "-O2 -g")
+
+find_program(FELT_CCACHE ccache)
+if(FELT_CCACHE AND PROJECT_IS_TOP_LEVEL)
+  set(CMAKE_CXX_COMPILER_LAUNCHER ${FELT_CCACHE})
+endif()
+
+# Carried by every target of the project, not by its users.
+add_library(felt_flags INTERFACE)
+# -ffp-contract=off: a fused multiply-add rounds differently, and the same samples must give the
+# same bytes on every machine (R7, architecture: determinism).
+target_compile_options(felt_flags INTERFACE
+  -ffp-contract=off
+  -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Wold-style-cast -Wnon-virtual-dtor
+  -Wdouble-promotion
+  $<$<BOOL:${FELT_WERROR}>:-Werror>)
+target_include_directories(felt_flags INTERFACE ${PROJECT_SOURCE_DIR}/src)
+
+if(FELT_SANITIZE STREQUAL "realtime")
+  # clang 19's driver refuses -fsanitize=realtime, but its runtime archive links by hand with any
+  # compiler; RealtimeScope (rt/) then enters and leaves the checked region.
+  file(GLOB FELT_RTSAN_ARCHIVE /usr/lib/llvm-19/lib/clang/19/lib/linux/libclang_rt.rtsan-x86_64.a)
+  if(NOT FELT_RTSAN_ARCHIVE)
+    message(FATAL_ERROR "The rtsan preset needs the package libclang-rt-19-dev")
+  endif()
+  target_compile_definitions(felt_flags INTERFACE FELT_RTSAN=1)
+  target_link_options(felt_flags INTERFACE
+    -Wl,--whole-archive ${FELT_RTSAN_ARCHIVE} -Wl,--no-whole-archive -ldl -lpthread)
+elseif(FELT_SANITIZE)
+  target_compile_options(felt_flags INTERFACE
+    -fsanitize=${FELT_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)
+  target_link_options(felt_flags INTERFACE -fsanitize=${FELT_SANITIZE})
+endif()

@@ -1,0 +1,14 @@
+#include "felt/base/result.h"
+
+namespace felt {
+
+tl::unexpected<Error> fail(ErrorCode code, std::string message) {
+  return tl::unexpected<Error>(Error{code, std::move(message)});
+}
+
+Error with_context(Error error, const std::string& where) {
+  error.message = where + ": " + error.message;
+  return error;
+}
+
+}  // namespace felt
