@@ -5,6 +5,10 @@
 #   DEPENDS          layers of the house that this layer's headers may include (tests/layers checks)
 #   LIBRARIES        libraries that its headers show
 #   PRIVATE_LIBRARIES  libraries that only its sources use
+#   TEST_LIBRARIES   what only its tests and benchmarks link
+#
+# felt_room(LAYER NAME ...): the same for a room, the folder LAYER/NAME: target felt_LAYER_NAME.
+# A room may include what its layer may, and never another room.
 include(GNUInstallDirs)
 
 function(felt_layer name)
@@ -26,9 +30,12 @@ function(felt_layer name)
     FILES ${ARG_HEADERS})
   list(TRANSFORM ARG_DEPENDS PREPEND felt_)
   target_link_libraries(${target} ${scope} ${ARG_DEPENDS} ${ARG_LIBRARIES})
-  install(TARGETS ${target} EXPORT feltline-targets FILE_SET HEADERS
-    ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
+  install(TARGETS ${target} EXPORT feltline-targets
+    FILE_SET HEADERS COMPONENT dev
+    ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT dev)
+  # packaging.cmake writes from these what users of the installed library must find and link.
   set_property(GLOBAL APPEND PROPERTY FELT_LAYERS ${name})
+  set_property(GLOBAL APPEND PROPERTY FELT_LIBRARIES ${ARG_LIBRARIES} ${ARG_PRIVATE_LIBRARIES})
 
   if(FELT_TESTS AND ARG_TESTS)
     felt_test(${name}_test SOURCES ${ARG_TESTS} LIBRARIES ${target} ${ARG_TEST_LIBRARIES})
@@ -39,6 +46,10 @@ function(felt_layer name)
     target_link_libraries(${name}_bench PRIVATE felt_flags ${target} ${ARG_TEST_LIBRARIES}
       benchmark::benchmark_main)
   endif()
+endfunction()
+
+function(felt_room layer name)
+  felt_layer(${layer}_${name} ${ARGN})
 endfunction()
 
 # felt_test(NAME SOURCES ... LIBRARIES ...): a GoogleTest program, each case its own CTest entry.

@@ -1,1 +1,116 @@
-# Install rules shared by all layers are in layer.cmake; here the package files are written.
+# Installing: headers and archives (rules in layer.cmake), the CMake package `feltline`, the
+# pkg-config file, the program, the shared files, and a Debian package by CPack.
+#
+# Every layer is a static archive, so whoever links one needs the libraries behind it too. The two
+# tables below are the only place that says how such a library is found; a layer that links one
+# that is not listed stops the configuration instead of breaking somebody's installation.
+include(CMakePackageConfigHelpers)
+
+# Library target as a layer links it -> the line that finds it in feltlineConfig.cmake.
+set(FELT_FIND_tl::expected "find_dependency(tl-expected)")
+set(FELT_FIND_fmt::fmt "find_dependency(fmt)")
+set(FELT_FIND_PNG::PNG "find_dependency(PNG)")
+set(FELT_FIND_pugixml::pugixml "find_dependency(pugixml)")
+set(FELT_FIND_pugixml "find_dependency(pugixml)")
+set(FELT_FIND_simdjson::simdjson "find_dependency(simdjson)")
+set(FELT_FIND_nlohmann_json::nlohmann_json "find_dependency(nlohmann_json)")
+set(FELT_FIND_Threads::Threads "find_dependency(Threads)")
+set(FELT_FIND_PkgConfig::AGG
+    "find_dependency(PkgConfig)\npkg_check_modules(AGG REQUIRED IMPORTED_TARGET libagg)")
+
+# ... -> its name for pkg-config. A name that starts with '-' is a linker flag; "" means that
+# there is nothing to link (headers only).
+set(FELT_PC_tl::expected "")
+set(FELT_PC_fmt::fmt "fmt")
+set(FELT_PC_PNG::PNG "libpng")
+set(FELT_PC_pugixml::pugixml "pugixml")
+set(FELT_PC_pugixml "pugixml")
+set(FELT_PC_simdjson::simdjson "simdjson")
+set(FELT_PC_nlohmann_json::nlohmann_json "")
+set(FELT_PC_Threads::Threads "-pthread")
+set(FELT_PC_PkgConfig::AGG "libagg")
+
+# The umbrella: feltline::feltline is every layer.
+get_property(FELT_LAYERS GLOBAL PROPERTY FELT_LAYERS)
+get_property(FELT_LIBRARIES GLOBAL PROPERTY FELT_LIBRARIES)
+list(REMOVE_DUPLICATES FELT_LIBRARIES)
+add_library(felt_umbrella INTERFACE)
+add_library(feltline::feltline ALIAS felt_umbrella)
+set_target_properties(felt_umbrella PROPERTIES EXPORT_NAME feltline)
+list(TRANSFORM FELT_LAYERS PREPEND felt_ OUTPUT_VARIABLE felt_layer_targets)
+target_link_libraries(felt_umbrella INTERFACE ${felt_layer_targets})
+install(TARGETS felt_umbrella EXPORT feltline-targets)
+
+set(FELT_FIND_LINES "")
+set(FELT_PC_REQUIRES "")
+set(FELT_PC_LIBS "")
+foreach(library IN LISTS FELT_LIBRARIES)
+  if(NOT DEFINED FELT_FIND_${library} OR NOT DEFINED FELT_PC_${library})
+    message(FATAL_ERROR "A layer links ${library}: say in cmake/packaging.cmake how users of the "
+                        "installed library find it")
+  endif()
+  string(APPEND FELT_FIND_LINES "${FELT_FIND_${library}}\n")
+  if(FELT_PC_${library} MATCHES "^-")
+    string(APPEND FELT_PC_LIBS " ${FELT_PC_${library}}")
+  elseif(FELT_PC_${library})
+    list(APPEND FELT_PC_REQUIRES ${FELT_PC_${library}})
+  endif()
+endforeach()
+list(JOIN FELT_PC_REQUIRES " " FELT_PC_REQUIRES)
+# A linker reads archives from left to right, so what uses comes before what is used: the layers
+# in reverse order of their making.
+set(felt_archives "")
+foreach(layer IN LISTS FELT_LAYERS)
+  get_target_property(type felt_${layer} TYPE)
+  if(type STREQUAL "STATIC_LIBRARY")
+    string(PREPEND felt_archives " -lfelt_${layer}")
+  endif()
+endforeach()
+string(PREPEND FELT_PC_LIBS "${felt_archives}")
+
+set(felt_cmake_dir ${CMAKE_INSTALL_LIBDIR}/cmake/feltline)
+configure_package_config_file(${CMAKE_CURRENT_LIST_DIR}/feltlineConfig.cmake.in
+  ${CMAKE_BINARY_DIR}/package/feltlineConfig.cmake INSTALL_DESTINATION ${felt_cmake_dir})
+write_basic_package_version_file(${CMAKE_BINARY_DIR}/package/feltlineConfigVersion.cmake
+  COMPATIBILITY SameMinorVersion)
+install(FILES ${CMAKE_BINARY_DIR}/package/feltlineConfig.cmake
+              ${CMAKE_BINARY_DIR}/package/feltlineConfigVersion.cmake
+  DESTINATION ${felt_cmake_dir} COMPONENT dev)
+install(EXPORT feltline-targets NAMESPACE feltline:: DESTINATION ${felt_cmake_dir} COMPONENT dev)
+
+# The .pc file finds its prefix from where it lies, so that the tree can be moved.
+file(RELATIVE_PATH FELT_PC_UP /${CMAKE_INSTALL_LIBDIR}/pkgconfig /)
+configure_file(${CMAKE_CURRENT_LIST_DIR}/feltline.pc.in ${CMAKE_BINARY_DIR}/package/feltline.pc
+  @ONLY)
+install(FILES ${CMAKE_BINARY_DIR}/package/feltline.pc
+  DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig COMPONENT dev)
+
+if(TARGET feltline)
+  install(TARGETS feltline RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT bin)
+endif()
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/share/samples
+  DESTINATION ${CMAKE_INSTALL_DATADIR}/feltline COMPONENT bin OPTIONAL
+  FILES_MATCHING PATTERN "*.ndjson")
+install(FILES ${PROJECT_SOURCE_DIR}/LICENSE ${PROJECT_SOURCE_DIR}/README.md
+  DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT bin)
+
+# `./dev package`: one .deb for the program, one for the library.
+set(CPACK_GENERATOR DEB TGZ)
+set(CPACK_PACKAGE_NAME feltline)
+set(CPACK_PACKAGE_CONTACT "Feltline maintainers <maintainers@feltline.invalid>")
+set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "${PROJECT_DESCRIPTION}")
+set(CPACK_RESOURCE_FILE_LICENSE ${PROJECT_SOURCE_DIR}/LICENSE)
+set(CPACK_PACKAGE_DIRECTORY ${CMAKE_BINARY_DIR}/packages)
+set(CPACK_STRIP_FILES ON)
+set(CPACK_DEB_COMPONENT_INSTALL ON)
+set(CPACK_COMPONENTS_ALL bin dev)
+set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
+set(CPACK_DEBIAN_BIN_PACKAGE_NAME feltline)
+set(CPACK_DEBIAN_DEV_PACKAGE_NAME libfeltline-dev)
+set(CPACK_DEBIAN_BIN_PACKAGE_SECTION graphics)
+set(CPACK_DEBIAN_DEV_PACKAGE_SECTION libdevel)
+set(CPACK_DEBIAN_BIN_PACKAGE_SHLIBDEPS ON)
+# The archives are static: whoever links them needs what they were built against.
+set(CPACK_DEBIAN_DEV_PACKAGE_DEPENDS
+    "libexpected-dev, libfmt-dev, libpng-dev, libsimdjson-dev, libpugixml-dev, libagg2-dev")
+include(CPack)
