@@ -1,0 +1,86 @@
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "felt/stroke/stroke.h"
+
+namespace felt {
+
+/// What a width profile must keep to.
+struct WidthFitOptions {
+  /// Largest difference between the profile and the filtered width of any sample, in mm. 0 puts a
+  /// knot at every sample that is not on the line of its neighbours.
+  double tolerance_mm = 0.15;
+  double min_mm = kMinWidthMm;  ///< widths are clamped to [min_mm, max_mm] (I4)
+  double max_mm = 6.0;
+};
+
+/// Samples closer than this in u share one place: a profile is a function and has one width there.
+inline constexpr double kSameWidthPlace = 1e-9;
+
+/// Fits the width profile of a stroke [Paper eq. 3] while it is drawn: continuous, linear between
+/// knots, within the tolerance of every sample, with knots that need not be Bezier joints (R16).
+///
+/// Life-cycle of one stroke: `begin()`; `push()` for each sample, in order; `finish()`; `knots()`.
+/// The object is reused and keeps its buffer: no allocation after warm-up.
+///
+/// Each segment starts at the end (u1, W1) of the last one [Paper, E10] and has one unknown, its
+/// slope a. A sample (u, w) is met when a lies in
+///   [(w - tol - W1) / (u - u1), (w + tol - W1) / (u - u1)],
+/// so the intersection of these intervals decides exactly, for all samples so far and in O(1),
+/// whether one more sample fits: the swing filter of Elmeleegy, Elmagarmid, Cecchet, Aref,
+/// Zwaenepoel, "Online piece-wise linear approximation of numerical streams with precision
+/// guarantees", VLDB 2009, section 3. Within it the least-squares slope
+///   a = sum (u - u1)(w - W1) / sum (u - u1)^2
+/// is taken (specification 5b, E11). An empty intersection ends the segment at the sample before.
+///
+/// Samples that share a place (the pen stands still while the pressure changes) count as one
+/// requirement. When their widths spread by more than twice the tolerance no function can meet
+/// them all; the middle of the spread is then taken, which misses the outermost by the least.
+class WidthFitter {
+ public:
+  explicit WidthFitter(const WidthFitOptions& options = {});
+
+  /// Forgets the last stroke and starts one.
+  void begin() noexcept;
+  /// Takes the width of the next sample, at stroke parameter `u`. A `u` below the one before
+  /// counts as equal to it; a sample that is not finite is ignored.
+  void push(double u, double width_mm);
+  /// Pen-up: ends the profile at `u_end` > 0, the number of Bezier segments, with the filtered
+  /// width of the last sample as far as the tolerance allows (E11). Samples past u_end count as at
+  /// u_end. Without any sample the profile is constant at min_mm.
+  void finish(double u_end);
+  /// The knots so far: u strictly increasing from 0; after finish() they end exactly at u_end.
+  [[nodiscard]] std::span<const WidthKnot> knots() const noexcept { return knots_; }
+
+ private:
+  // The samples at one place u: what the profile must meet there.
+  struct Place {
+    double u = 0.0;
+    double least = 0.0, most = 0.0;
+    double sum = 0.0, count = 0.0;
+    double last = 0.0;
+  };
+  struct Range {
+    double low, high;
+  };
+
+  [[nodiscard]] Range allowed(const Place& place) const noexcept;
+  [[nodiscard]] Range slopes_through(const Place& place) const noexcept;
+  void take_place();
+  void forget_from(double u);
+  void start_segment(WidthKnot knot);
+  void close_segment(double slope);
+
+  WidthFitOptions options_;
+  double tolerance_mm_;
+  std::vector<WidthKnot> knots_;  // the last one is the start of the open segment
+  Place place_;                   // still collecting
+  Range slopes_{};                // feasible slopes of the open segment
+  double sum_uu_ = 0.0, sum_uw_ = 0.0;
+  double reach_ = 0.0;  // u of the last place taken into the open segment
+};
+
+}  // namespace felt
