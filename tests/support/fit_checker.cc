@@ -1,0 +1,263 @@
+#include "tests/support/fit_checker.h"
+
+#include <deque>
+#include <limits>
+#include <unordered_map>
+
+#include "tests/support/fit_curve_pieces.h"
+#include "tests/support/fit_ink_polyline.h"
+
+namespace fit_check {
+namespace {
+
+constexpr double kKinkDeg = 60.0;
+constexpr double kKinkArcInTolerances = 0.25;
+constexpr double kJoinedMm = 1e-9;
+/// Two floating-point roads to the same distance may differ by this much.
+constexpr double kRoundingMm = 1e-9;
+
+bool is_corner(const Curve& curve, std::size_t joint) {
+  return joint < curve.corners.size() && curve.corners[joint];
+}
+
+bool is_valid(const Ink& ink, const Curve& curve) {
+  if (curve.segments.empty() || ink.samples.empty()) return false;
+  for (const Segment& b : curve.segments) {
+    if (!std::all_of(b.begin(), b.end(), is_finite)) return false;
+  }
+  return true;
+}
+
+/// Direction in which the segment sets out; zero when all its points are equal.
+Point start_direction(const Segment& b) {
+  for (std::size_t i = 1; i < 4; ++i) {
+    if (!(b[i] == b[0])) return b[i] - b[0];
+  }
+  return {};
+}
+
+/// Direction in which the segment arrives; zero when all its points are equal.
+Point end_direction(const Segment& b) {
+  for (std::size_t i = 3; i-- > 0;) {
+    if (!(b[i] == b[3])) return b[3] - b[i];
+  }
+  return {};
+}
+
+void measure_error(const Ink& ink, const CurvePieces& pieces, double tolerance, Report& report) {
+  std::size_t hint = 0;
+  for (const Point& sample : ink.samples) {
+    const double error = pieces.distance(sample, hint);
+    report.error_sum += error;
+    report.max_error = std::max(report.max_error, error);
+  }
+  if (report.max_error > tolerance + kRoundingMm) report.over_tolerance = 1;
+}
+
+void judge_joint(double turn, bool corner, Report& report) {
+  if (corner) {
+    if (turn < 5.0) ++report.corners_bend_less;
+    return;
+  }
+  report.max_smooth_turn_deg = std::max(report.max_smooth_turn_deg, turn);
+  for (std::size_t k = 0; k < kBreakDeg.size(); ++k) {
+    if (turn > kBreakDeg[k]) ++report.breaks[k];
+  }
+}
+
+/// A segment that is a single point has no direction: the one before it is carried across it, and
+/// it makes a corner if either of its joints is one.
+void measure_joints(const Curve& curve, Report& report) {
+  const std::size_t n = curve.segments.size();
+  Point incoming{};
+  bool corner = false;
+  for (std::size_t i = 0; i < (curve.closed ? n + 1 : n); ++i) {
+    const Segment& b = curve.segments[i % n];
+    if (i > 0) {
+      corner = corner || is_corner(curve, i - 1);
+      report.max_gap = std::max(report.max_gap, length(b[0] - curve.segments[i - 1][3]));
+    }
+    const Point outgoing = start_direction(b);
+    if (outgoing == Point{}) {
+      if (i < n) ++report.degenerate_segments;
+      continue;
+    }
+    if (!(incoming == Point{})) judge_joint(turn_deg(incoming, outgoing), corner, report);
+    incoming = end_direction(b);
+    corner = false;
+  }
+}
+
+/// Slides a window of a quarter tolerance of arc along the pieces and counts the places where more
+/// than kKinkDeg of turning fall into it; places nearer than the window are one. Declared corners
+/// empty the window.
+void measure_kinks(const Curve& curve, const CurvePieces& pieces, double tolerance,
+                   Report& report) {
+  struct Bend {
+    double arc;
+    double degrees;
+  };
+  const double reach = kKinkArcInTolerances * tolerance;
+  std::deque<Bend> window;
+  double arc = 0.0, inside = 0.0, last_kink = -2.0 * reach;
+  const Piece* last = nullptr;
+  for (const Piece& piece : pieces.pieces()) {
+    if (piece.a == piece.b) continue;
+    if (last && last->segment != piece.segment && is_corner(curve, piece.segment - 1)) {
+      window.clear();
+      inside = 0.0;
+    } else if (last) {
+      window.push_back({arc, turn_deg(last->b - last->a, piece.b - piece.a)});
+      inside += window.back().degrees;
+    }
+    for (; !window.empty() && window.front().arc < arc - reach; window.pop_front()) {
+      inside -= window.front().degrees;
+    }
+    if (inside > kKinkDeg) {
+      if (arc - last_kink > reach) ++report.kinks;
+      last_kink = arc;
+    }
+    arc += length(piece.b - piece.a);
+    last = &piece;
+  }
+}
+
+void measure_overshoot(const InkPolyline& ink, const CurvePieces& pieces, double tolerance,
+                       Report& report) {
+  double overshoot = 0.0;
+  std::size_t hint = 0;
+  const auto measure = [&](Point p) {
+    const InkPolyline::Nearest nearest = ink.nearest(p, hint);
+    overshoot = std::max(overshoot, nearest.distance);
+    report.overshoot_excess =
+        std::max(report.overshoot_excess,
+                 nearest.distance - kOvershootInTolerances * tolerance - nearest.gap);
+  };
+  for (const Piece& piece : pieces.pieces()) measure(piece.a);
+  measure(pieces.pieces().back().b);
+  report.overshoots.push_back(overshoot);
+  if (report.overshoot_excess > kRoundingMm) report.overshoot_violations = 1;
+}
+
+void audit_corners(const InkPolyline& ink, const Curve& curve, double tolerance, Report& report) {
+  for (std::size_t joint = 0; joint < curve.segments.size(); ++joint) {
+    if (!is_corner(curve, joint)) continue;
+    ++report.corners;
+    for (std::size_t arm = 0; arm < kArmInTolerances.size(); ++arm) {
+      const InkPolyline::Turn turn =
+          ink.turn_near(curve.segments[joint][3], kCornerReachInTolerances * tolerance,
+                        kArmInTolerances[arm] * tolerance);
+      for (std::size_t limit = 0; limit < kCornerDeg.size(); ++limit) {
+        if (turn.degrees < kCornerDeg[limit]) ++report.weak_corners[arm][limit];
+      }
+      if (arm == 1 && turn.short_arm) ++report.corners_near_end;
+    }
+  }
+}
+
+}  // namespace
+
+Report check_stroke(const Ink& ink, const Curve& curve, double tolerance) {
+  Report report;
+  report.strokes = 1;
+  report.samples = static_cast<std::int64_t>(ink.samples.size());
+  report.segments = static_cast<std::int64_t>(curve.segments.size());
+  report.worst_id = report.most_broken_id = report.overshoot_id = report.excess_id = ink.id;
+  if (!is_valid(ink, curve)) {
+    report.invalid = 1;
+    report.over_tolerance = 1;
+    report.max_error = std::numeric_limits<double>::infinity();
+    report.overshoots.push_back(0.0);
+    return report;
+  }
+  const CurvePieces pieces(curve.segments, tolerance);
+  const InkPolyline polyline(ink.samples);
+  measure_error(ink, pieces, tolerance, report);
+  measure_joints(curve, report);
+  measure_kinks(curve, pieces, tolerance, report);
+  measure_overshoot(polyline, pieces, tolerance, report);
+  audit_corners(polyline, curve, tolerance, report);
+  return report;
+}
+
+void Report::add(const Report& other) {
+  const auto raise = [](double& mine, std::string& id, double theirs, const std::string& their_id) {
+    if (theirs > mine || id.empty()) id = their_id;
+    mine = std::max(mine, theirs);
+  };
+  double overshoot = max_overshoot();
+  raise(overshoot, overshoot_id, other.max_overshoot(), other.overshoot_id);
+  raise(max_error, worst_id, other.max_error, other.worst_id);
+  raise(max_smooth_turn_deg, most_broken_id, other.max_smooth_turn_deg, other.most_broken_id);
+  raise(overshoot_excess, excess_id, other.overshoot_excess, other.excess_id);
+  strokes += other.strokes;
+  samples += other.samples;
+  segments += other.segments;
+  error_sum += other.error_sum;
+  over_tolerance += other.over_tolerance;
+  invalid += other.invalid;
+  missing += other.missing;
+  degenerate_segments += other.degenerate_segments;
+  max_gap = std::max(max_gap, other.max_gap);
+  kinks += other.kinks;
+  overshoot_violations += other.overshoot_violations;
+  corners += other.corners;
+  corners_near_end += other.corners_near_end;
+  corners_bend_less += other.corners_bend_less;
+  for (std::size_t k = 0; k < breaks.size(); ++k) breaks[k] += other.breaks[k];
+  for (std::size_t arm = 0; arm < weak_corners.size(); ++arm) {
+    for (std::size_t limit = 0; limit < kCornerDeg.size(); ++limit) {
+      weak_corners[arm][limit] += other.weak_corners[arm][limit];
+    }
+  }
+  overshoots.insert(overshoots.end(), other.overshoots.begin(), other.overshoots.end());
+}
+
+double Report::mean_error() const {
+  return samples > 0 ? error_sum / static_cast<double>(samples) : 0.0;
+}
+
+double Report::max_overshoot() const {
+  return overshoots.empty() ? 0.0 : *std::max_element(overshoots.begin(), overshoots.end());
+}
+
+double Report::overshoot_quantile(double fraction) const {
+  if (overshoots.empty()) return 0.0;
+  std::vector<double> sorted = overshoots;
+  std::sort(sorted.begin(), sorted.end());
+  const double rank = std::ceil(fraction * static_cast<double>(sorted.size())) - 1.0;
+  return sorted[static_cast<std::size_t>(std::max(0.0, rank))];
+}
+
+bool Report::clean() const {
+  return invalid == 0 && missing == 0 && over_tolerance == 0 && breaks[0] == 0 &&
+         overshoot_violations == 0 && max_gap <= kJoinedMm;
+}
+
+Report check_all(const std::vector<Ink>& inks, const std::vector<Curve>& curves, double tolerance,
+                 std::map<std::string, Report>* by_source) {
+  const bool by_order =
+      std::all_of(curves.begin(), curves.end(), [](const Curve& c) { return c.id.empty(); });
+  std::unordered_map<std::string, const Curve*> by_id;
+  for (const Curve& curve : curves) by_id.emplace(curve.id, &curve);
+  Report total;
+  for (std::size_t i = 0; i < inks.size(); ++i) {
+    const Curve* curve = nullptr;
+    if (by_order) {
+      if (i < curves.size()) curve = &curves[i];
+    } else if (const auto found = by_id.find(inks[i].id); found != by_id.end()) {
+      curve = found->second;
+    }
+    Report report;
+    if (curve) {
+      report = check_stroke(inks[i], *curve, tolerance);
+    } else {
+      report.missing = 1;
+    }
+    total.add(report);
+    if (by_source) (*by_source)[inks[i].source].add(report);
+  }
+  return total;
+}
+
+}  // namespace fit_check
