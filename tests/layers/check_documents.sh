@@ -1,0 +1,73 @@
+#!/usr/bin/env bash
+# check_documents.sh [ROOT]: do the documents name things that exist?
+#
+#   docs/requirements.md   every R1..R56 once; a test for each that is done, and every `Suite.Name`,
+#                          CTest name and path there exists in the sources
+#   docs/paper-map.md      every header has the function named beside it; every test exists
+#   all .md files          relative links lead to a file
+set -euo pipefail
+cd "${1:-.}"
+status=0
+complain() { echo "$*"; status=1; }
+
+# The names of all tests: GoogleTest and RapidCheck in the sources, add_test(NAME ...) in CMake.
+test_names() {
+  local sources
+  mapfile -t sources < <(find src apps tests bench -type f -name '*.cc' | LC_ALL=C sort)
+  # One line a file, so that a macro broken over two lines is still seen.
+  awk 'FNR == 1 && NR > 1 { print "" } { printf "%s ", $0 } END { print "" }' "${sources[@]}" |
+    grep -oE '\b(TEST|TEST_F|TEST_P|TYPED_TEST|RC_GTEST_PROP|RC_GTEST_FIXTURE_PROP)\( *[A-Za-z0-9_]+ *, *[A-Za-z0-9_]+' |
+    sed -E 's/^[A-Z_]+\( *([A-Za-z0-9_]+) *, *([A-Za-z0-9_]+)/\1.\2/'
+  find tests bench apps -name CMakeLists.txt -exec cat {} + | tr '\n' ' ' |
+    grep -oE 'add_test\( *NAME +[A-Za-z0-9_.]+' | sed -E 's/.* //'
+}
+names=$(test_names | sort -u)
+
+# check_name PLACE NAME: a test, or a file.
+check_name() {
+  grep -qxF -- "$2" <<<"$names" || [ -e "$2" ] || complain "$1: there is no test or file '$2'"
+}
+
+# Text between backticks in stdin, one a line.
+# shellcheck disable=SC2016  # backticks are meant
+in_backticks() { grep -oE '`[^`]+`' | tr -d '`' || true; }
+
+requirements=docs/requirements.md
+while IFS='|' read -r _ id _ state tests _; do
+  id=$(xargs <<<"$id") state=$(xargs <<<"$state")
+  while read -r name; do check_name "$requirements: $id" "$name"; done < <(in_backticks <<<"$tests")
+  case $state in
+    done | partly) [[ $tests == *'`'* ]] || complain "$requirements: $id is $state without a test" ;;
+    later) ;;
+    *) complain "$requirements: $id has the state '$state', not done, partly or later" ;;
+  esac
+done < <(grep -E '^\| R[0-9]+ ' $requirements)
+for number in $(seq 56); do
+  count=$(grep -cE "^\| R$number " $requirements || true)
+  [ "$count" = 1 ] || complain "$requirements: R$number stands there $count times"
+done
+
+# | equation | what it is | `header`: `function`, ... | `Suite.Name`, ... |
+map=docs/paper-map.md
+while IFS='|' read -r _ equation _ code tests _; do
+  header=
+  while read -r name; do
+    case $name in
+      *.h | *.cc) header=src/$name
+                  [ -e "$header" ] || { complain "$map: $equation: no file $header"; header=; } ;;
+      *) [ -z "$header" ] || grep -qwF -- "$name" "$header" ||
+           complain "$map: $equation: $header has no '$name'" ;;
+    esac
+  done < <(in_backticks <<<"$code")
+  while read -r name; do check_name "$map: $equation" "$name"; done < <(in_backticks <<<"$tests")
+done < <(grep -E '^\| \(?[0-9E]' $map)
+
+while IFS= read -r document; do
+  while IFS= read -r link; do
+    [[ $link =~ ^(https?:|mailto:|#) ]] || [ -e "$(dirname "$document")/${link%%#*}" ] ||
+      complain "$document: the link to '$link' leads nowhere"
+  done < <(grep -oE '\]\([^) ]+\)' "$document" | sed -E 's/^\]\(|\)$//g' || true)
+done < <(find . -name '*.md' -not -path './build*' -not -path './out/*' -not -path '*/node_modules/*' \
+  -not -path './.git/*' | sed 's|^\./||' | LC_ALL=C sort)
+
+exit $status
