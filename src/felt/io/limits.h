@@ -1,0 +1,29 @@
+#pragma once
+
+#include <cstddef>
+
+/// What the readers of this layer accept. Everything above is an error that names its place;
+/// nothing is clamped in silence. docs/formats/ndjson.md tells users the same numbers.
+namespace felt::limits {
+
+/// Longest line, terminator not counted. A longer one is skipped without being kept in memory.
+/// Room for a stroke of ten million samples at 50 characters each.
+inline constexpr std::size_t kMaxLineBytes = std::size_t{512} << 20;
+
+/// Longest number as written.
+inline constexpr std::size_t kMaxNumberChars = 64;
+
+/// Largest magnitude of a coordinate, in the unit of the file. 1e9 mm is 1000 km.
+inline constexpr double kMaxCoordinate = 1e9;
+
+/// Largest magnitude of a time in ms, so that it fits int64 nanoseconds. Larger than
+/// kMaxCoordinate because recorders write milliseconds since 1970 (1.8e12).
+inline constexpr double kMaxTimeMs = 9e12;
+
+/// Longest stroke id or material name, in bytes after unescaping.
+inline constexpr std::size_t kMaxNameBytes = 4096;
+
+/// Deepest nesting inside a key that we ignore.
+inline constexpr int kMaxIgnoredDepth = 64;
+
+}  // namespace felt::limits
