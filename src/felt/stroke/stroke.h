@@ -53,7 +53,7 @@ struct StrokeData {
   /// Breakpoints, u strictly increasing from 0 to n (I6).
   std::vector<WidthKnot> widths;
   std::string material = "pencil";
-  Rgba color;
+  Rgba color{};
 
   friend bool operator==(const StrokeData&, const StrokeData&) = default;
 };

@@ -1,0 +1,42 @@
+#include "felt/stroke/flatten.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace felt {
+
+int flatten_steps(const Cubic& c, double span, double tolerance_mm) noexcept {
+  // |f''| is largest at one of the ends, where it is 6 times a second difference of the points.
+  const double bend = std::max(norm_squared((c.p[2] - c.p[1]) - (c.p[1] - c.p[0])),
+                               norm_squared((c.p[3] - c.p[2]) - (c.p[2] - c.p[1])));
+  const double steps = span * std::sqrt(0.75 * std::sqrt(bend) / tolerance_mm);
+  if (!(steps < kMaxFlattenSteps)) return kMaxFlattenSteps;
+  return std::max(1, static_cast<int>(std::ceil(steps)));
+}
+
+void flatten(const Stroke& stroke, double tolerance_mm, std::vector<Dab>& out) {
+  const auto knots = stroke.widths();
+  out.clear();
+  out.push_back({stroke.position(0.0), 0.5 * knots[0].width_mm});
+  std::size_t k = 0;  // the width piece in hand runs from knot k to k + 1
+  for (int i = 0; i < stroke.segment_count(); ++i) {
+    const Cubic c = stroke.segment(i);
+    for (double t0 = 0.0; t0 < 1.0;) {
+      const WidthKnot a = knots[k], b = knots[k + 1];
+      const bool knot_first = b.u < i + 1;
+      const double t1 = knot_first ? b.u - i : 1.0;
+      const int steps = flatten_steps(c, t1 - t0, tolerance_mm);
+      const double slope = 0.5 * (b.width_mm - a.width_mm) / (b.u - a.u);
+      for (int s = 1; s < steps; ++s) {
+        const double t = t0 + (t1 - t0) * s / steps;
+        out.push_back({evaluate(c, t), 0.5 * a.width_mm + slope * (i + t - a.u)});
+      }
+      const double r1 = b.u <= i + 1 ? 0.5 * b.width_mm : 0.5 * a.width_mm + slope * (i + 1 - a.u);
+      out.push_back({knot_first ? evaluate(c, t1) : c.p[3], r1});
+      if (b.u <= i + 1 && k + 2 < knots.size()) ++k;
+      t0 = t1;
+    }
+  }
+}
+
+}  // namespace felt
