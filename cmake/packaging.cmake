@@ -80,6 +80,7 @@ install(EXPORT feltline-targets NAMESPACE feltline:: DESTINATION ${felt_cmake_di
 
 # The .pc file finds its prefix from where it lies, so that the tree can be moved.
 file(RELATIVE_PATH FELT_PC_UP /${CMAKE_INSTALL_LIBDIR}/pkgconfig /)
+string(REGEX REPLACE "/$" "" FELT_PC_UP ${FELT_PC_UP})
 configure_file(${CMAKE_CURRENT_LIST_DIR}/feltline.pc.in ${CMAKE_BINARY_DIR}/package/feltline.pc
   @ONLY)
 install(FILES ${CMAKE_BINARY_DIR}/package/feltline.pc
