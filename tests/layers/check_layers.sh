@@ -39,8 +39,7 @@ LC_ALL=C awk '
     if (layer != "" && !(layer in known) && !(layer in reported)) {
       complain("layer " layer " is not in rules.txt"); reported[layer] = 1
     }
-    if (layer != "") seen["src/felt/" layer] = 1
-    if (room != "") seen["src/felt/" room] = 1
+    if (layer != "") seen["src/felt/" (room == "" ? layer : room)] = 1
     if (in_source && is_header) headers[++header_count] = FILENAME
     in_depends = 0
   }
