@@ -14,11 +14,21 @@ struct Point {
   friend constexpr bool operator==(Point, Point) noexcept = default;
 };
 
-constexpr Vec operator-(Point a, Point b) noexcept { return {a.x - b.x, a.y - b.y}; }
-constexpr Point operator+(Point p, Vec v) noexcept { return {p.x + v.x, p.y + v.y}; }
-constexpr Point operator-(Point p, Vec v) noexcept { return {p.x - v.x, p.y - v.y}; }
-constexpr Point& operator+=(Point& p, Vec v) noexcept { return p = p + v; }
-constexpr Point& operator-=(Point& p, Vec v) noexcept { return p = p - v; }
+constexpr Vec operator-(Point a, Point b) noexcept {
+  return {a.x - b.x, a.y - b.y};
+}
+constexpr Point operator+(Point p, Vec v) noexcept {
+  return {p.x + v.x, p.y + v.y};
+}
+constexpr Point operator-(Point p, Vec v) noexcept {
+  return {p.x - v.x, p.y - v.y};
+}
+constexpr Point& operator+=(Point& p, Vec v) noexcept {
+  return p = p + v;
+}
+constexpr Point& operator-=(Point& p, Vec v) noexcept {
+  return p = p - v;
+}
 
 /// Linear interpolation: a at t = 0, b at t = 1 (exact at both ends).
 constexpr Point lerp(Point a, Point b, double t) noexcept {
@@ -26,12 +36,18 @@ constexpr Point lerp(Point a, Point b, double t) noexcept {
 }
 
 /// Distance in mm.
-inline double distance(Point a, Point b) noexcept { return norm(b - a); }
+inline double distance(Point a, Point b) noexcept {
+  return norm(b - a);
+}
 
 /// Squared distance in mm^2.
-constexpr double distance_squared(Point a, Point b) noexcept { return norm_squared(b - a); }
+constexpr double distance_squared(Point a, Point b) noexcept {
+  return norm_squared(b - a);
+}
 
 /// True when both coordinates are finite.
-inline bool is_finite(Point p) noexcept { return std::isfinite(p.x) && std::isfinite(p.y); }
+inline bool is_finite(Point p) noexcept {
+  return std::isfinite(p.x) && std::isfinite(p.y);
+}
 
 }  // namespace felt

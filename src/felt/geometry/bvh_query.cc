@@ -1,0 +1,202 @@
+// The queries of SegmentBvh.
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <optional>
+
+#include "felt/geometry/bvh.h"
+#include "felt/geometry/bvh_box.h"
+
+namespace felt {
+namespace {
+
+// Four floats that are computed with at once, and what comparing them gives, -1 for true. Vector
+// extensions of GCC and Clang, one SSE2 or NEON register each: neither compiler finds the vectors
+// in the plain loop, and GCC takes wider comparisons apart where the target has no AVX.
+using Floats [[gnu::vector_size(16)]] = float;
+using Flags [[gnu::vector_size(16)]] = std::int32_t;
+
+// Half h, 0 or 1, of a row of eight.
+inline Floats half_of(const std::array<float, 8>& row, unsigned h) noexcept {
+  Floats half;
+  std::memcpy(&half, &row[4 * h], sizeof half);
+  return half;
+}
+
+// Bit i is set where lane i is true.
+inline unsigned bits_of(const Flags& flags) noexcept {
+  const Flags bits = flags & Flags{1, 2, 4, 8};
+  std::array<std::uint64_t, 2> words;
+  std::memcpy(words.data(), &bits, sizeof words);
+  const std::uint64_t all = words[0] | words[1];
+  return static_cast<unsigned>((all | (all >> 32U)) & 15U);
+}
+
+}  // namespace
+
+// One nearest query: depth first, nearest box first, everything on the stack.
+class SegmentBvh::NearestSearch {
+ public:
+  NearestSearch(const SegmentBvh& tree, const Query& query) noexcept
+      : tree_(tree),
+        query_(query),
+        // The interval of floats that holds the point.
+        x0_(float_below(query.point.x)),
+        y0_(float_below(query.point.y)),
+        x1_(float_above(query.point.x)),
+        y1_(float_above(query.point.y)),
+        pieces_left_(query.cap.pieces) {
+    limit_to(query.radius_mm * query.radius_mm);
+  }
+
+  Hit run() noexcept {
+    const Point p = query_.point;
+    if (tree_.levels_ == 0 || !is_finite(p) || !(query_.radius_mm >= 0.0)) return hit_;
+    if (query_.seed < tree_.size() && pieces_left_ > 0) try_slot(tree_.slots_[query_.seed]);
+    seed_slot_ = hit_ ? tree_.slots_[query_.seed] : kNone;
+    push({0.0F, {tree_.levels_ - 1, 0}});
+    while (count_ > 0) {
+      const Waiting next = waiting_[--count_];
+      if (next.distance_squared > limit_float_) continue;
+      if (hit_.used.nodes >= query_.cap.nodes || pieces_left_ <= 0) {
+        hit_.proven = false;
+        break;
+      }
+      ++hit_.used.nodes;
+      visit(next.at);
+    }
+    if (pieces_left_ <= 0) hit_.proven = false;
+    hit_.used.pieces = query_.cap.pieces - pieces_left_;
+    return hit_;
+  }
+
+ private:
+  struct Waiting {
+    float distance_squared;
+    NodeAt at;
+  };
+  struct Child {
+    float distance_squared;
+    unsigned index;
+  };
+
+  void push(const Waiting& w) noexcept { waiting_[count_++] = w; }
+
+  // Floats compare conservatively: the box distance below errs by at most 4 x 2^-24 of itself, the
+  // factor gives it 16 times that, and the least normal float covers underflow.
+  void limit_to(double distance_squared) noexcept {
+    limit_ = distance_squared;
+    limit_float_ = static_cast<float>(std::min(distance_squared * (1.0 + 0x1p-18), 1e38)) +
+                   std::numeric_limits<float>::min();
+  }
+
+  // The children within the limit, nearest first; returns their number.
+  unsigned near_children(const Node& n, std::array<Child, kFanOut>& near) const noexcept {
+    std::array<float, kFanOut> d;
+    unsigned mask = 0;
+    for (unsigned h = 0; h < 2; ++h) {
+      const Floats zero{};
+      const Floats left = half_of(n.x0, h) - x1_, right = x0_ - half_of(n.x1, h);
+      const Floats above = half_of(n.y0, h) - y1_, below = y0_ - half_of(n.y1, h);
+      Floats dx = left > right ? left : right, dy = above > below ? above : below;
+      dx = dx > zero ? dx : zero;
+      dy = dy > zero ? dy : zero;
+      const Floats squared = dx * dx + dy * dy;  // infinity for absent children
+      mask |= bits_of(squared <= limit_float_) << (4 * h);
+      std::memcpy(&d[4 * h], &squared, sizeof squared);
+    }
+    unsigned count = 0;
+    for (; mask != 0; mask &= mask - 1) {
+      const auto i = static_cast<unsigned>(std::countr_zero(mask));
+      unsigned place = count++;
+      for (; place > 0 && near[place - 1].distance_squared > d[i]; --place) {
+        near[place] = near[place - 1];
+      }
+      near[place] = {d[i], i};
+    }
+    return count;
+  }
+
+  void visit(NodeAt at) noexcept {
+    std::array<Child, kFanOut> near;
+    const unsigned count = near_children(tree_.node(at), near);
+    if (at.level > 0) {
+      for (unsigned k = count; k-- > 0;) {
+        push({near[k].distance_squared, {at.level - 1, at.index * kFanOut + near[k].index}});
+      }
+      return;
+    }
+    for (unsigned k = 0; k < count && near[k].distance_squared <= limit_float_; ++k) {
+      const std::uint32_t slot = at.index * kFanOut + near[k].index;
+      if (pieces_left_ <= 0) return;
+      if (slot != seed_slot_) try_slot(slot);
+    }
+  }
+
+  void try_slot(std::uint32_t slot) noexcept {
+    const std::optional<Nearest> found =
+        nearest_within(tree_.curves_[slot], query_.point, limit_, pieces_left_);
+    if (!found) return;
+    const std::uint32_t handle = tree_.handles_[slot];
+    const double best = hit_ ? hit_.nearest.distance_squared : limit_;
+    const double d = found->distance_squared;
+    if (d > best || (d == best && handle > hit_.handle)) return;
+    hit_.handle = handle;
+    hit_.ref = tree_.refs_[handle];
+    hit_.nearest = *found;
+    limit_to(d);
+  }
+
+  const SegmentBvh& tree_;
+  const Query& query_;
+  float x0_, y0_, x1_, y1_;
+  double limit_ = 0.0;
+  float limit_float_ = 0.0F;
+  int pieces_left_;
+  std::uint32_t seed_slot_ = kNone;
+  Hit hit_;
+  unsigned count_ = 0;
+  std::array<Waiting, kStack> waiting_;
+};
+
+SegmentBvh::Hit SegmentBvh::nearest(const Query& query) const noexcept {
+  return NearestSearch(*this, query).run();
+}
+
+SegmentBvh::BoxWalk::BoxWalk(const SegmentBvh& tree, const Rect& area) noexcept
+    : tree_(tree),
+      area_{float_below(area.x0), float_below(area.y0), float_above(area.x1),
+            float_above(area.y1)} {
+  if (tree.levels_ > 0 && !area.empty()) waiting_[waiting_count_++] = {tree.levels_ - 1, 0};
+  advance();
+}
+
+void SegmentBvh::BoxWalk::advance() noexcept {
+  handle_ = kNone;
+  while (found_mask_ == 0) {
+    if (waiting_count_ == 0) return;
+    const NodeAt at = waiting_[--waiting_count_];
+    const Node& n = tree_.node(at);
+    unsigned mask = 0;
+    for (unsigned h = 0; h < 2; ++h) {
+      mask |= bits_of((half_of(n.x0, h) <= area_[2]) & (half_of(n.x1, h) >= area_[0]) &
+                      (half_of(n.y0, h) <= area_[3]) & (half_of(n.y1, h) >= area_[1]))
+              << (4 * h);
+    }
+    if (at.level == 0) {
+      found_mask_ = mask;
+      found_first_ = at.index * kFanOut;
+      continue;
+    }
+    for (; mask != 0; mask &= mask - 1) {
+      const auto child = static_cast<unsigned>(std::countr_zero(mask));
+      waiting_[waiting_count_++] = {at.level - 1, at.index * kFanOut + child};
+    }
+  }
+  handle_ = tree_.handles_[found_first_ + static_cast<unsigned>(std::countr_zero(found_mask_))];
+  found_mask_ &= found_mask_ - 1;
+}
+
+}  // namespace felt
