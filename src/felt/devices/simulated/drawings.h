@@ -1,0 +1,28 @@
+#pragma once
+
+#include <string_view>
+#include <vector>
+
+#include "felt/devices/simulated/writing_hand.h"
+
+namespace felt {
+
+/// A cat that sits and looks at you, about 100 x 125 mm, with its top left corner near (0, 0).
+std::vector<Gesture> cat_drawing();
+
+/// A line of joined-up writing, its base line starting at `at`. Knows the small letters
+/// e f h i l n o t and the blank; others are left out. Crosses and dots follow their word.
+std::vector<Gesture> cursive(std::string_view text, Point at, double x_height_mm);
+
+/// A page of exercises, 170 x 120 mm: lines, waves, loops, a zigzag with 11 corners, a spiral,
+/// hatching, swelling strokes, circles, dots.
+std::vector<Gesture> exercise_page();
+
+/// Single exercises, each one stroke.
+Gesture straight_line(Point from, Point to);
+Gesture zigzag(Point at, Vec step, int corners);
+Gesture loops(Point at, double radius_mm, double advance_mm, int turns);
+Gesture spiral(Point center, double radius_mm, int turns);
+Gesture wave(Point at, double length_mm, double height_mm, int periods);
+
+}  // namespace felt

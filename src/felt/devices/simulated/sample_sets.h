@@ -1,0 +1,30 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "felt/devices/simulated/writing_hand.h"
+
+namespace felt {
+
+/// One recorded stroke with its name.
+struct RecordedStroke {
+  std::string id;
+  std::vector<HandSample> samples;
+};
+
+/// A file of share/samples.
+struct SampleSet {
+  std::string file_name;
+  std::vector<RecordedStroke> strokes;
+};
+
+/// The sample strokes that come with the project, drawn afresh by the simulated hand:
+/// cat.ndjson, handwriting.ndjson, page.ndjson.
+std::vector<SampleSet> make_sample_sets();
+
+/// The set as raw stroke lines, {"id":..,"points":[[x,y,pressure,t_ms],..]}: mm with 2 decimals,
+/// pressure with 3, milliseconds with 1.
+std::string to_ndjson(const SampleSet& set);
+
+}  // namespace felt

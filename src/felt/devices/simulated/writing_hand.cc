@@ -1,0 +1,138 @@
+#include "felt/devices/simulated/writing_hand.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "felt/devices/simulated/hand_path.h"
+
+namespace felt {
+namespace {
+
+constexpr double kTau = 2.0 * std::numbers::pi;
+constexpr double kGridS = 0.001;   // the aim is smoothed on a grid of 1 ms
+constexpr int kMuscleHalfMs = 20;  // half of the smoothing window
+constexpr double kRiseS = 0.05;    // pressure at pen-down
+constexpr double kFallS = 0.07;    // and at pen-up
+constexpr double kDotS = 0.09;     // how long a dot takes
+
+double smooth_step(double x) {
+  x = std::clamp(x, 0.0, 1.0);
+  return x * x * (3.0 - 2.0 * x);
+}
+
+double quantised(double value, double step) {
+  return step > 0.0 ? step * std::round(value / step) : value;
+}
+
+// The aim at equal steps of time.
+std::vector<Point> on_grid(const std::vector<TimedPoint>& aim) {
+  std::vector<Point> grid;
+  std::size_t k = 0;
+  const double duration_s = std::max(aim.back().t_s, kDotS);
+  for (double t = 0.0; t <= duration_s; t += kGridS) {
+    while (k + 1 < aim.size() && aim[k + 1].t_s < t) ++k;
+    if (k + 1 == aim.size()) {
+      grid.push_back(aim.back().position);
+      continue;
+    }
+    const double span = aim[k + 1].t_s - aim[k].t_s;
+    grid.push_back(lerp(aim[k].position, aim[k + 1].position,
+                        span > 0.0 ? std::min((t - aim[k].t_s) / span, 1.0) : 1.0));
+  }
+  return grid;
+}
+
+// Raised-cosine window over time; before the start and after the end the aim stands still.
+std::vector<Point> through_muscles(const std::vector<Point>& aim) {
+  const auto last = static_cast<std::ptrdiff_t>(aim.size()) - 1;
+  std::vector<Point> moved;
+  for (std::ptrdiff_t i = 0; i <= last; ++i) {
+    const Point center = aim[static_cast<std::size_t>(i)];
+    Vec sum;
+    double weights = 0.0;
+    for (int k = -kMuscleHalfMs; k <= kMuscleHalfMs; ++k) {
+      const double w = 1.0 + std::cos(kTau * k / (2.0 * kMuscleHalfMs + 2.0));
+      const auto j = std::clamp<std::ptrdiff_t>(i + k, 0, last);
+      sum += w * (aim[static_cast<std::size_t>(j)] - center);
+      weights += w;
+    }
+    moved.push_back(center + sum / weights);
+  }
+  return moved;
+}
+
+// Slow strokes and strokes towards the body (down the sheet) press harder.
+double effort(Vec velocity_mm_s) {
+  const double speed = norm(velocity_mm_s);
+  const double slow = std::pow(60.0 / std::max(speed, 10.0), 0.12);
+  return slow * (1.0 + 0.25 * velocity_mm_s.y / std::max(speed, 20.0));
+}
+
+}  // namespace
+
+WritingHand::WritingHand(const HandOptions& options)
+    : options_(options),
+      random_(options.seed),
+      tremor_(make_noise(8.0, 12.0, options.tremor_mm)),
+      wander_(make_noise(0.4, 2.5, options.wander_mm)),
+      waver_(make_noise(0.7, 4.0, 0.06)) {}
+
+WritingHand::Noise WritingHand::make_noise(double low_hz, double high_hz, double rms) {
+  Noise noise;
+  for (Tone& tone : noise) {
+    tone.hz = random_.between(low_hz, high_hz);
+    tone.phase_x = random_.between(0.0, kTau);
+    tone.phase_y = random_.between(0.0, kTau);
+    tone.amplitude = rms * std::sqrt(2.0 / double(kTones));
+  }
+  return noise;
+}
+
+Vec WritingHand::value(const Noise& noise, double t_s) noexcept {
+  Vec sum;
+  for (const Tone& tone : noise) {
+    const double a = kTau * tone.hz * t_s;
+    sum += tone.amplitude * Vec{std::sin(a + tone.phase_x), std::sin(a + tone.phase_y)};
+  }
+  return sum;
+}
+
+// Pauses are whole sampling intervals: the tablet's clock runs on while the pen is up.
+void WritingHand::rest_until_start_of(Point start) {
+  if (!last_) return;
+  const double pause_s = random_.between(0.12, 0.25) + distance(*last_, start) / 300.0;
+  const double interval_s = static_cast<double>(options_.interval_ns) * 1e-9;
+  now_s_ = interval_s * std::ceil((now_s_ + pause_s) / interval_s);
+}
+
+std::vector<HandSample> WritingHand::draw(const Gesture& gesture) {
+  std::vector<HandSample> samples;
+  if (gesture.via.empty()) return samples;
+  rest_until_start_of(gesture.via.front());
+  const auto track = through_muscles(on_grid(pace(smooth_path(gesture.via), gesture.tempo)));
+  const double duration_s = kGridS * static_cast<double>(track.size() - 1);
+  const auto start_ns = std::llround(now_s_ * 1e9);
+  for (std::int64_t ns = 0; static_cast<double>(ns) * 1e-9 <= duration_s;
+       ns += options_.interval_ns) {
+    const double t = static_cast<double>(ns) * 1e-9, place = t / kGridS;
+    const auto k = std::min(static_cast<std::size_t>(place), track.size() - 1);
+    const auto next = std::min(k + 1, track.size() - 1);
+    const Point aim = lerp(track[k], track[next], place - static_cast<double>(k));
+    const Point p = aim + value(tremor_, now_s_ + t) + value(wander_, now_s_ + t);
+    const double ends = std::min(smooth_step(t / kRiseS), smooth_step((duration_s - t) / kFallS));
+    const double level = gesture.end_pressure + (1.0 - gesture.end_pressure) * ends;
+    const double pressure = gesture.pressure * level * effort((track[next] - track[k]) / kGridS) *
+                            (1.0 + value(waver_, now_s_ + t).x);
+    samples.push_back({.position = {quantised(p.x, options_.resolution_mm),
+                                    quantised(p.y, options_.resolution_mm)},
+                       .pressure = quantised(std::clamp(pressure, options_.pressure_step, 1.0),
+                                             options_.pressure_step),
+                       .time_ns = start_ns + ns});
+  }
+  now_s_ += duration_s;
+  last_ = gesture.via.back();
+  return samples;
+}
+
+}  // namespace felt
