@@ -9,20 +9,13 @@
 namespace felt {
 namespace {
 
-/// The parts of c by de Casteljau. A handle of zero length keeps zero length: rounding would give
-/// it a direction of its own, and the tangent is then taken from it (I2).
-std::pair<Cubic, Cubic> split_keeping_handles(const Cubic& c, double t) noexcept {
-  auto [before, after] = split(c, t);
-  if (c.p[1] == c.p[0]) before.p[1] = before.p[0];
-  if (c.p[2] == c.p[3]) after.p[2] = after.p[3];
-  return {before, after};
-}
-
-/// The part of c with t in [t0, t1].
-Cubic part(Cubic c, double t0, double t1) noexcept {
-  if (t0 > 0.0) c = split_keeping_handles(c, t0).second;
-  if (t1 < 1.0) c = split_keeping_handles(c, (t1 - t0) / (1.0 - t0)).first;
-  return c;
+/// The part of c with t in [t0, t1]. A handle of zero length at an end that stays keeps zero
+/// length: rounding would give it a direction of its own, and the tangent is taken from it (I2).
+Cubic part(const Cubic& c, double t0, double t1) noexcept {
+  Cubic result = sub_segment(c, t0, t1);
+  if (t0 == 0.0 && c.p[1] == c.p[0]) result.p[1] = result.p[0];
+  if (t1 == 1.0 && c.p[2] == c.p[3]) result.p[2] = result.p[3];
+  return result;
 }
 
 /// Adds a breakpoint unless rounding put it on or before the last one.

@@ -103,7 +103,7 @@ Result<void> check_joints(const StrokeData& d, std::size_t n) {
 Result<void> check_lengths(const StrokeData& d, std::size_t n) {
   for (std::size_t i = 0; i < n; ++i) {
     const Point* p = &d.points[3 * i];
-    const double length = distance(p[0], p[1]) + distance(p[1], p[2]) + distance(p[2], p[3]);
+    const double length = control_length(Cubic{{p[0], p[1], p[2], p[3]}});
     if (!(length >= kMinSegmentMm - kLengthSlackMm)) {
       return broken("I5", "segment " + text(i) + " at " + text(p[0]) + " is " + text(length) +
                               " mm long, less than " + text(kMinSegmentMm));
