@@ -79,27 +79,30 @@ InkPolyline::Turn InkPolyline::turn_at(std::size_t vertex, double arm) const {
   return {turn_deg(in, out), length(in) < arm / 2.0 || length(out) < arm / 2.0};
 }
 
-InkPolyline::Turn InkPolyline::turn_near(Point p, double radius, double arm) const {
-  Turn best;
-  const auto consider = [&](std::size_t vertex) {
-    const Turn turn = turn_at(vertex, arm);
-    if (turn.degrees >= best.degrees) best = turn;
-  };
-  bool found = false;
+std::vector<std::size_t> InkPolyline::vertices_near(Point p, double radius) const {
+  std::vector<std::size_t> near;
   edges_.search(p, radius, [&](std::size_t edge) {
     // The far end of a line is the near end of the next one; the last vertex begins no line, and
     // nothing turns there.
-    if (length(vertices_[edge] - p) <= radius) {
-      found = true;
-      consider(edge);
-    }
+    if (length(vertices_[edge] - p) <= radius) near.push_back(edge);
     return radius;
   });
-  if (!found) {
+  if (near.empty()) {
     std::size_t edge = 0;
     (void)nearest(p, edge);
-    consider(edge);
-    consider(edge + 1);
+    near = {edge, edge + 1};
+  }
+  std::sort(near.begin(), near.end());
+  return near;
+}
+
+InkPolyline::Turn InkPolyline::turn_near(Point p, double radius, double arm) const {
+  const std::vector<std::size_t> near = vertices_near(p, radius);
+  const std::size_t stride = (near.size() + kMostVerticesTried - 1) / kMostVerticesTried;
+  Turn best;
+  for (std::size_t i = 0; i < near.size(); i += stride) {
+    const Turn turn = turn_at(near[i], arm);
+    if (turn.degrees >= best.degrees) best = turn;
   }
   return best;
 }

@@ -27,12 +27,16 @@ class InkPolyline {
     bool short_arm = false;  ///< the ink ends nearer than half an arm
   };
   /// The largest turn of the ink at any sample within `radius` of p (at the nearest line's ends
-  /// when there is none), and whether that one has a short arm. The turn at a sample q is the angle between q - A and B - q, where A and
-  /// B are the places where the ink, followed backwards and forwards from q, first gets `arm` away
-  /// from q; an arm that meets the ink's end stops there.
+  /// when there is none), and whether that one has a short arm. The turn at a sample q is the angle
+  /// between q - A and B - q, where A and B are the places where the ink, followed backwards and
+  /// forwards from q, first gets `arm` away from q; an arm that meets the ink's end stops there.
+  /// Where a pen has rested there may be thousands of samples; then every k-th is tried, 64 or so.
   [[nodiscard]] Turn turn_near(Point p, double radius, double arm) const;
 
  private:
+  static constexpr std::size_t kMostVerticesTried = 64;
+
+  [[nodiscard]] std::vector<std::size_t> vertices_near(Point p, double radius) const;
   [[nodiscard]] Point follow(std::size_t from, std::ptrdiff_t step, double arm) const;
   [[nodiscard]] Turn turn_at(std::size_t vertex, double arm) const;
   [[nodiscard]] double edge_length(std::size_t edge) const;

@@ -1,0 +1,134 @@
+/// Curve fitters side by side: the same strokes, the same judge, one run. README.md beside this
+/// file says what each row is.
+
+#include <CLI/CLI.hpp>
+#include <cinttypes>
+#include <cstdio>
+#include <exception>
+
+#include "bench/peers/long_report.h"
+#include "bench/peers/table.h"
+
+namespace felt::bench {
+namespace {
+
+struct Arguments {
+  std::vector<std::string> data;
+  double mm_per_unit = 1.0;
+  std::vector<double> tolerances{0.5, 1.0, 2.0};
+  int repeats = 3;
+  std::string only;     ///< part of a fitter's name
+  std::string npm_dir;  ///< holds node_modules; empty: no npm rows
+  std::string scratch = ".";
+  bool by_source = false;
+  std::string csv;
+  std::int64_t long_samples = 0;
+  unsigned seed = 1;
+};
+
+bool wanted(const Arguments& arguments, const std::string& name) {
+  return name.find(arguments.only) != std::string::npos;
+}
+
+std::vector<Row> rows_at(const Arguments& arguments, const InkData& data, double tolerance) {
+  std::vector<Row> rows;
+  const auto run = [&](const Peers& peers) {
+    for (const auto& peer : peers) {
+      if (!wanted(arguments, peer->name())) continue;
+      std::fprintf(stderr, "tolerance %g: %s\n", tolerance, peer->name().c_str());
+      rows.push_back(measure(*peer, data, tolerance, arguments.repeats));
+    }
+  };
+  run(make_lib2geom_peers(tolerance));
+  for (const char* package : {"fit-curve", "paper"}) {
+    if (!wanted(arguments, package)) continue;
+    std::fprintf(stderr, "tolerance %g: %s\n", tolerance, package);
+    rows.push_back(measure_npm(package, data, tolerance, arguments.repeats, arguments.npm_dir,
+                               arguments.scratch));
+  }
+  run(make_feltline_peers(tolerance));
+  return rows;
+}
+
+void print_head(const InkData& data, int repeats) {
+  std::printf("Data: %s: %zu strokes, %" PRId64
+              " samples; deduplicated for peers %zu strokes, "
+              "%" PRId64 " samples.\n",
+              data.name.c_str(), data.raw.size(), sample_count(data.raw), data.deduplicated.size(),
+              sample_count(data.deduplicated));
+  std::printf("CPU time, least of %d runs; a single call's includes %" PRId64
+              " ns of reading the clock.\n",
+              repeats, timer_overhead_ns());
+}
+
+void compare(const Arguments& arguments) {
+  const InkData data = read_ink_data(arguments.data, arguments.mm_per_unit);
+  print_head(data, arguments.repeats);
+  std::vector<Row> all;
+  for (const double tolerance : arguments.tolerances) {
+    const std::vector<Row> rows = rows_at(arguments, data, tolerance);
+    std::printf("\n## Tolerance %g\n\n", tolerance);
+    print_table(stdout, rows);
+    if (arguments.by_source) print_sources(stdout, rows);
+    std::fflush(stdout);
+    all.insert(all.end(), rows.begin(), rows.end());
+  }
+  if (!arguments.csv.empty()) write_csv(arguments.csv, all);
+}
+
+void describe(CLI::App& app, Arguments& arguments) {
+  app.add_option("--data", arguments.data, "raw strokes (.ndjson), one or more files");
+  app.add_option("--mm-per-unit", arguments.mm_per_unit, "millimetres per unit of the data (1)")
+      ->check(CLI::PositiveNumber);
+  app.add_option("--tolerance", arguments.tolerances, "millimetres (0.5 1 2)")
+      ->check(CLI::PositiveNumber);
+  app.add_option("--repeats", arguments.repeats, "timed runs of each (3)")
+      ->check(CLI::Range(1, 99));
+  app.add_option("--only", arguments.only, "fitters with this in their name");
+  app.add_option("--npm-dir", arguments.npm_dir, "folder that holds node_modules");
+  app.add_option("--scratch", arguments.scratch, "folder for files that pass to node and back");
+  app.add_flag("--by-source", arguments.by_source, "one table per source as well");
+  app.add_option("--csv", arguments.csv, "write all rows to this file");
+  app.add_option("--long", arguments.long_samples,
+                 "instead: the cost of single calls on one stroke of N generated samples")
+      ->check(CLI::PositiveNumber);
+  app.add_option("--seed", arguments.seed, "of --long (1)");
+}
+
+int run(const Arguments& arguments) {
+  if (arguments.long_samples > 0) {
+    for (const double tolerance : arguments.tolerances) {
+      print_long_report(arguments.long_samples, tolerance, arguments.repeats, arguments.seed);
+    }
+    return 0;
+  }
+  if (arguments.data.empty()) {
+    std::fprintf(stderr, "bench_fit: --data or --long is needed\n");
+    return 2;
+  }
+  compare(arguments);
+  return 0;
+}
+
+}  // namespace
+}  // namespace felt::bench
+
+int main(int argc, char** argv) {
+  felt::bench::Arguments arguments;
+  CLI::App app("Curve fitters side by side.", "bench_fit");
+  felt::bench::describe(app, arguments);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::CallForHelp& help) {
+    return app.exit(help);
+  } catch (const CLI::ParseError& error) {
+    app.exit(error);
+    return 2;
+  }
+  try {
+    return felt::bench::run(arguments);
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "bench_fit: %s\n", error.what());
+    return 1;
+  }
+}

@@ -1,0 +1,67 @@
+// Runs one npm curve fitter over a file of strokes:
+//   node fit_peers.mjs PACKAGE TOLERANCE REPEATS MODULES SCRATCH
+// reads SCRATCH/inks.ndjson, writes SCRATCH/curves.ndjson (sketch lines) and SCRATCH/cost.json.
+// Time is the CPU time of the whole process, its compiler and collector threads included; that of
+// one call (a stroke) is wall time, since node's CPU clock ticks too coarsely for it.
+import { createRequire } from 'node:module';
+import { readFileSync, writeFileSync } from 'node:fs';
+
+const [, , packageName, toleranceText, repeatsText, modules, scratch] = process.argv;
+const tolerance = Number(toleranceText);
+const repeats = Number(repeatsText);
+const load = createRequire(`${modules}/`);
+
+// Each takes [[x, y], ...] and gives [[p0, p1, p2, p3], ...] with [x, y] points. Both packages
+// compare their tolerance with a squared distance.
+const fitters = {
+  'fit-curve': () => {
+    const fitCurve = load('fit-curve');
+    return (points) => fitCurve(points, tolerance * tolerance);
+  },
+  paper: () => {
+    const paper = load('paper/dist/paper-core.js');
+    paper.setup([1, 1]);
+    return (points) => {
+      const path = new paper.Path({ segments: points, insert: false });
+      path.simplify(tolerance * tolerance);
+      return path.curves.map((curve) =>
+        curve.getValues().reduce((pairs, value, i) => {
+          if (i % 2 === 0) pairs.push([value]);
+          else pairs[pairs.length - 1].push(value);
+          return pairs;
+        }, []));
+    };
+  },
+};
+
+const inks = readFileSync(`${scratch}/inks.ndjson`, 'utf8')
+  .split('\n').filter((line) => line !== '').map((line) => JSON.parse(line));
+const samples = inks.reduce((sum, ink) => sum + ink.points.length, 0);
+const fit = fitters[packageName]();
+
+// The first pass gives the result and lets the compiler warm up.
+const lines = inks.map((ink) => {
+  const segments = fit(ink.points).map((segment) => segment.flat());
+  return JSON.stringify({ id: ink.id, segments, joints: segments.slice(1).map(() => 'smooth') });
+});
+writeFileSync(`${scratch}/curves.ndjson`, lines.map((line) => `${line}\n`).join(''));
+
+let perSample = Infinity;
+const calls = new Array(inks.length).fill(Infinity);
+for (let i = 0; i < repeats; ++i) {
+  const start = process.cpuUsage();
+  for (const ink of inks) fit(ink.points);
+  const used = process.cpuUsage(start);
+  perSample = Math.min(perSample, ((used.user + used.system) * 1000) / samples);
+  inks.forEach((ink, k) => {
+    const begin = process.hrtime.bigint();
+    fit(ink.points);
+    calls[k] = Math.min(calls[k], Number(process.hrtime.bigint() - begin));
+  });
+}
+calls.sort((a, b) => a - b);
+writeFileSync(`${scratch}/cost.json`, JSON.stringify({
+  ns_per_sample: perSample,
+  call_p999_ns: calls[Math.ceil(0.999 * calls.length) - 1] ?? 0,
+  call_max_ns: calls[calls.length - 1] ?? 0,
+}));

@@ -1,0 +1,52 @@
+#include "bench/peers/ink_data.h"
+
+#include <filesystem>
+#include <fstream>
+#include <stdexcept>
+
+#include "tests/support/fit_files.h"
+
+namespace felt::bench {
+namespace {
+
+constexpr std::size_t kMinPoints = 4;
+
+std::vector<fit_check::Ink> deduplicated(const std::vector<fit_check::Ink>& raw) {
+  std::vector<fit_check::Ink> result;
+  for (const fit_check::Ink& ink : raw) {
+    fit_check::Ink kept{ink.id, ink.source, ink.samples};
+    kept.samples.erase(std::unique(kept.samples.begin(), kept.samples.end()), kept.samples.end());
+    if (kept.samples.size() >= kMinPoints) result.push_back(std::move(kept));
+  }
+  return result;
+}
+
+}  // namespace
+
+std::int64_t sample_count(const std::vector<fit_check::Ink>& inks) {
+  std::size_t count = 0;
+  for (const fit_check::Ink& ink : inks) count += ink.samples.size();
+  return static_cast<std::int64_t>(count);
+}
+
+InkData read_ink_data(const std::vector<std::string>& paths, double mm_per_unit) {
+  InkData data;
+  for (const std::string& path : paths) {
+    const std::string file = std::filesystem::path(path).filename();
+    std::ifstream in(path);
+    if (!in) throw std::runtime_error(path + ": cannot be opened");
+    try {
+      for (fit_check::Ink& ink : fit_check::read_inks(in, mm_per_unit)) {
+        if (ink.source.empty()) ink.source = file;
+        data.raw.push_back(std::move(ink));
+      }
+    } catch (const std::runtime_error& error) {
+      throw std::runtime_error(path + ": " + error.what());
+    }
+    data.name += (data.name.empty() ? "" : ", ") + file;
+  }
+  data.deduplicated = deduplicated(data.raw);
+  return data;
+}
+
+}  // namespace felt::bench

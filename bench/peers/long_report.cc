@@ -1,0 +1,73 @@
+#include "bench/peers/long_report.h"
+
+#include <cstdio>
+
+#include "bench/peers/measure.h"
+
+namespace felt::bench {
+namespace {
+
+void print_calls(const char* what, const std::vector<float>& calls) {
+  double sum = 0.0;
+  for (const float call : calls) sum += static_cast<double>(call);
+  std::printf("  %-22s mean %7.0f  p99 %7.0f  p99.9 %7.0f  p99.99 %7.0f  max %8.0f\n", what,
+              sum / static_cast<double>(calls.size()), quantile(calls, 0.99),
+              quantile(calls, 0.999), quantile(calls, 0.9999), quantile(calls, 1.0));
+}
+
+void print_slowest(const std::vector<float>& calls) {
+  const auto slowest = std::max_element(calls.begin(), calls.end());
+  std::printf("  slowest call: number %td of %zu (the last one is end())\n",
+              slowest - calls.begin(), calls.size());
+}
+
+void print_result(const fit_check::Report& r) {
+  std::printf(
+      "  result: %lld segments, max error %.6f, %d G1 breaks, %d corners, "
+      "overshoot %.2f, %s\n\n",
+      static_cast<long long>(r.segments), r.max_error, r.breaks[0], r.corners, r.max_overshoot(),
+      r.clean() ? "clean" : "NOT clean");
+}
+
+void report(Peer& peer, const fit_check::Ink& ink, double tolerance, int repeats) {
+  std::printf("%s, %zu samples, tolerance %g\n", peer.name().c_str(), ink.samples.size(),
+              tolerance);
+  Probe warm_up(Probe::Mode::kTotal);
+  peer.fit(ink, warm_up);
+  fit_check::Curve curve = peer.curve();
+
+  Probe total(Probe::Mode::kTotal);
+  peer.fit(ink, total);
+  const auto samples = static_cast<double>(ink.samples.size());
+  std::printf("  whole stroke: %.0f ns per sample, %.6f allocations per sample\n",
+              static_cast<double>(total.total_ns()) / samples,
+              static_cast<double>(total.allocations()) / samples);
+
+  std::vector<float> best;
+  for (int i = 0; i < repeats; ++i) {
+    Probe each(Probe::Mode::kEachCall);
+    peer.fit(ink, each);
+    print_calls(("calls, run " + std::to_string(i + 1)).c_str(), each.calls_ns());
+    keep_smaller(best, each.calls_ns());
+  }
+  print_calls("least of the runs", best);
+  if (!best.empty()) print_slowest(best);
+  print_result(fit_check::check_stroke(ink, curve, tolerance));
+}
+
+}  // namespace
+
+void print_long_report(std::int64_t samples, double tolerance, int repeats, unsigned seed) {
+  const fit_check::Ink ink = make_long_stroke(samples, tolerance, seed);
+  std::printf(
+      "Thread CPU time in ns. An empty measurement shows %lld ns, which is part of every "
+      "call.\n\n",
+      static_cast<long long>(timer_overhead_ns()));
+  for (const auto& peer : make_feltline_peers(tolerance)) {
+    if (peer->name() != "feltline refined" || samples <= 100'000) {
+      report(*peer, ink, tolerance, repeats);
+    }
+  }
+}
+
+}  // namespace felt::bench

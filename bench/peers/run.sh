@@ -1,0 +1,57 @@
+#!/usr/bin/env bash
+# ./dev bench fit [OPTIONS of bench_fit]: builds bench_fit, fetches the npm peers where node is
+# there, chooses the data, runs. --csv without a name writes bench/results/<machine>.csv.
+set -euo pipefail
+cd "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/../.."
+
+readonly build_dir=${BUILD_DIR:-$PWD/build/release}
+readonly npm_dir=$build_dir/bench-npm
+readonly shared_data=../shared/data/pen-strokes-a.ndjson
+
+# The processor's name as a file name.
+machine() {
+  sed -n 's/^model name[^:]*: //p' /proc/cpuinfo 2>/dev/null | head -n 1 | tr -cs '[:alnum:]\n' '-' |
+    tr '[:upper:]' '[:lower:]' | sed 's/-*$//' | grep . || uname -m
+}
+
+install_npm_peers() {
+  mkdir -p "$npm_dir"
+  command -v npm >/dev/null || return 0
+  cmp -s bench/peers/package.json "$npm_dir/package.json" && [ -d "$npm_dir/node_modules" ] && return 0
+  cp bench/peers/package.json "$npm_dir/"
+  if ! npm install --prefix "$npm_dir" --no-audit --no-fund >"$npm_dir/npm.log" 2>&1; then
+    rm -f "$npm_dir/package.json"
+    echo "The npm peers could not be installed ($npm_dir/npm.log); their rows are skipped." >&2
+  fi
+}
+
+# The shared recordings, else the project's own samples.
+default_data() {
+  if [ -r $shared_data ]; then echo $shared_data; else ls share/samples/*.ndjson; fi
+}
+
+[ -f "$build_dir/CMakeCache.txt" ] ||
+  cmake --preset release -B "$build_dir" -DFELT_TESTS=OFF -DFELT_BENCHMARKS=ON >/dev/null
+cmake --build "$build_dir" --parallel "${JOBS:-$(nproc)}" --target bench_fit >&2
+
+arguments=() needs_data=true
+while [ $# -gt 0 ]; do
+  case $1 in
+    --data | --data=* | --long | --long=*) needs_data=false ;;
+    --csv)
+      if [ $# -eq 1 ] || [ "${2#-}" != "$2" ]; then
+        mkdir -p bench/results
+        arguments+=("--csv=bench/results/$(machine).csv")
+        shift
+        continue
+      fi ;;
+  esac
+  arguments+=("$1")
+  shift
+done
+if $needs_data; then
+  install_npm_peers
+  mapfile -t data < <(default_data)
+  arguments+=(--data "${data[@]}")
+fi
+exec "$build_dir/bin/bench_fit" --npm-dir "$npm_dir" --scratch "$npm_dir/scratch" "${arguments[@]}"
