@@ -29,7 +29,7 @@ struct BvhSegment {
 
 /// Limit on the work of one nearest query. The default keeps any query, adversarial ones included,
 /// near 100 us of CPU: a node costs about 20 ns (100 ns when it has to come from memory), a piece
-/// of a curve (nearest.h) about 60 ns.
+/// of a curve (nearest.h) about 80 ns.
 struct BvhWorkCap {
   int nodes = 384;
   int pieces = 640;
@@ -96,8 +96,9 @@ class SegmentBvh {
   /// Calls visit(handle) for every segment whose tight box shares a point with `area`, in no
   /// particular order; boxes are rounded outwards to float.
   template <class Visit>
-  void for_each_in(const Rect& area, Visit&& visit) const {
-    for (BoxWalk walk(*this, area); walk.handle() != kNone; walk.advance()) visit(walk.handle());
+  void for_each_in(const Rect& area, Visit visit) const {
+    walk(
+        area, [](void* to, std::uint32_t handle) { (*static_cast<Visit*>(to))(handle); }, &visit);
   }
 
   /// Changes the curve of a segment; boxes above follow. Requires handle < size().
@@ -123,40 +124,19 @@ class SegmentBvh {
  private:
   static constexpr unsigned kFanOut = 8;
   static constexpr unsigned kMaxLevels = 11;  // 8^11 > 2^31
-  static constexpr unsigned kStack = (kFanOut - 1) * kMaxLevels + kFanOut;
 
   // The boxes of 8 children. An absent child has an empty box: lows +infinity, highs -infinity.
   struct alignas(64) Node {
     std::array<float, kFanOut> x0, y0, x1, y1;
   };
   struct Box;
-  struct NodeAt {
-    unsigned level;       // 0: children are segments
-    std::uint32_t index;  // within the level
-  };
+  struct NodeAt;
   struct Sorter;
   class NearestSearch;
 
-  // Enumerates the segments in a rectangle; an object so that `for_each_in` needs no std::function.
-  class BoxWalk {
-   public:
-    BoxWalk(const SegmentBvh& tree, const Rect& area) noexcept;
-    [[nodiscard]] std::uint32_t handle() const noexcept { return handle_; }
-    void advance() noexcept;
-
-   private:
-    const SegmentBvh& tree_;
-    std::array<float, 4> area_;  // x0, y0, x1, y1
-    std::array<NodeAt, kStack> waiting_;
-    unsigned waiting_count_ = 0;
-    unsigned found_mask_ = 0;        // children of the present lowest node that are still to report
-    std::uint32_t found_first_ = 0;  // slot of its first child
-    std::uint32_t handle_ = kNone;
-  };
-
-  [[nodiscard]] const Node& node(NodeAt at) const noexcept {
-    return nodes_[level_begin_[at.level] + at.index];
-  }
+  // A function pointer and its argument, so that there is neither std::function nor allocation.
+  void walk(const Rect& area, void (*visit)(void*, std::uint32_t), void* argument) const;
+  [[nodiscard]] const Node& node(NodeAt at) const noexcept;
   void lay_out(std::span<const BvhSegment> segments, std::span<const std::uint32_t> order);
   void fill_inner_levels() noexcept;
   void set_box(std::uint32_t slot, const Box& box) noexcept;

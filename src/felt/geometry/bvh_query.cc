@@ -36,6 +36,19 @@ inline unsigned bits_of(const Flags& flags) noexcept {
 
 }  // namespace
 
+// Where a node is.
+struct SegmentBvh::NodeAt {
+  // Room for what can wait during a depth first search.
+  static constexpr unsigned kStack = (kFanOut - 1) * kMaxLevels + kFanOut;
+
+  unsigned level;       // 0: children are segments
+  std::uint32_t index;  // within the level
+};
+
+const SegmentBvh::Node& SegmentBvh::node(NodeAt at) const noexcept {
+  return nodes_[level_begin_[at.level] + at.index];
+}
+
 // One nearest query: depth first, nearest box first, everything on the stack.
 class SegmentBvh::NearestSearch {
  public:
@@ -158,45 +171,39 @@ class SegmentBvh::NearestSearch {
   std::uint32_t seed_slot_ = kNone;
   Hit hit_;
   unsigned count_ = 0;
-  std::array<Waiting, kStack> waiting_;
+  std::array<Waiting, NodeAt::kStack> waiting_;
 };
 
 SegmentBvh::Hit SegmentBvh::nearest(const Query& query) const noexcept {
   return NearestSearch(*this, query).run();
 }
 
-SegmentBvh::BoxWalk::BoxWalk(const SegmentBvh& tree, const Rect& area) noexcept
-    : tree_(tree),
-      area_{float_below(area.x0), float_below(area.y0), float_above(area.x1),
-            float_above(area.y1)} {
-  if (tree.levels_ > 0 && !area.empty()) waiting_[waiting_count_++] = {tree.levels_ - 1, 0};
-  advance();
-}
-
-void SegmentBvh::BoxWalk::advance() noexcept {
-  handle_ = kNone;
-  while (found_mask_ == 0) {
-    if (waiting_count_ == 0) return;
-    const NodeAt at = waiting_[--waiting_count_];
-    const Node& n = tree_.node(at);
+void SegmentBvh::walk(const Rect& area, void (*visit)(void*, std::uint32_t), void* argument) const {
+  if (levels_ == 0 || area.empty()) return;
+  const float x0 = float_below(area.x0), x1 = float_above(area.x1);
+  const float y0 = float_below(area.y0), y1 = float_above(area.y1);
+  std::array<NodeAt, NodeAt::kStack> waiting;
+  unsigned count = 0;
+  waiting[count++] = {levels_ - 1, 0};
+  while (count > 0) {
+    const NodeAt at = waiting[--count];
+    const Node& n = node(at);
     unsigned mask = 0;
     for (unsigned h = 0; h < 2; ++h) {
-      mask |= bits_of((half_of(n.x0, h) <= area_[2]) & (half_of(n.x1, h) >= area_[0]) &
-                      (half_of(n.y0, h) <= area_[3]) & (half_of(n.y1, h) >= area_[1]))
+      mask |= bits_of((half_of(n.x0, h) <= x1) & (half_of(n.x1, h) >= x0) &
+                      (half_of(n.y0, h) <= y1) & (half_of(n.y1, h) >= y0))
               << (4 * h);
     }
-    if (at.level == 0) {
-      found_mask_ = mask;
-      found_first_ = at.index * kFanOut;
-      continue;
-    }
     for (; mask != 0; mask &= mask - 1) {
-      const auto child = static_cast<unsigned>(std::countr_zero(mask));
-      waiting_[waiting_count_++] = {at.level - 1, at.index * kFanOut + child};
+      const std::uint32_t child =
+          at.index * kFanOut + static_cast<unsigned>(std::countr_zero(mask));
+      if (at.level == 0) {
+        visit(argument, handles_[child]);
+      } else {
+        waiting[count++] = {at.level - 1, child};
+      }
     }
   }
-  handle_ = tree_.handles_[found_first_ + static_cast<unsigned>(std::countr_zero(found_mask_))];
-  found_mask_ &= found_mask_ - 1;
 }
 
 }  // namespace felt

@@ -24,7 +24,7 @@ TEST(Nearest, R19_IsNeverFartherThanDenseSamplingOnAnyKindOfCubic) {
       const NearestCase c = make_case(static_cast<CaseKind>(k), random);
       const Nearest hit = nearest(c.curve, c.query);
       const double truth = sampled_distance(c.curve, c.query, 1000);
-      ASSERT_LE(std::sqrt(hit.distance_squared), truth + 1e-9 * size + 2e-14 * truth)
+      ASSERT_LE(std::sqrt(hit.distance_squared), truth + 1e-12 * size + 2e-14 * truth)
           << "kind " << k << ", case " << i << " of seed " << k;
       ASSERT_TRUE(hit.t >= 0.0 && hit.t <= 1.0);
       ASSERT_EQ(hit.point, evaluate(c.curve, hit.t));
