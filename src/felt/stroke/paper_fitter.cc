@@ -31,11 +31,17 @@ JointKind joint_between(const Cubic& before, const Cubic& after) {
                                                                     : JointKind::kCorner;
 }
 
+// part / whole, or 0 where the path is too long for a double.
+double share_of(double part, double whole) {
+  const double share = part / whole;
+  return std::isfinite(share) ? share : 0.0;
+}
+
 // One Newton step for (f(t) - p) . f'(t) = 0.
 double newton_step(const Cubic& c, Point p, double t) {
   const Vec d = evaluate(c, t) - p, d1 = derivative(c, t), d2 = second_derivative(c, t);
-  const double slope = norm_squared(d1) + dot(d, d2);
-  return slope > 0.0 ? t - dot(d, d1) / slope : t;
+  const double next = t - dot(d, d1) / (norm_squared(d1) + dot(d, d2));
+  return std::isfinite(next) ? next : t;
 }
 
 }  // namespace
@@ -108,7 +114,7 @@ double PaperFitter::fit(Run& run) const {
   double s22 = 0.0, s23 = 0.0, s33 = 0.0;
   Vec r2, r3;
   for (std::size_t i = first; i <= last; ++i) {
-    const double t = (path_mm_[i] - path_mm_[run.from]) / length, s = 1.0 - t;
+    const double t = share_of(path_mm_[i] - path_mm_[run.from], length), s = 1.0 - t;
     const double w2 = 3.0 * t * s * s, w3 = 3.0 * t * t * s;
     const Vec rest = (points_[i] - b1) - t * t * t * (b4 - b1);  // relative to B1, which drops out
     s22 += w2 * w2;
@@ -121,8 +127,8 @@ double PaperFitter::fit(Run& run) const {
   const double det = s22 * s33 - s23 * s23;
   if (det > 1e-9 * s22 * s33) {
     // Relative to B1 the basis of B2 and B3 is w2 and w3 alone.
-    run.cubic.p[1] = b1 + (s33 * r2 - s23 * r3) / det;
-    run.cubic.p[2] = b1 + (s22 * r3 - s23 * r2) / det;
+    const Point b2 = b1 + (s33 * r2 - s23 * r3) / det, b3 = b1 + (s22 * r3 - s23 * r2) / det;
+    if (is_finite(b2) && is_finite(b3)) run.cubic = {{b1, b2, b3, b4}};
   }
   return place_samples(run);
 }
@@ -133,7 +139,7 @@ double PaperFitter::place_samples(Run& run) const {
   run.t.clear();
   double previous = 0.0, worst = 0.0;
   for (std::size_t i = run.from; i <= run.to; ++i) {
-    const double chord_t = (path_mm_[i] - path_mm_[run.from]) / length;
+    const double chord_t = share_of(path_mm_[i] - path_mm_[run.from], length);
     const double newton_t = newton_step(run.cubic, points_[i], chord_t);
     double t = std::clamp(chord_t, previous, 1.0);
     double d = distance(evaluate(run.cubic, t), points_[i]);
@@ -176,28 +182,19 @@ void PaperFitter::uncommit_last() {
   }
 }
 
-// The samples after the last joint are too close to it for a segment of their own (I5): one
-// segment draws them together with the last one's, or, when that misses the tolerance, the joint
-// between the two moves back until both parts are long enough and near enough.
+// The samples after the last joint are too close to it for a segment of their own (I5): the last
+// segment is fitted again to draw them too. Where that misses the tolerance it stays as it is, and
+// its end stands for them.
 void PaperFitter::absorb_tail() {
-  const std::size_t last = points_.size() - 1, joint = ends_.back();
-  uncommit_last();
-  const std::size_t from = ends_.back();
+  const std::size_t last = points_.size() - 1;
+  const std::size_t from = ends_[ends_.size() - 2];
   Run whole{.from = from, .to = last, .cubic = {}, .t = {}};
-  const double whole_mm = long_enough(points_[from], points_[last]) ? fit(whole) : 1e300;
-  for (std::size_t middle = joint; whole_mm > tolerance_mm_ && middle > from + 1;) {
-    --middle;
-    Run head{.from = from, .to = middle, .cubic = {}, .t = {}};
-    Run tail{.from = middle, .to = last, .cubic = {}, .t = {}};
-    if (!long_enough(points_[from], points_[middle])) break;
-    if (!long_enough(points_[middle], points_[last])) continue;
-    if (fit(head) > tolerance_mm_ || fit(tail) > tolerance_mm_) continue;
-    commit(head);
-    commit(tail);
-    return;
+  if (long_enough(points_[from], points_[last]) && fit(whole) <= tolerance_mm_) {
+    uncommit_last();
+    commit(whole);
+  } else {
+    curve_.sample_u.resize(points_.size(), curve_.segment_count());
   }
-  if (whole.t.empty()) fit(whole);
-  commit(whole);
 }
 
 void PaperFitter::add_dot() {

@@ -47,8 +47,8 @@ class PaperFitter {
   /// Pen-up: fits the rest. A stroke that never leaves kMinSegmentMm becomes one straight segment
   /// of that length (R10); without any point the curve stays empty.
   void end();
-  /// The segments so far; complete after end(). A segment's chord is at least
-  /// kMinSegmentMm (I5), unless a stroke ends within that distance of its last joint but one.
+  /// The segments so far; complete after end(). No chord is below kMinSegmentMm (I5), so up to that
+  /// distance of the end may be left out when the tolerance is smaller.
   [[nodiscard]] const FittedCurve& curve() const noexcept { return curve_; }
 
  private:

@@ -157,11 +157,29 @@ RC_GTEST_PROP(PaperFitter, TakesAnyPoints, ()) {
   const FittedCurve curve = fit(points, shared);
   RC_ASSERT(is_sound(curve, points.size()));
   RC_ASSERT(curve.points.front() == points.front());
-  RC_ASSERT(curve.segment_count() == 1 || curve.points.back() == points.back());
+  RC_ASSERT(distance(curve.points.back(), points.back()) <= kMinSegmentMm);
   for (std::size_t i = 0; i < points.size(); ++i) {
     // kMinSegmentMm where the last few samples are too close for a segment of their own.
     RC_ASSERT(distance_at(curve, curve.sample_u[i], points[i]) <= 0.25 + kMinSegmentMm);
   }
+}
+
+RC_GTEST_PROP(PaperFitter, StaysFiniteAtTheEdgeOfTheDoubles, ()) {
+  const double unit = *rc::gen::element(1e-300, 1e100, 1e160, 1e305);
+  const auto places = *rc::gen::nonEmpty(rc::gen::container<std::vector<std::pair<int, int>>>(
+      rc::gen::pair(rc::gen::inRange(-9, 10), rc::gen::inRange(-9, 10))));
+  std::vector<Point> points;
+  for (const auto& [x, y] : places) points.push_back({unit * x, unit * y});
+  RC_ASSERT(is_sound(fit(points, *rc::gen::inRange(0, 9)), points.size()));
+}
+
+TEST(PaperFitter, AHandThatRestsAtTheEndDoesNotHang) {
+  auto points = loops(100);
+  const Point end = points.back();
+  for (int i = 0; i < 200'000; ++i) points.push_back(end + Vec{0.03 * (i % 2), 0.0});
+  const FittedCurve curve = fit(points, 4, 0.02);
+  ASSERT_TRUE(is_sound(curve, points.size()));
+  EXPECT_LE(distance(curve.points.back(), end), kMinSegmentMm);
 }
 
 TEST(PaperFitter, R7ReusedOrNotTheBytesAreTheSame) {
