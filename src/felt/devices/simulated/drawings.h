@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
 #include <string_view>
 #include <vector>
 
@@ -17,6 +19,10 @@ std::vector<Gesture> cursive(std::string_view text, Point at, double x_height_mm
 /// A page of exercises, 170 x 120 mm: lines, waves, loops, a zigzag with 11 corners, a spiral,
 /// hatching, swelling strokes, circles, dots.
 std::vector<Gesture> exercise_page();
+
+/// As many strokes as you like: words, doodles with corners, lines, zigzags, loops, spirals of all
+/// sizes, speeds and pressures. For tests and benchmarks.
+std::vector<Gesture> random_gestures(std::uint64_t seed, std::size_t count);
 
 /// Single exercises, each one stroke.
 Gesture straight_line(Point from, Point to);

@@ -48,6 +48,21 @@ TEST(WritingHand, SamplesAreThoseOfATablet) {
   }
 }
 
+TEST(WritingHand, DrawsAnyGesture) {
+  WritingHand hand;
+  std::size_t samples = 0;
+  for (const Gesture& g : random_gestures(11, 500)) {
+    const auto stroke = hand.draw(g);
+    ASSERT_FALSE(stroke.empty());
+    samples += stroke.size();
+    for (const HandSample& s : stroke) {
+      ASSERT_TRUE(is_finite(s.position));
+      ASSERT_TRUE(s.pressure > 0.0 && s.pressure <= 1.0);
+    }
+  }
+  EXPECT_GT(samples, 10'000u);
+}
+
 TEST(WritingHand, StaysNearTheAim) {
   const auto stroke = WritingHand({.seed = 9}).draw(straight_line({10.0, 10.0}, {90.0, 10.0}));
   for (const HandSample& s : stroke) EXPECT_NEAR(s.position.y, 10.0, 0.8);
