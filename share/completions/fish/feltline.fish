@@ -1,0 +1,27 @@
+# fish completion for feltline
+set -l commands fit render convert info bench
+complete -c feltline -s h -l help -d 'Show help'
+complete -c feltline -s q -l quiet -d 'No progress line'
+complete -c feltline -n "not __fish_seen_subcommand_from $commands" -f -l version -d 'Show the version'
+complete -c feltline -n "not __fish_seen_subcommand_from $commands" -f -a fit -d 'Turn raw pen strokes into a sketch'
+complete -c feltline -n "not __fish_seen_subcommand_from $commands" -f -a render -d 'Make a picture of a sketch'
+complete -c feltline -n "not __fish_seen_subcommand_from $commands" -f -a convert -d 'Write a sketch in another format'
+complete -c feltline -n "not __fish_seen_subcommand_from $commands" -f -a info -d 'Say what is in a file'
+complete -c feltline -n "not __fish_seen_subcommand_from $commands" -f -a bench -d 'Time the fitting on this machine'
+
+set -l makes_output 'fit render convert'
+complete -c feltline -n "__fish_seen_subcommand_from $makes_output" -s o -l output -r -d 'Where it goes'
+complete -c feltline -n "__fish_seen_subcommand_from $makes_output" -l to -x -a 'ndjson svg png' -d 'Format of the output'
+complete -c feltline -n "__fish_seen_subcommand_from $makes_output" -l dpi -x -d 'Resolution of a .png'
+complete -c feltline -n "__fish_seen_subcommand_from $makes_output" -l page -x -a 'fit A3 A4 A5 A4-landscape' -d 'What to show'
+complete -c feltline -n "__fish_seen_subcommand_from $makes_output" -l paper -x -a 'white transparent' -d 'Colour behind the ink in a .png'
+
+complete -c feltline -n '__fish_seen_subcommand_from fit bench' -l tolerance -x -d 'Largest distance sample to curve, mm'
+complete -c feltline -n '__fish_seen_subcommand_from fit bench' -l mm-per-unit -x -d 'Size of one unit of the input'
+complete -c feltline -n '__fish_seen_subcommand_from fit' -l no-refine -d 'Keep the curve seen while drawing'
+complete -c feltline -n '__fish_seen_subcommand_from fit' -l filter -d 'Drop pen artefacts'
+complete -c feltline -n '__fish_seen_subcommand_from fit' -l scheme -x -a 'feltline paper2002' -d 'Fitting scheme'
+complete -c feltline -n '__fish_seen_subcommand_from fit' -l shared-samples -x -d 'Samples that segments share'
+complete -c feltline -n '__fish_seen_subcommand_from fit' -l stats -x -a json -d 'Print cost and closeness'
+complete -c feltline -n '__fish_seen_subcommand_from fit' -s j -l jobs -x -d 'Threads, 0 for all cores'
+complete -c feltline -n '__fish_seen_subcommand_from info' -l json -d 'One line of JSON'
