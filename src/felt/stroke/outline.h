@@ -13,8 +13,8 @@ namespace felt {
 /// Closed polygons that are filled together by the non-zero rule. Points of all contours lie one
 /// after another, so that a buffer is reused without allocating.
 struct Outline {
-  std::vector<Point> points;
-  std::vector<std::size_t> ends;  ///< contour k is points [ends[k - 1], ends[k])
+  std::vector<Point> points{};
+  std::vector<std::size_t> ends{};  ///< contour k is points [ends[k - 1], ends[k])
 
   [[nodiscard]] std::size_t contour_count() const noexcept { return ends.size(); }
   /// Contour k; its last point joins its first.

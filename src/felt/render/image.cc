@@ -1,0 +1,50 @@
+#include "felt/render/image.h"
+
+#include <algorithm>
+#include <array>
+#include <string>
+#include <utility>
+
+namespace felt {
+namespace {
+
+/// c * a / 255, rounded.
+std::uint8_t scaled(std::uint8_t c, std::uint8_t a) noexcept {
+  return static_cast<std::uint8_t>((c * a + 127) / 255);
+}
+
+}  // namespace
+
+void fill(Pixels target, PixelRect area, Rgba color) noexcept {
+  const PixelRect part = area.intersected(target.rect());
+  std::array<std::uint8_t, 4> pixel{scaled(color.r, color.a), scaled(color.g, color.a),
+                                    scaled(color.b, color.a), color.a};
+  if (target.order == PixelOrder::kBgra) std::swap(pixel[0], pixel[2]);
+  for (int y = part.y0; y < part.y1; ++y) {
+    std::uint8_t* p = target.data + y * target.stride + std::ptrdiff_t{4} * part.x0;
+    for (int x = part.x0; x < part.x1; ++x) p = std::copy(pixel.begin(), pixel.end(), p);
+  }
+}
+
+Image::Image(int width, int height)
+    : width_(width),
+      height_(height),
+      bytes_(static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * 4) {}
+
+Result<Image> Image::create(int width, int height) {
+  if (width <= 0 || height <= 0 || std::int64_t{width} * height > kMaxPixels) {
+    return fail(ErrorCode::kLimitExceeded,
+                "a picture of " + std::to_string(width) + " x " + std::to_string(height) +
+                    " pixels is not between 1 and " + std::to_string(kMaxPixels) + " pixels");
+  }
+  return Image(width, height);
+}
+
+Rgba Image::at(int x, int y) const noexcept {
+  const std::uint8_t* p =
+      bytes_.data() + 4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) +
+                           static_cast<std::size_t>(x));
+  return {p[0], p[1], p[2], p[3]};
+}
+
+}  // namespace felt

@@ -1,0 +1,75 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "felt/base/result.h"
+#include "felt/stroke/stroke.h"
+
+namespace felt {
+
+/// A rectangle of pixels; x1 and y1 are one past the last.
+struct PixelRect {
+  int x0 = 0, y0 = 0, x1 = 0, y1 = 0;
+
+  friend constexpr bool operator==(const PixelRect&, const PixelRect&) noexcept = default;
+
+  [[nodiscard]] constexpr int width() const noexcept { return x1 > x0 ? x1 - x0 : 0; }
+  [[nodiscard]] constexpr int height() const noexcept { return y1 > y0 ? y1 - y0 : 0; }
+  [[nodiscard]] constexpr bool empty() const noexcept { return x1 <= x0 || y1 <= y0; }
+  /// The pixels that both have.
+  [[nodiscard]] constexpr PixelRect intersected(const PixelRect& o) const noexcept {
+    return {x0 > o.x0 ? x0 : o.x0, y0 > o.y0 ? y0 : o.y0, x1 < o.x1 ? x1 : o.x1,
+            y1 < o.y1 ? y1 : o.y1};
+  }
+};
+
+/// Order of the four bytes of a pixel in memory.
+enum class PixelOrder : std::uint8_t {
+  kRgba,  ///< PNG
+  kBgra,  ///< what desktop windows take (32-bit ARGB on a little-endian machine)
+};
+
+/// Pixels that somebody else keeps: 8-bit sRGB, premultiplied alpha, rows top to bottom.
+struct Pixels {
+  std::uint8_t* data = nullptr;
+  int width = 0;
+  int height = 0;
+  std::ptrdiff_t stride = 0;  ///< bytes from one row to the next
+  PixelOrder order = PixelOrder::kRgba;
+
+  [[nodiscard]] PixelRect rect() const noexcept { return {0, 0, width, height}; }
+};
+
+/// Sets every pixel of `area` (limited to the picture) to one colour.
+void fill(Pixels target, PixelRect area, Rgba color) noexcept;
+
+/// A picture in memory, RGBA, premultiplied.
+class Image {
+ public:
+  /// Largest picture: 2^28 pixels, 1 GiB.
+  static constexpr std::int64_t kMaxPixels = std::int64_t{1} << 28;
+
+  /// A transparent picture. Error: a side is not positive, or more pixels than kMaxPixels.
+  static Result<Image> create(int width, int height);
+
+  [[nodiscard]] int width() const noexcept { return width_; }
+  [[nodiscard]] int height() const noexcept { return height_; }
+  [[nodiscard]] Pixels pixels() noexcept {
+    return {bytes_.data(), width_, height_, std::ptrdiff_t{4} * width_, PixelOrder::kRgba};
+  }
+  [[nodiscard]] const std::vector<std::uint8_t>& bytes() const noexcept { return bytes_; }
+  /// The premultiplied pixel at (x, y). Requires it to be inside.
+  [[nodiscard]] Rgba at(int x, int y) const noexcept;
+
+  friend bool operator==(const Image&, const Image&) = default;
+
+ private:
+  Image(int width, int height);
+  int width_ = 0;
+  int height_ = 0;
+  std::vector<std::uint8_t> bytes_;
+};
+
+}  // namespace felt

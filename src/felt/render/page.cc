@@ -1,0 +1,56 @@
+#include "felt/render/page.h"
+
+#include <cmath>
+
+#include "felt/render/raster.h"
+
+namespace felt {
+namespace {
+
+constexpr double kFinestDpi = 100'000.0;
+constexpr double kWidestMarginMm = 10'000.0;
+
+/// Pixels that cover a length: the last one may stick out, but not by rounding alone.
+int pixels_for(double mm, double px_per_mm) noexcept {
+  const double px = std::ceil(mm * px_per_mm - 1e-6);
+  return px < 1.0 ? 1 : px < 1e9 ? static_cast<int>(px) : 1'000'000'000;
+}
+
+}  // namespace
+
+Rect ink_bounds(const Sketch& sketch) noexcept {
+  Rect area;
+  for (const SketchStroke& s : sketch) area.extend(s.stroke.bounds());
+  return area;
+}
+
+Rect page_area(const Sketch& sketch, const PageOptions& options) noexcept {
+  if (options.sheet) return *options.sheet;
+  const Rect ink = ink_bounds(sketch);
+  return (ink.empty() ? Rect{0.0, 0.0, 0.0, 0.0} : ink).inflated(options.margin_mm);
+}
+
+Result<Image> render_page(const Sketch& sketch, const PageOptions& options) {
+  if (!(options.dpi > 0.0 && options.dpi <= kFinestDpi)) {
+    return fail(ErrorCode::kInvalidArgument,
+                "the resolution must be above 0 and at most 100000 dpi");
+  }
+  if (!(options.margin_mm >= 0.0 && options.margin_mm <= kWidestMarginMm)) {
+    return fail(ErrorCode::kInvalidArgument, "the margin must be between 0 and 10000 mm");
+  }
+  const Rect area = page_area(sketch, options);
+  if (area.empty() || !std::isfinite(area.width()) || !std::isfinite(area.height())) {
+    return fail(ErrorCode::kInvalidArgument, "the sheet to draw is empty or not finite");
+  }
+  const View view = View::at_dpi({area.x0, area.y0}, options.dpi);
+  auto image = Image::create(pixels_for(area.width(), view.px_per_mm),
+                             pixels_for(area.height(), view.px_per_mm));
+  if (!image) return image;
+  const Pixels target = image->pixels();
+  fill(target, target.rect(), options.paper);
+  Rasterizer rasterizer;
+  for (const SketchStroke& s : sketch) rasterizer.draw(s.stroke, view, target.rect(), target);
+  return image;
+}
+
+}  // namespace felt

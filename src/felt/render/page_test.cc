@@ -1,0 +1,65 @@
+#include "felt/render/page.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "felt/stroke/random_stroke.h"
+
+namespace felt {
+namespace {
+
+Sketch one_line() {
+  return {{"a", testing::straight_stroke({10, 20}, {40, 20}, 2.0, 2.0)}};
+}
+
+TEST(Page, FitsTheInkWithItsMargin) {
+  const auto image = render_page(one_line(), {.dpi = 254.0, .sheet = {}, .margin_mm = 3.0});
+  ASSERT_TRUE(image);
+  EXPECT_EQ(image->width(), 380);  // 30 + 2 x 1 + 2 x 3 mm at 10 px/mm
+  EXPECT_EQ(image->height(), 80);
+  EXPECT_EQ(image->at(0, 0), (Rgba{255, 255, 255, 255}));
+  EXPECT_EQ(image->at(190, 40), (Rgba{0, 0, 0, 255}));
+  EXPECT_EQ(image->at(190, 29).r, 255);
+  EXPECT_EQ(image->at(190, 31).r, 0);
+}
+
+TEST(Page, ShowsTheSheetItIsGiven) {
+  const auto image = render_page(one_line(), {.dpi = 25.4, .sheet = Rect{0, 0, 210, 297}});
+  ASSERT_TRUE(image);
+  EXPECT_EQ(image->width(), 210);
+  EXPECT_EQ(image->height(), 297);
+  EXPECT_EQ(image->at(25, 20).r, 0);
+}
+
+TEST(Page, PaperMayBeTransparent) {
+  const auto image = render_page(one_line(), {.dpi = 50.0, .sheet = {}, .paper = {0, 0, 0, 0}});
+  ASSERT_TRUE(image);
+  EXPECT_EQ(image->at(0, 0), (Rgba{0, 0, 0, 0}));
+}
+
+TEST(Page, EmptySketchIsEmptyPaper) {
+  const auto image = render_page({}, {});
+  ASSERT_TRUE(image);
+  EXPECT_EQ(image->at(5, 5), (Rgba{255, 255, 255, 255}));
+}
+
+TEST(Page, RefusesNonsense) {
+  const double inf = std::numeric_limits<double>::infinity();
+  EXPECT_FALSE(render_page(one_line(), {.dpi = 0.0}));
+  EXPECT_FALSE(render_page(one_line(), {.dpi = inf}));
+  EXPECT_FALSE(render_page(one_line(), {.dpi = 300.0, .sheet = {}, .margin_mm = -1.0}));
+  EXPECT_FALSE(render_page(one_line(), {.dpi = 300.0, .sheet = Rect{}}));
+  EXPECT_FALSE(render_page(one_line(), {.dpi = 300.0, .sheet = Rect{0, 0, inf, 1}}));
+  EXPECT_FALSE(render_page(one_line(), {.dpi = 100'000.0, .sheet = Rect{0, 0, 1000, 1000}}));
+}
+
+TEST(Page, TheSameSketchGivesTheSamePixels) {
+  Sketch sketch;
+  for (std::uint64_t seed = 0; seed < 8; ++seed)
+    sketch.push_back({"", testing::random_stroke(seed)});
+  EXPECT_EQ(*render_page(sketch, {.dpi = 100.0}), *render_page(sketch, {.dpi = 100.0}));
+}
+
+}  // namespace
+}  // namespace felt
