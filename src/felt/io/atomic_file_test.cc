@@ -1,0 +1,115 @@
+#include "felt/io/atomic_file.h"
+
+#include <fcntl.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+namespace felt {
+namespace {
+
+namespace fs = std::filesystem;
+using ::testing::HasSubstr;
+
+std::string read(const fs::path& path) {
+  std::ifstream in(path, std::ios::binary);
+  std::ostringstream text;
+  text << in.rdbuf();
+  return text.str();
+}
+
+class AtomicFileTest : public ::testing::Test {
+ protected:
+  AtomicFileTest() {
+    std::string name = (fs::temp_directory_path() / "felt-atomic-XXXXXX").string();
+    folder_ = ::mkdtemp(name.data());
+  }
+  ~AtomicFileTest() override { fs::remove_all(folder_); }
+
+  [[nodiscard]] std::size_t entries() const {
+    return static_cast<std::size_t>(
+        std::distance(fs::directory_iterator(folder_), fs::directory_iterator()));
+  }
+  [[nodiscard]] std::string path(const char* name) const { return (folder_ / name).string(); }
+
+  fs::path folder_;
+};
+
+TEST_F(AtomicFileTest, AppearsWholeAtCommit) {
+  auto file = AtomicFile::create(path("a")).value();
+  ASSERT_TRUE(file.write("header "));
+  ASSERT_TRUE(file.write(std::string(200'000, 'x')));
+  EXPECT_FALSE(fs::exists(path("a")));
+  ASSERT_TRUE(file.overwrite(0, "HEADER"));
+  ASSERT_TRUE(file.write(" end"));
+  ASSERT_TRUE(file.commit());
+  EXPECT_EQ(read(path("a")), "HEADER " + std::string(200'000, 'x') + " end");
+  EXPECT_EQ(entries(), 1u);
+}
+
+TEST_F(AtomicFileTest, WithoutCommitNothingChanges) {
+  ASSERT_TRUE(write_file(path("a"), "old"));
+  {
+    auto file = AtomicFile::create(path("a")).value();
+    ASSERT_TRUE(file.write("new"));
+    AtomicFile moved = std::move(file);
+    ASSERT_TRUE(moved.write("er"));
+  }
+  EXPECT_EQ(read(path("a")), "old");
+  EXPECT_EQ(entries(), 1u);
+}
+
+TEST_F(AtomicFileTest, KeepsPermissionsAndFollowsLinks) {
+  ASSERT_TRUE(write_file(path("a"), "old"));
+  ASSERT_EQ(::chmod(path("a").c_str(), 0640), 0);
+  fs::create_symlink("a", path("link"));
+  ASSERT_TRUE(write_file(path("link"), "new"));
+  EXPECT_TRUE(fs::is_symlink(path("link")));
+  EXPECT_EQ(read(path("a")), "new");
+  EXPECT_EQ(static_cast<unsigned>(fs::status(path("a")).permissions()), 0640u);
+}
+
+TEST_F(AtomicFileTest, PipesGetTheBytes) {
+  ASSERT_EQ(::mkfifo(path("pipe").c_str(), 0600), 0);
+  const int end = ::open(path("pipe").c_str(), O_RDONLY | O_NONBLOCK);
+  ASSERT_GE(end, 0);
+  ASSERT_TRUE(write_file(path("pipe"), "through"));
+  char text[16] = {};
+  EXPECT_EQ(::read(end, text, sizeof text), 7);
+  EXPECT_STREQ(text, "through");
+  ::close(end);
+  EXPECT_TRUE(fs::is_fifo(path("pipe")));
+}
+
+TEST_F(AtomicFileTest, StdoutIsADash) {
+  ::testing::internal::CaptureStdout();
+  ASSERT_TRUE(write_file("-", "to stdout"));
+  EXPECT_EQ(::testing::internal::GetCapturedStdout(), "to stdout");
+}
+
+TEST_F(AtomicFileTest, ErrorsNameTheFileAndTheReason) {
+  const auto missing = AtomicFile::create(path("none/a"));
+  ASSERT_FALSE(missing);
+  EXPECT_EQ(missing.error().code, ErrorCode::kNotFound);
+  EXPECT_THAT(missing.error().message, HasSubstr("none/a"));
+  EXPECT_THAT(missing.error().message, HasSubstr("No such file"));
+  const auto folder = AtomicFile::create(folder_.string());
+  ASSERT_FALSE(folder);
+  EXPECT_THAT(folder.error().message, HasSubstr("Is a directory"));
+  EXPECT_FALSE(AtomicFile::create(""));
+}
+
+TEST_F(AtomicFileTest, AFullDiskIsReported) {
+  if (!fs::exists("/dev/full")) GTEST_SKIP() << "this system has no /dev/full";
+  const auto result = write_file("/dev/full", "too much");
+  ASSERT_FALSE(result);
+  EXPECT_THAT(result.error().message, HasSubstr("No space left"));
+}
+
+}  // namespace
+}  // namespace felt

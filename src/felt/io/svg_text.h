@@ -1,0 +1,43 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "felt/base/result.h"
+#include "felt/geometry/rect.h"
+#include "felt/stroke/outline_path.h"
+#include "felt/stroke/sketch.h"
+
+namespace felt {
+
+/// The pieces of text that an SVG file of a sketch is made of (docs/formats/svg.md). Each function
+/// appends to `out`. Equal values give equal bytes.
+
+/// Namespace of the attributes that carry our model, and its version.
+inline constexpr std::string_view kSvgNamespace = "https://feltline.org/ns/1";
+
+/// Bytes that the head of a file takes, whatever area it states, so that it can be put in place
+/// when the area is known at last.
+inline constexpr std::size_t kSvgHeadBytes = 640;
+
+/// How fine coordinates of outlines are written: 1e-4 mm.
+inline constexpr double kSvgStepsPerMm = 1e4;
+
+/// XML declaration and start of the root element, which shows `area` in mm at its true size.
+void append_svg_head(std::string& out, const Rect& area);
+
+/// One stroke: a filled path that any viewer shows right, with Inkscape's PowerStroke and our own
+/// attributes on it. `number` makes the element ids unique. `tolerance_mm` is for the outline; the
+/// model is written exactly. Nothing is appended on error: an id or material that XML cannot
+/// hold, a coordinate beyond 1e9 mm.
+Result<void> append_svg_stroke(std::string& out, const SketchStroke& stroke, std::size_t number,
+                               double tolerance_mm);
+
+/// End of the root element.
+void append_svg_tail(std::string& out);
+
+/// Path data of an outline: relative commands on the grid of kSvgStepsPerMm, so that rounding does
+/// not add up. Requires coordinates within 1e9 mm.
+void append_path_data(std::string& out, const OutlinePath& path);
+
+}  // namespace felt

@@ -1,0 +1,77 @@
+#include "felt/io/svg_writer.h"
+
+#include <cmath>
+#include <utility>
+
+#include "felt/io/svg_text.h"
+
+namespace felt {
+
+Rect svg_area(const Rect& ink, const SvgOptions& options) noexcept {
+  if (options.sheet) return *options.sheet;
+  const Rect area = (ink.empty() ? Rect{0.0, 0.0, 0.0, 0.0} : ink).inflated(options.margin_mm);
+  return {std::floor(area.x0 * 100.0) / 100.0, std::floor(area.y0 * 100.0) / 100.0,
+          std::ceil(area.x1 * 100.0) / 100.0, std::ceil(area.y1 * 100.0) / 100.0};
+}
+
+SvgWriter::SvgWriter(AtomicFile file, const SvgOptions& options)
+    : file_(std::move(file)), options_(options) {}
+
+Result<SvgWriter> SvgWriter::create(const std::string& path, const SvgOptions& options) {
+  if (!(options.tolerance_mm > 0.0) || !(options.margin_mm >= 0.0) ||
+      (options.sheet && options.sheet->empty())) {
+    return fail(ErrorCode::kInvalidArgument,
+                "SVG: the tolerance must be above 0, the margin 0 or more, the sheet not empty");
+  }
+  auto file = AtomicFile::create(path);
+  if (!file) return tl::unexpected<Error>(std::move(file.error()));
+  SvgWriter writer(*std::move(file), options);
+  append_svg_head(writer.text_, svg_area({}, options));
+  return writer;
+}
+
+Result<void> SvgWriter::add(const SketchStroke& stroke) {
+  if (auto ok = append_svg_stroke(text_, stroke, count_ + 1, options_.tolerance_mm); !ok) {
+    return tl::unexpected<Error>(with_context(ok.error(), "stroke " + std::to_string(count_ + 1)));
+  }
+  ++count_;
+  ink_.extend(stroke.stroke.bounds());
+  auto done = file_.write(text_);
+  text_.clear();
+  return done;
+}
+
+Result<void> SvgWriter::finish() {
+  append_svg_tail(text_);
+  if (auto ok = file_.write(text_); !ok) return ok;
+  std::string head;
+  append_svg_head(head, svg_area(ink_, options_));
+  if (auto ok = file_.overwrite(0, head); !ok) return ok;
+  return file_.commit();
+}
+
+Result<std::string> svg_text(const Sketch& sketch, const SvgOptions& options) {
+  Rect ink;
+  for (const SketchStroke& s : sketch) ink.extend(s.stroke.bounds());
+  std::string text;
+  append_svg_head(text, svg_area(ink, options));
+  std::size_t number = 0;
+  for (const SketchStroke& s : sketch) {
+    if (auto ok = append_svg_stroke(text, s, ++number, options.tolerance_mm); !ok) {
+      return tl::unexpected<Error>(with_context(ok.error(), "stroke " + std::to_string(number)));
+    }
+  }
+  append_svg_tail(text);
+  return text;
+}
+
+Result<void> write_svg(const std::string& path, const Sketch& sketch, const SvgOptions& options) {
+  auto writer = SvgWriter::create(path, options);
+  if (!writer) return tl::unexpected<Error>(std::move(writer.error()));
+  for (const SketchStroke& s : sketch) {
+    if (auto ok = writer->add(s); !ok) return ok;
+  }
+  return writer->finish();
+}
+
+}  // namespace felt

@@ -1,0 +1,58 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "felt/base/result.h"
+#include "felt/geometry/rect.h"
+#include "felt/io/atomic_file.h"
+#include "felt/stroke/sketch.h"
+
+namespace felt {
+
+/// What an SVG file shows.
+struct SvgOptions {
+  /// The sheet; without it, all ink and the margin around it.
+  std::optional<Rect> sheet{};
+  double margin_mm = 5.0;
+  /// How far the drawn outline may be from the true one. With the rounding of coordinates it stays
+  /// within 0.01 mm (R53); the model itself is written exactly.
+  double tolerance_mm = 0.005;
+};
+
+/// Writes a sketch as SVG, stroke by stroke, in memory that does not grow with their number.
+///
+/// Life-cycle: `create`, `add` for each stroke from the lowest to the topmost, `finish`. Without
+/// `finish` no file appears.
+class SvgWriter {
+ public:
+  /// "-" is stdout, which gets everything at `finish`, since the head of the file says how large
+  /// the drawing is.
+  static Result<SvgWriter> create(const std::string& path, const SvgOptions& options);
+
+  /// Appends a stroke. On error (see append_svg_stroke) nothing is written and more may follow.
+  Result<void> add(const SketchStroke& stroke);
+
+  Result<void> finish();
+
+ private:
+  SvgWriter(AtomicFile file, const SvgOptions& options);
+
+  AtomicFile file_;
+  SvgOptions options_;
+  Rect ink_;
+  std::size_t count_ = 0;
+  std::string text_;
+};
+
+/// The part of the sheet that a file with these options shows, its edges rounded outwards to
+/// 0.01 mm where they follow from the ink.
+Rect svg_area(const Rect& ink, const SvgOptions& options) noexcept;
+
+/// The whole file as text.
+Result<std::string> svg_text(const Sketch& sketch, const SvgOptions& options);
+
+/// Writes a whole sketch. Error: the first stroke that cannot be written, or the file.
+Result<void> write_svg(const std::string& path, const Sketch& sketch, const SvgOptions& options);
+
+}  // namespace felt

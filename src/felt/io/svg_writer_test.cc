@@ -1,0 +1,187 @@
+#include "felt/io/svg_writer.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <pugixml.hpp>
+#include <sstream>
+
+#include "felt/io/png.h"
+#include "felt/io/svg_text.h"
+#include "felt/render/page.h"
+#include "felt/stroke/random_stroke.h"
+
+namespace felt {
+namespace {
+
+namespace fs = std::filesystem;
+using ::testing::HasSubstr;
+
+Sketch random_sketch(std::uint64_t first, int count) {
+  Sketch sketch;
+  for (int i = 0; i < count; ++i) {
+    const std::uint64_t seed = first + static_cast<std::uint64_t>(i);
+    StrokeData data = testing::RandomStroke(seed).make();
+    for (Point& p : data.points) p += Vec{30.0 * (i % 4), 30.0 * (i / 4)};
+    sketch.push_back({"stroke <" + std::to_string(seed) + "> \"&\"\t\n",
+                      Stroke::create(std::move(data)).value()});
+  }
+  return sketch;
+}
+
+/// All numbers in a text, whatever stands between them.
+std::vector<double> numbers_in(std::string text) {
+  for (char& c : text) {
+    if (std::string_view("MCZ,|").find(c) != std::string_view::npos) c = ' ';
+  }
+  std::istringstream in(text);
+  std::vector<double> numbers;
+  std::string word;
+  while (in >> word) numbers.push_back(std::strtod(word.c_str(), nullptr));
+  return numbers;
+}
+
+/// The stroke that our attributes on a path describe.
+StrokeData model_of(const pugi::xml_node& path) {
+  StrokeData d;
+  const auto center = numbers_in(path.attribute("inkscape:original-d").value());
+  for (std::size_t i = 0; i + 1 < center.size(); i += 2) {
+    d.points.push_back({center[i], center[i + 1]});
+  }
+  const auto widths = numbers_in(path.attribute("felt:widths").value());
+  for (std::size_t i = 0; i + 1 < widths.size(); i += 2) {
+    d.widths.push_back({widths[i], widths[i + 1]});
+  }
+  std::istringstream joints(path.attribute("felt:joints").value());
+  for (std::string kind; joints >> kind;) {
+    d.joints.push_back(kind == "smooth" ? JointKind::kSmooth : JointKind::kCorner);
+  }
+  d.closed = path.attribute("felt:closed").as_bool();
+  d.material = path.attribute("felt:material").value();
+  const auto rgb = std::strtoul(path.attribute("fill").value() + 1, nullptr, 16);
+  const double opacity = path.attribute("fill-opacity").as_double(1.0);
+  d.color = {static_cast<std::uint8_t>(rgb >> 16), static_cast<std::uint8_t>(rgb >> 8),
+             static_cast<std::uint8_t>(rgb), static_cast<std::uint8_t>(opacity * 255.0 + 0.5)};
+  return d;
+}
+
+pugi::xml_document parsed(const std::string& text) {
+  pugi::xml_document document;
+  const auto result = document.load_buffer(text.data(), text.size());
+  EXPECT_TRUE(result) << result.description();
+  return document;
+}
+
+TEST(SvgWriter, CarriesTheModelExactly) {
+  const Sketch sketch = random_sketch(100, 60);
+  const auto document = parsed(svg_text(sketch, {}).value());
+  std::size_t i = 0;
+  for (const pugi::xml_node path : document.child("svg").children("path")) {
+    EXPECT_EQ(path.attribute("felt:id").value(), sketch[i].id);
+    EXPECT_EQ(model_of(path), sketch[i].stroke.data()) << i;
+    ++i;
+  }
+  EXPECT_EQ(i, sketch.size());
+}
+
+TEST(SvgWriter, PowerStrokeKnotsAreHalfWidths) {
+  Sketch sketch{{"a", testing::straight_stroke({0, 0}, {10, 0}, 0.3, 1.7)}};
+  const auto document = parsed(svg_text(sketch, {}).value());
+  const pugi::xml_node svg = document.child("svg");
+  const pugi::xml_node effect = svg.child("defs").child("inkscape:path-effect");
+  EXPECT_STREQ(effect.attribute("offset_points").value(), "0,0.15 | 1,0.85");
+  EXPECT_STREQ(effect.attribute("effect").value(), "powerstroke");
+  EXPECT_STREQ(effect.attribute("interpolator_type").value(), "Linear");
+  EXPECT_EQ(std::string("#") + effect.attribute("id").value(),
+            svg.child("path").attribute("inkscape:path-effect").value());
+  EXPECT_STREQ(svg.child("path").attribute("stroke").value(), "none");
+}
+
+TEST(SvgWriter, StatesTheAreaInMillimetres) {
+  const Sketch sketch{{"a", testing::straight_stroke({10, 20}, {40, 20}, 1.0, 1.0)}};
+  const auto document = parsed(svg_text(sketch, {.sheet = {}, .margin_mm = 2.0}).value());
+  const pugi::xml_node svg = document.child("svg");
+  EXPECT_STREQ(svg.attribute("width").value(), "35mm");
+  EXPECT_STREQ(svg.attribute("viewBox").value(), "7.5 17.5 35 5");
+  const SvgOptions a4{.sheet = Rect{0, 0, 210, 297}};
+  EXPECT_STREQ(parsed(*svg_text({}, a4)).child("svg").attribute("viewBox").value(), "0 0 210 297");
+}
+
+TEST(SvgWriter, EveryAlphaComesBack) {
+  StrokeData data = testing::straight_stroke({0, 0}, {9, 0}, 1, 1).data();
+  for (int a = 0; a < 256; ++a) {
+    data.color.a = static_cast<std::uint8_t>(a);
+    const auto document = parsed(svg_text({{"a", *Stroke::create(data)}}, {}).value());
+    EXPECT_EQ(model_of(document.child("svg").child("path")).color, data.color);
+  }
+}
+
+TEST(SvgWriter, RefusesWhatXmlCannotHold) {
+  const Stroke s = testing::straight_stroke({0, 0}, {9, 0}, 1, 1);
+  for (const std::string& id :
+       {std::string("a\x01"), std::string("nul\0", 4), std::string("\xff"), std::string("\xc0\x80"),
+        std::string("\xed\xa0\x80"), std::string("\xef\xbf\xbe"), std::string("cut \xe2\x82")}) {
+    const auto text = svg_text({{"fine", s}, {id, s}}, {});
+    ASSERT_FALSE(text);
+    EXPECT_EQ(text.error().code, ErrorCode::kInvalidData);
+    EXPECT_THAT(text.error().message, HasSubstr("stroke 2"));
+  }
+  EXPECT_TRUE(svg_text({{"Skizze \xe2\x9c\x8f \xf0\x9f\x8e\xa8", s}}, {}));
+}
+
+TEST(SvgWriter, FileAndTextAreTheSame) {
+  const Sketch sketch = random_sketch(7, 12);
+  const std::string path = (fs::temp_directory_path() / "felt-svg-test.svg").string();
+  ASSERT_TRUE(write_svg(path, sketch, {}));
+  std::ifstream in(path, std::ios::binary);
+  std::ostringstream text;
+  text << in.rdbuf();
+  EXPECT_EQ(text.str(), *svg_text(sketch, {}));
+  fs::remove(path);
+  EXPECT_EQ(text.str().find(">\n", 50), kSvgHeadBytes - 2);
+}
+
+/// Largest and mean difference of two pictures' channels.
+std::pair<int, double> difference(const Image& a, const Image& b) {
+  int worst = 0;
+  double sum = 0.0;
+  for (std::size_t i = 0; i < a.bytes().size(); ++i) {
+    const int d = std::abs(a.bytes()[i] - b.bytes()[i]);
+    worst = std::max(worst, d);
+    sum += d;
+  }
+  return {worst, sum / static_cast<double>(a.bytes().size())};
+}
+
+TEST(SvgWriter, AnotherProgramShowsTheSamePicture) {
+  if (std::system("command -v rsvg-convert >/dev/null 2>&1") != 0) {
+    GTEST_SKIP() << "rsvg-convert is not installed (package librsvg2-bin)";
+  }
+  const Sketch sketch = random_sketch(40, 16);
+  const SvgOptions options{.sheet = Rect{-10, -10, 130, 130}};
+  const std::string svg = (fs::temp_directory_path() / "felt-svg-view.svg").string();
+  const std::string png = svg + ".png";
+  ASSERT_TRUE(write_svg(svg, sketch, options));
+  ASSERT_EQ(std::system(("rsvg-convert -w 1400 -h 1400 -b white " + svg + " -o " + png).c_str()),
+            0);
+  std::ifstream in(png, std::ios::binary);
+  std::ostringstream bytes;
+  bytes << in.rdbuf();
+  const Image theirs = decode_png(bytes.str()).value().image;
+  const Image ours = render_page(sketch, {.dpi = 254.0, .sheet = options.sheet}).value();
+  ASSERT_EQ(theirs.width(), ours.width());
+  ASSERT_EQ(theirs.height(), ours.height());
+  const auto [worst, mean] = difference(theirs, ours);
+  EXPECT_LE(mean, 0.15);
+  EXPECT_LE(worst, 96);
+  RecordProperty("worst", worst);
+  RecordProperty("mean_1e6", static_cast<int>(1e6 * mean));
+  fs::remove(svg);
+  fs::remove(png);
+}
+
+}  // namespace
+}  // namespace felt

@@ -1,0 +1,14 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "felt/base/result.h"
+
+namespace felt {
+
+/// Appends text as the value of an attribute in double quotes, or nothing and says why. Error: not
+/// UTF-8, or a character that XML forbids (most control characters, U+FFFE, U+FFFF).
+Result<void> append_xml_attribute(std::string& out, std::string_view text);
+
+}  // namespace felt
