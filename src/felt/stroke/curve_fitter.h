@@ -1,19 +1,27 @@
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
+#include <span>
 #include <vector>
 
+#include "felt/base/chunked_vector.h"
 #include "felt/geometry/cubic.h"
+#include "felt/stroke/corner_detector.h"
+#include "felt/stroke/run_search.h"
+#include "felt/stroke/sample_window.h"
 #include "felt/stroke/stroke.h"
 
 namespace felt {
 
 /// What a curve fit must keep to.
 struct CurveFitOptions {
-  /// Largest distance from any sample to the curve, in mm. 0 joins the samples by straight lines.
+  /// Largest distance from any sample to the curve, in mm. Values below kMinSegmentMm, the
+  /// resolution of the stroke model (I5), count as kMinSegmentMm.
   double tolerance_mm = 0.15;
 };
 
-/// A chain of joined cubics fitted to samples. While a stroke is drawn it only grows.
+/// A chain of joined cubics fitted to samples.
 struct FittedCurve {
   std::vector<Point> points;      ///< 3n + 1 control points; empty before the first segment
   std::vector<JointKind> joints;  ///< n - 1 kinds of the inner joints
@@ -28,6 +36,99 @@ struct FittedCurve {
     const auto k = static_cast<std::size_t>(3 * i);
     return {{points[k], points[k + 1], points[k + 2], points[k + 3]}};
   }
+
+  friend bool operator==(const FittedCurve&, const FittedCurve&) = default;
 };
+
+/// Where on a curve `count` consecutive samples lie.
+struct SamplePlace {
+  double u = 0.0;
+  std::uint32_t count = 0;
+};
+
+/// Fits joined cubics to the samples of a pen while it draws.
+///
+/// Greedy: from the last joint, RunSearch finds how far one cubic can go; the joint is then put at
+/// kReach of that run, a place with samples on both sides, where the long fit's position and
+/// tangent are well determined (its far end is where it is about to break). The next segment takes
+/// over both, so smooth joints are G1 exactly. A run never passes a corner (CornerDetector): there
+/// a segment ends and the next starts with a tangent of its own.
+///
+///      o--o--o--o--o--o--o--o--o--o            samples
+///      |===== run, one cubic ======|           longest within the tolerance
+///      |== committed ======|                   never changes again
+///                          |=== next run ...   same place, same tangent
+///
+/// The first and last point lie exactly on the first and last sample where the tolerance allows.
+///
+/// Work of one push() is bounded by kWorkPerPush + one exact fit (SegmentFit), whatever the
+/// stroke; a search that needs more goes on with the next sample. No allocation after warm-up.
+/// The result depends on the order of the samples only (R7). Thread: one.
+class CurveFitter {
+ public:
+  /// The joint is put at this part of the longest run.
+  static constexpr double kReach = 0.9;
+  /// Kept samples nearer than this part of the tolerance are merged (SampleWindow).
+  static constexpr double kSpacing = 0.125;
+  /// Work of one push, in samples x rounds of the fit: about 10 microseconds.
+  static constexpr long kWorkPerPush = 1000;
+
+  explicit CurveFitter(const CurveFitOptions& options);
+
+  /// Forgets the last stroke and starts one.
+  void begin() noexcept;
+  /// Takes the next sample. Requires finite coordinates of at most 1e9 mm.
+  void push(Point p);
+  /// Pen-up: completes the curve. A stroke within kMinSegmentMm becomes one segment of about that
+  /// length (R10). Without a sample the curve stays empty.
+  void end();
+
+  /// Number of committed segments; they never change. After end() all of them.
+  [[nodiscard]] int segment_count() const noexcept {
+    return points_.empty() ? 0 : static_cast<int>(points_.size() / 3);
+  }
+  /// Committed segment i.
+  [[nodiscard]] Cubic segment(int i) const noexcept;
+  /// Kind of the joint before committed segment i, 0 < i < segment_count().
+  [[nodiscard]] JointKind joint(int i) const noexcept {
+    return joints_[static_cast<std::size_t>(i - 1)];
+  }
+  /// Places of the samples that the committed segments cover, in order.
+  [[nodiscard]] const ChunkedVector<SamplePlace>& places() const noexcept { return places_; }
+  /// Provisional segments from the last committed joint to the newest sample, for display while
+  /// drawing: the best run so far and straight lines beyond it. Appends to `tail`.
+  void append_live_tail(std::vector<Cubic>& tail) const;
+  /// A copy of the committed curve.
+  [[nodiscard]] FittedCurve curve() const;
+
+ private:
+  void advance(long work);
+  void scan_for_corner() noexcept;
+  void commit();
+  void append(const Cubic& segment, JointKind joint, std::size_t last_of_run);
+  void start_next(RunStart::Kind kind, std::size_t joint_sample, Vec tangent);
+  void make_room();
+  void add_dot();
+
+  SampleWindow window_;
+  CornerDetector corners_;
+  RunSearch search_;
+  bool searching_ = false;
+  bool ended_ = false;
+  RunStart::Kind next_kind_ = RunStart::Kind::kFree;
+  Vec next_tangent_;
+  std::size_t next_first_ = 0;  // first sample of the open run
+  std::size_t scanned_ = 0;     // no corner in the open run before it
+  bool at_corner_ = false;      // the sample before scanned_ is a corner
+  ChunkedVector<Point> points_;
+  ChunkedVector<JointKind> joints_;
+  ChunkedVector<SamplePlace> places_;
+};
+
+/// Where to cut a run that one cubic covers: the index into its parameters of the sample that
+/// becomes the joint, near `reach` of the run, on a stretch that moves (so that the tangent there
+/// means something) and far enough along for a segment. Requires a run of at least one sample.
+std::size_t choose_joint(const Cubic& curve, std::span<const double> parameters,
+                         double reach) noexcept;
 
 }  // namespace felt

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <cstddef>
+
+#include "felt/stroke/sample_window.h"
+
+namespace felt {
+
+/// Finds where ink turns a corner, as the samples come.
+///
+/// What a corner is: at a sample, the ink's direction changes by more than kCornerDeg between two
+/// straight arms, one reaching back and one forward, each kCornerArm tolerances long (along the
+/// path) or two samples, whichever is longer. So the scale is above both the tolerance and the
+/// sampling. Three conditions keep noise and tight curves out:
+///   - the part of the turn that bent or noisy arms can fake is taken off first: 2 (da + db) / h,
+///     da and db the largest distances of the arms' samples from their chords, h the arm. A circle
+///     loses half its turn by this, a corner nothing;
+///   - halving the arms must leave at least kCornerPersistence of the turn: a corner keeps all of
+///     it, a circle half;
+///   - of several within one arm only the largest turn counts.
+/// None is reported within kCornerMargin tolerances of an end of the stroke, where hooks live.
+///
+///            P                 turn = angle(P - A, B - P)
+///      h   /   \   h
+///        A       B
+///
+/// A corner is decided when the ink has gone on for kCornerMargin + kCornerArm tolerances, about
+/// 1.7 mm at the default tolerance. Streaming and in one go give the same corners (R5, R7).
+class CornerDetector {
+ public:
+  static constexpr double kCornerDeg = 55.0;
+  static constexpr double kCornerArm = 4.0;
+  static constexpr double kCornerMargin = 7.0;
+  static constexpr double kCornerPersistence = 0.75;
+
+  /// Starts a stroke.
+  void clear() noexcept;
+  /// Looks at the samples added to `window` since the last call and marks corners in it.
+  void update(SampleWindow& window) noexcept;
+  /// The stroke has ended: decides the rest.
+  void finish(SampleWindow& window) noexcept;
+  /// Samples before this index are decided.
+  [[nodiscard]] std::size_t decided() const noexcept { return decided_; }
+  /// The window dropped its first `count` samples.
+  void shift(std::size_t count) noexcept;
+
+ private:
+  std::size_t measured_ = 0;  // samples before it have their turn
+  std::size_t decided_ = 0;
+};
+
+}  // namespace felt

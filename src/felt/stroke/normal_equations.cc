@@ -1,0 +1,138 @@
+#include "felt/stroke/normal_equations.h"
+
+#include <array>
+#include <cmath>
+
+#include "felt/stroke/segment_fit.h"
+
+namespace felt::detail {
+namespace {
+
+// A symmetric system A z = b; only the lower triangle of A is used.
+template <int N>
+struct System {
+  std::array<std::array<double, N>, N> a{};
+  std::array<double, N> b{};
+};
+
+// Solves in place by Cholesky's factorisation; the solution replaces b.
+template <int N>
+bool solve_in_place(System<N>& s) noexcept {
+  std::array<double, N> inverse;
+  for (int i = 0; i < N; ++i) {
+    for (int j = 0; j <= i; ++j) {
+      double v = s.a[i][j];
+      for (int k = 0; k < j; ++k) v -= s.a[i][k] * s.a[j][k];
+      if (i == j) {
+        if (!(v > 1e-300)) return false;
+        s.a[i][i] = std::sqrt(v);
+        inverse[i] = 1.0 / s.a[i][i];
+      } else {
+        s.a[i][j] = v * inverse[j];
+      }
+    }
+  }
+  for (int i = 0; i < N; ++i) {
+    for (int k = 0; k < i; ++k) s.b[i] -= s.a[i][k] * s.b[k];
+    s.b[i] *= inverse[i];
+  }
+  for (int i = N - 1; i >= 0; --i) {
+    for (int k = i + 1; k < N; ++k) s.b[i] -= s.a[k][i] * s.b[k];
+    s.b[i] *= inverse[i];
+  }
+  return true;
+}
+
+// Coefficients of B1..B4 in the jerk f'''/6.
+constexpr std::array<double, 4> kJerk = {-1.0, 3.0, -3.0, 1.0};
+// Place of B1..B4 on the chord.
+constexpr std::array<double, 4> kOnChord = {0.0, 1.0 / 3.0, 2.0 / 3.0, 1.0};
+
+// The system of the control points kFirst..4, x and y interleaved, with the priors.
+template <int kFirst>
+System<2 * (4 - kFirst)> assemble(const NormalSums& sums, const Priors& priors) noexcept {
+  constexpr int kCount = 4 - kFirst;
+  System<2 * kCount> s;
+  int pair = 0;
+  for (int j = 0; j < kCount; ++j) {
+    for (int k = 0; k <= j; ++k, ++pair) {
+      const double jerk = priors.energy * kJerk[j + kFirst] * kJerk[k + kFirst];
+      s.a[2 * j][2 * k] = sums.xx[pair] + jerk;
+      s.a[2 * j + 1][2 * k] = sums.xy[pair];
+      s.a[2 * j + 1][2 * k + 1] = sums.yy[pair] + jerk;
+      if (k < j) s.a[2 * j][2 * k + 1] = sums.xy[pair];
+    }
+    s.a[2 * j][2 * j] += priors.ridge;
+    s.a[2 * j + 1][2 * j + 1] += priors.ridge;
+    s.b[2 * j] = sums.rx[j] + priors.ridge * kOnChord[j + kFirst] * priors.chord.x;
+    s.b[2 * j + 1] = sums.ry[j] + priors.ridge * kOnChord[j + kFirst] * priors.chord.y;
+  }
+  return s;
+}
+
+}  // namespace
+
+void add_end_sample(NormalSums& sums, int basis, Vec sample, double weight) noexcept {
+  const int diagonal = basis * (basis + 1) / 2 + basis;
+  sums.xx[diagonal] += weight;
+  sums.yy[diagonal] += weight;
+  sums.rx[basis] += weight * sample.x;
+  sums.ry[basis] += weight * sample.y;
+}
+
+bool solve_free(const NormalSums& sums, const Priors& priors, Point origin, Cubic& curve) noexcept {
+  System<8> s = assemble<0>(sums, priors);
+  if (!solve_in_place(s)) return false;
+  for (std::size_t k = 0; k < 4; ++k) curve.p[k] = origin + Vec{s.b[2 * k], s.b[2 * k + 1]};
+  return true;
+}
+
+bool solve_point(const NormalSums& sums, const Priors& priors, Point origin,
+                 Cubic& curve) noexcept {
+  System<6> s = assemble<1>(sums, priors);
+  if (!solve_in_place(s)) return false;
+  curve.p[0] = origin;
+  for (std::size_t k = 1; k < 4; ++k) curve.p[k] = origin + Vec{s.b[2 * k - 2], s.b[2 * k - 1]};
+  return true;
+}
+
+bool solve_tangent(const NormalSums& sums, const Priors& priors, Point origin, Vec tangent,
+                   Cubic& curve) noexcept {
+  const System<6> full = assemble<1>(sums, priors);
+  const auto entry = [&](int i, int j) { return i >= j ? full.a[i][j] : full.a[j][i]; };
+  // Unknowns: a, B3, B4; row a is the projection of the rows of B2 on the tangent.
+  System<5> s;
+  const double ax = entry(0, 0) * tangent.x + entry(0, 1) * tangent.y;
+  const double ay = entry(1, 0) * tangent.x + entry(1, 1) * tangent.y;
+  // The ridge on a pulls to a third of the path rather than of the chord, which may be short.
+  s.a[0][0] = ax * tangent.x + ay * tangent.y;
+  s.b[0] = sums.rx[0] * tangent.x + sums.ry[0] * tangent.y + priors.ridge * priors.length_mm / 3.0;
+  for (int i = 0; i < 4; ++i) {
+    s.a[i + 1][0] = entry(i + 2, 0) * tangent.x + entry(i + 2, 1) * tangent.y;
+    for (int j = 0; j <= i; ++j) s.a[i + 1][j + 1] = entry(i + 2, j + 2);
+    s.b[i + 1] = full.b[i + 2];
+  }
+  const System<5> kept = s;
+  if (!solve_in_place(s)) return false;
+  double handle = s.b[0];
+  const double least = SegmentFit::kMinHandle * priors.length_mm;
+  const double most = SegmentFit::kMaxHandle * priors.length_mm;
+  std::array<double, 4> rest = {s.b[1], s.b[2], s.b[3], s.b[4]};
+  if (handle < least || handle > most) {
+    handle = handle < least ? least : most;
+    System<4> bound;
+    for (int i = 0; i < 4; ++i) {
+      for (int j = 0; j <= i; ++j) bound.a[i][j] = kept.a[i + 1][j + 1];
+      bound.b[i] = kept.b[i + 1] - handle * kept.a[i + 1][0];
+    }
+    if (!solve_in_place(bound)) return false;
+    rest = bound.b;
+  }
+  curve.p[0] = origin;
+  curve.p[1] = origin + handle * tangent;
+  curve.p[2] = origin + Vec{rest[0], rest[1]};
+  curve.p[3] = origin + Vec{rest[2], rest[3]};
+  return true;
+}
+
+}  // namespace felt::detail

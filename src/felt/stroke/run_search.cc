@@ -1,0 +1,171 @@
+#include "felt/stroke/run_search.h"
+
+#include <algorithm>
+
+#include "felt/stroke/stroke.h"
+
+namespace felt {
+namespace {
+
+// Gate updates in one step: about as much work as a small exact fit.
+constexpr std::size_t kGateStep = 32;
+// The gate opens at this many samples; fewer are fitted by any cubic.
+constexpr std::size_t kGateLeast = 4;
+
+std::size_t longer(std::size_t count) {
+  return count + std::max<std::size_t>(1, count / 4);
+}
+
+}  // namespace
+
+void RunSearch::begin(const SampleWindow& window, const RunStart& start,
+                      std::size_t first) noexcept {
+  start_ = start;
+  first_ = first;
+  if (start.kind == RunStart::Kind::kFree) start_.point = window.point(first);
+  if (start.kind == RunStart::Kind::kTangent) {
+    moments_.begin(start_.point, start_.tangent);
+  } else {
+    moments_.begin(start_.point);
+  }
+  lead_mm_ = distance(start_.point, window.point(first));
+  tightest_ = 0.0;
+  gated_ = proven_ = good_ = next_ = bad_ = 0;
+  phase_ = Phase::kGate;
+}
+
+// A free start needs two samples to be a curve at all.
+std::size_t RunSearch::least_count() const noexcept {
+  return start_.kind == RunStart::Kind::kFree ? 2 : 1;
+}
+
+RunSearch::Status RunSearch::step(const SampleWindow& window, std::size_t limit,
+                                  bool is_final) noexcept {
+  std::size_t available = limit - first_;
+  if (available >= SegmentFit::kMaxRun) {
+    available = SegmentFit::kMaxRun;
+    is_final = true;
+  }
+  offered_ = available;
+  switch (phase_) {
+    case Phase::kGate:
+      return run_gate(window, available, is_final);
+    case Phase::kGallop:
+      return run_gallop(window, available, is_final);
+    case Phase::kBisect:
+      return run_bisect(window);
+    case Phase::kDone:
+      break;
+  }
+  return Status::kDone;
+}
+
+RunSearch::Status RunSearch::run_gate(const SampleWindow& window, std::size_t available,
+                                      bool is_final) noexcept {
+  for (std::size_t added = 0; gated_ < available && added < kGateStep; ++added) {
+    const std::size_t i = first_ + gated_;
+    moments_.add(window.point(i), lead_mm_ + (window.path_mm(i) - window.path_mm(first_)));
+    tightest_ = std::max(tightest_, window.inverse_limit()[i]);
+    ++gated_;
+    if (gated_ < kGateLeast) continue;
+    if (!(moments_.residual() * tightest_ <= 1.0)) {
+      phase_ = Phase::kGallop;
+      next_ = gated_;
+      return Status::kBusy;
+    }
+    proven_ = gated_;
+  }
+  if (gated_ < available) return Status::kBusy;
+  if (!is_final) return Status::kNeedSamples;
+  phase_ = Phase::kGallop;
+  next_ = available;
+  return Status::kBusy;
+}
+
+RunSearch::Status RunSearch::run_gallop(const SampleWindow& window, std::size_t available,
+                                        bool is_final) noexcept {
+  if (next_ > available) {
+    if (!is_final) return Status::kNeedSamples;
+    next_ = available;
+  }
+  if (try_count(window, next_)) {
+    if (is_final && good_ == available) {
+      phase_ = Phase::kDone;
+      return Status::kDone;
+    }
+    next_ = longer(good_);
+    return Status::kBusy;
+  }
+  bad_ = next_;
+  phase_ = Phase::kBisect;
+  return Status::kBusy;
+}
+
+RunSearch::Status RunSearch::run_bisect(const SampleWindow& window) noexcept {
+  const std::size_t least = least_count();
+  if (bad_ <= least) {
+    take_bridge(window);
+    phase_ = Phase::kDone;
+    return Status::kDone;
+  }
+  if (good_ > 0 && bad_ - good_ <= std::max<std::size_t>(1, good_ / 16)) {
+    phase_ = Phase::kDone;
+    return Status::kDone;
+  }
+  std::size_t middle = (good_ + bad_) / 2;
+  if (proven_ > good_ && proven_ < bad_) middle = proven_;
+  middle = std::max(middle, least);
+  if (!try_count(window, middle)) bad_ = middle;
+  return Status::kBusy;
+}
+
+bool RunSearch::try_count(const SampleWindow& window, std::size_t count) noexcept {
+  if (count < least_count()) return false;
+  if (!fit_.fit(window, start_, first_, count)) return false;
+  keep_fit(count);
+  return true;
+}
+
+void RunSearch::keep_fit(std::size_t count) noexcept {
+  good_ = count;
+  curve_ = fit_.curve();
+  std::copy(fit_.parameters().begin(), fit_.parameters().end(), t_.begin());
+}
+
+// Not even the shortest run is accepted (a hairpin inside the tolerance band, say): go straight to
+// the first sample that is far enough for a segment.
+void RunSearch::take_bridge(const SampleWindow& window) noexcept {
+  std::size_t count = least_count();
+  const auto end = [&] { return window.point(first_ + count - 1); };
+  while (count < offered_ && distance(start_.point, end()) < kMinSegmentMm) ++count;
+  count = std::min(count, offered_);
+  fit_.bridge(window, start_, first_, count);
+  keep_fit(count);
+}
+
+void RunSearch::pin(const SampleWindow& window, bool start, bool end) noexcept {
+  start = start && start_.kind == RunStart::Kind::kFree && good_ >= 2;
+  const RunStart pinned = {RunStart::Kind::kPoint, window.point(first_), {}};
+  const auto attempt = [&](bool at_start, bool at_end) {
+    const RunStart& from = at_start ? pinned : start_;
+    if (!fit_.fit(window, from, first_, good_,
+                  at_end ? SegmentFit::End::kPinned : SegmentFit::End::kFree))
+      return false;
+    if (at_start) start_ = pinned;
+    keep_fit(good_);
+    return true;
+  };
+  if (start && end && attempt(true, true)) return;
+  if (start && attempt(true, false)) return;
+  if (end) attempt(false, true);
+}
+
+void RunSearch::lengthen(const SampleWindow& window) noexcept {
+  if (control_length(curve_) >= kMinSegmentMm) return;
+  fit_.bridge(window, start_, first_, good_);
+  keep_fit(good_);
+  // All of the run is within kMinSegmentMm of its last sample, where the bridge ends.
+  std::fill_n(t_.begin(), good_, 1.0);
+}
+
+}  // namespace felt

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <cstddef>
+
+#include "felt/geometry/cubic.h"
+
+/// The two inner loops of the segment fit, four samples at a time. Written with explicit lanes, so
+/// that every machine adds in the same order and gives the same bytes; on x86-64 a second version
+/// for wider registers is chosen at load time (without fused multiply-add, see options.cmake).
+/// Private to the stroke layer. Thread: any; no allocation.
+namespace felt::detail {
+
+/// A cubic in power form relative to an origin: f(t) = ((a3 t + a2) t + a1) t + a0.
+struct PowerCubic {
+  Vec a0, a1, a2, a3;
+};
+
+/// Samples of a run. `x`, `y` and `inverse_limit` may be read up to three beyond `count`.
+struct RunView {
+  const double* x;
+  const double* y;
+  const double* inverse_limit;
+  std::size_t count;
+  Point origin;
+};
+
+/// One Newton step of every parameter towards the foot point of its sample, clamped to [0, 1],
+/// then the squared distance there over its limit.
+///   t <- t - (e.f') / (f'.f' + e.f''),  e = f(t) - P   [Plass & Stone 1983; Schneider 1990]
+/// Where the denominator is not safely positive the Gauss-Newton one, f'.f', is taken.
+/// Requires room for three more than `count` in t and ratio.
+void project(const PowerCubic& curve, const RunView& run, double* t, double* ratio) noexcept;
+
+/// Sums over samples for the normal equations of the control points. Index pairs (j, k) of the
+/// basis functions are stored as in a lower triangle: (0,0) (1,0) (1,1) (2,0) ...
+struct NormalSums {
+  double xx[10];  ///< sum b_j b_k m11
+  double xy[10];  ///< sum b_j b_k m12
+  double yy[10];  ///< sum b_j b_k m22
+  double rx[4];   ///< sum b_j (M q).x
+  double ry[4];   ///< sum b_j (M q).y
+};
+
+/// Adds up `first_basis`..4 of the Bernstein functions (first_basis 1: all four control points
+/// are free; 2: B1 is fixed, which the caller has made the origin). The metric of each sample is
+///   M = (1 - w) n n' + w I,   n = unit normal of the curve at t,
+/// distance along the normal plus w of the distance along the tangent (tangent distance
+/// minimisation with a damping term: Wang, Pottmann, Liu 2006, "Fitting B-spline curves to point
+/// clouds by curvature-based squared distance minimization", section 3). w = 1 is the ordinary
+/// least squares. Samples whose index is not in [begin, end) do not count.
+void accumulate_fixed_start(const PowerCubic& curve, const RunView& run, const double* t,
+                            std::size_t begin, std::size_t end, double w,
+                            NormalSums& sums) noexcept;
+void accumulate_free_start(const PowerCubic& curve, const RunView& run, const double* t,
+                           std::size_t begin, std::size_t end, double w, NormalSums& sums) noexcept;
+
+}  // namespace felt::detail
