@@ -1,10 +1,11 @@
 #include "table.h"
 
 #include <sys/resource.h>
-#include <time.h>
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
+#include <ctime>
 #include <numeric>
 
 namespace felt::bench {
@@ -13,7 +14,7 @@ namespace {
 double percentile(const std::vector<double>& sorted, double part) {
   if (sorted.empty()) return 0.0;
   const double place = part * static_cast<double>(sorted.size() - 1);
-  return sorted[static_cast<std::size_t>(place + 0.5)];
+  return sorted[static_cast<std::size_t>(std::lround(place))];
 }
 
 std::uint64_t count_now() noexcept {
@@ -64,7 +65,7 @@ void Stopwatch::start() noexcept {
   started_ = count_now();
 }
 
-double Stopwatch::stop() noexcept {
+double Stopwatch::stop() const noexcept {
   const std::uint64_t stopped = count_now();
   if (switches_now() != switches_) return -1.0;
   return std::max(0.0, static_cast<double>(stopped - started_) - overhead_) * ns_per_count_;

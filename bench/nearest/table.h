@@ -17,7 +17,7 @@ class Stopwatch {
   Stopwatch();
   void start() noexcept;
   /// Nanoseconds since `start`, less the cost of reading; negative when preempted since.
-  double stop() noexcept;
+  [[nodiscard]] double stop() const noexcept;
   [[nodiscard]] double overhead_ns() const noexcept { return overhead_ * ns_per_count_; }
 
  private:

@@ -83,7 +83,7 @@ void SegmentBvh::lay_out(std::span<const BvhSegment> segments,
     level_begin_[levels_++] = total;
     total += count;
   }
-  Node empty;
+  Node empty{};
   for (unsigned i = 0; i < kFanOut; ++i) Box().store(empty, i);
   nodes_.assign(total, empty);
   handles_.assign(order.begin(), order.end());
@@ -121,8 +121,8 @@ void SegmentBvh::refit(std::uint32_t handle, const Cubic& curve) noexcept {
 
 void SegmentBvh::erase(std::uint32_t handle) noexcept {
   constexpr double kNowhere = std::numeric_limits<double>::quiet_NaN();
-  constexpr Point p{kNowhere, kNowhere};
-  refit(handle, Cubic{{p, p, p, p}});
+  constexpr Point kHole{kNowhere, kNowhere};
+  refit(handle, Cubic{{kHole, kHole, kHole, kHole}});
 }
 
 void SegmentBvh::set_box(std::uint32_t slot, const Box& box) noexcept {

@@ -136,6 +136,7 @@ class SegmentBvh {
 
   // A function pointer and its argument, so that there is neither std::function nor allocation.
   void walk(const Rect& area, void (*visit)(void*, std::uint32_t), void* argument) const;
+  static unsigned children_in(const Box& box, const Node& n) noexcept;
   [[nodiscard]] const Node& node(NodeAt at) const noexcept;
   void lay_out(std::span<const BvhSegment> segments, std::span<const std::uint32_t> order);
   void fill_inner_levels() noexcept;

@@ -17,7 +17,7 @@ inline constexpr double kBvhFarthest = 1e18;
 /// The largest float not above v.
 inline float float_below(double v) noexcept {
   v = std::clamp(v, -kBvhFarthest, kBvhFarthest);
-  const float f = static_cast<float>(v);
+  const auto f = static_cast<float>(v);
   return static_cast<double>(f) <= v ? f : std::nextafter(f, -std::numeric_limits<float>::max());
 }
 

@@ -28,7 +28,7 @@ inline Floats half_of(const std::array<float, 8>& row, unsigned h) noexcept {
 // Bit i is set where lane i is true.
 inline unsigned bits_of(const Flags& flags) noexcept {
   const Flags bits = flags & Flags{1, 2, 4, 8};
-  std::array<std::uint64_t, 2> words;
+  std::array<std::uint64_t, 2> words{};
   std::memcpy(words.data(), &bits, sizeof words);
   const std::uint64_t all = words[0] | words[1];
   return static_cast<unsigned>((all | (all >> 32U)) & 15U);
@@ -52,6 +52,8 @@ const SegmentBvh::Node& SegmentBvh::node(NodeAt at) const noexcept {
 // One nearest query: depth first, nearest box first, everything on the stack.
 class SegmentBvh::NearestSearch {
  public:
+  // Does not clear waiting_, which is filled before it is read.
+  // NOLINTNEXTLINE(cppcoreguidelines-pro-type-member-init)
   NearestSearch(const SegmentBvh& tree, const Query& query) noexcept
       : tree_(tree),
         query_(query),
@@ -107,7 +109,7 @@ class SegmentBvh::NearestSearch {
 
   // The children within the limit, nearest first; returns their number.
   unsigned near_children(const Node& n, std::array<Child, kFanOut>& near) const noexcept {
-    std::array<float, kFanOut> d;
+    std::array<float, kFanOut> d{};
     unsigned mask = 0;
     for (unsigned h = 0; h < 2; ++h) {
       const Floats zero{};
@@ -133,7 +135,7 @@ class SegmentBvh::NearestSearch {
   }
 
   void visit(NodeAt at) noexcept {
-    std::array<Child, kFanOut> near;
+    std::array<Child, kFanOut> near{};
     const unsigned count = near_children(tree_.node(at), near);
     if (at.level > 0) {
       for (unsigned k = count; k-- > 0;) {
@@ -178,30 +180,33 @@ SegmentBvh::Hit SegmentBvh::nearest(const Query& query) const noexcept {
   return NearestSearch(*this, query).run();
 }
 
+// Bit i is set where child i shares a point with the box.
+unsigned SegmentBvh::children_in(const Box& box, const Node& n) noexcept {
+  unsigned mask = 0;
+  for (unsigned h = 0; h < 2; ++h) {
+    mask |= bits_of((half_of(n.x0, h) <= box.x1) & (half_of(n.x1, h) >= box.x0) &
+                    (half_of(n.y0, h) <= box.y1) & (half_of(n.y1, h) >= box.y0))
+            << (4 * h);
+  }
+  return mask;
+}
+
 void SegmentBvh::walk(const Rect& area, void (*visit)(void*, std::uint32_t), void* argument) const {
   if (levels_ == 0 || area.empty()) return;
-  const float x0 = float_below(area.x0), x1 = float_above(area.x1);
-  const float y0 = float_below(area.y0), y1 = float_above(area.y1);
+  const Box box(area);
+  // NOLINTNEXTLINE(cppcoreguidelines-pro-type-member-init): filled before it is read
   std::array<NodeAt, NodeAt::kStack> waiting;
   unsigned count = 0;
   waiting[count++] = {levels_ - 1, 0};
   while (count > 0) {
     const NodeAt at = waiting[--count];
-    const Node& n = node(at);
-    unsigned mask = 0;
-    for (unsigned h = 0; h < 2; ++h) {
-      mask |= bits_of((half_of(n.x0, h) <= x1) & (half_of(n.x1, h) >= x0) &
-                      (half_of(n.y0, h) <= y1) & (half_of(n.y1, h) >= y0))
-              << (4 * h);
-    }
-    for (; mask != 0; mask &= mask - 1) {
+    for (unsigned mask = children_in(box, node(at)); mask != 0; mask &= mask - 1) {
       const std::uint32_t child =
           at.index * kFanOut + static_cast<unsigned>(std::countr_zero(mask));
-      if (at.level == 0) {
+      if (at.level == 0)
         visit(argument, handles_[child]);
-      } else {
+      else
         waiting[count++] = {at.level - 1, child};
-      }
     }
   }
 }

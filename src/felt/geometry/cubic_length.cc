@@ -65,7 +65,8 @@ double integrate(const Speed& speed, double t0, double t1, double accuracy) noex
   struct Piece {
     double t0, t1, accuracy;
   };
-  std::array<Piece, kMaxDepth + 1> stack;  // the right halves that wait, at most one a level
+  // The right halves that wait, at most one a level; filled before they are read.
+  std::array<Piece, kMaxDepth + 1> stack;  // NOLINT(cppcoreguidelines-pro-type-member-init)
   int waiting = 0, pieces = 0;
   double sum = 0.0;
   Piece piece{t0, t1, 0.25 * accuracy};

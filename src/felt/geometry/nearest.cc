@@ -16,8 +16,8 @@ constexpr double kLeastWidth = 0x1p-48;  // kMaxHalvings halvings
 // Part [t0, t0 + width] of the segment, its control points seen from the query point.
 struct Piece {
   std::array<Vec, 4> a;
-  double t0;
-  double width;  // a power of two, so that t0 + width is exact
+  double t0 = 0.0;
+  double width = 1.0;  // a power of two, so that t0 + width is exact
 };
 
 Vec middle(Vec a, Vec b) noexcept {
@@ -140,7 +140,8 @@ class Search {
     }
     offer(0.0, d.c[0]);
     offer(1.0, d.c[6]);
-    std::array<Piece, kMaxHalvings> waiting;
+    // Not cleared: it is filled before it is read, and often not needed.
+    std::array<Piece, kMaxHalvings> waiting;  // NOLINT(cppcoreguidelines-pro-type-member-init)
     unsigned count = 0;
     Piece piece = root_;
     while (--pieces_left > 0 && !(found_ && limit_ <= zero)) {

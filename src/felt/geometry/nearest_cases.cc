@@ -143,10 +143,10 @@ NearestCase make_case(CaseKind kind, std::mt19937_64& random) {
   }
 }
 
-double sampled_distance(const Cubic& far, Point p, int samples) {
-  // Seen from p, so that a tiny curve far from the origin does not drown in rounding.
-  Cubic c = far;
-  for (Point& control : c.p) control = Point{} + (control - p);
+double sampled_distance(const Cubic& curve, Point query, int samples) {
+  // Seen from the query point, so that a tiny curve far from the origin does not drown in rounding.
+  Cubic c = curve;
+  for (Point& control : c.p) control = Point{} + (control - query);
   const Point q;
   const auto n = static_cast<std::size_t>(samples);
   std::vector<double> d(n + 1);

@@ -38,8 +38,8 @@ NearestCase make_case(CaseKind kind, std::mt19937_64& random);
 /// Uniform in [lo, hi), the same with every standard library.
 double uniform(std::mt19937_64& random, double lo, double hi);
 
-/// Smallest distance from q to c: `samples` samples, then a golden section search around each of
-/// the four lowest local minima among them.
-double sampled_distance(const Cubic& c, Point q, int samples);
+/// Smallest distance from the query point to the curve: `samples` samples, then a golden section
+/// search around each of the four lowest local minima among them.
+double sampled_distance(const Cubic& curve, Point query, int samples);
 
 }  // namespace felt

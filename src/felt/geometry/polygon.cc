@@ -24,6 +24,15 @@ bool on_edge(Point a, Point b, Point p) noexcept {
   return nearest_on_line(a, b, p).distance_squared <= width * width;
 }
 
+// 1 or -1 when the ray from p along +x crosses the edge, by the edge's direction; else 0. Half-open
+// in y, so that a ray through a corner crosses exactly one of its two edges.
+int crossing(Point a, Point b, Point p) noexcept {
+  const double side = cross(b - a, p - a);
+  if (a.y <= p.y && b.y > p.y && side > 0.0) return 1;
+  if (b.y <= p.y && a.y > p.y && side < 0.0) return -1;
+  return 0;
+}
+
 }  // namespace
 
 bool contains(std::span<const Point> polygon, Point p, FillRule rule) noexcept {
@@ -31,13 +40,9 @@ bool contains(std::span<const Point> polygon, Point p, FillRule rule) noexcept {
   for (std::size_t i = 0, n = polygon.size(); i < n; ++i) {
     const Point a = polygon[i], b = polygon[i + 1 < n ? i + 1 : 0];
     if (on_edge(a, b, p)) return true;
-    const double side = cross(b - a, p - a);
-    // Half-open in y, so that a ray through a corner meets exactly one of its two edges.
-    const bool down = a.y <= p.y && b.y > p.y, up = b.y <= p.y && a.y > p.y;
-    if ((down && side > 0.0) || (up && side < 0.0)) {
-      ++crossings;
-      winding += down ? 1 : -1;
-    }
+    const int turn = crossing(a, b, p);
+    crossings += turn * turn;
+    winding += turn;
   }
   return rule == FillRule::kEvenOdd ? crossings % 2 == 1 : winding != 0;
 }
