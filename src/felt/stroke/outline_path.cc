@@ -113,6 +113,7 @@ class PathBuilder {
     const double handle = 4.0 / 3.0 * std::tan(0.25 * step) * dab.radius_mm;
     const double c = std::cos(step), s = std::sin(step);
     begin(dab.center + dab.radius_mm * normal);
+    if (dab.radius_mm * std::fabs(sweep) < kNoticeableMm) return;
     for (int i = 0; i < count; ++i) {
       const Vec next = c * normal + s * perp(normal);
       cubic(dab.center + dab.radius_mm * normal + handle * perp(normal),

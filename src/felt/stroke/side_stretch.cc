@@ -119,7 +119,8 @@ class LeftEdge {
     Cubic c;
     if (smooth == kSamples && turns_slowly(samples) && fit_edge(samples, tolerance_mm_, c)) {
       append_curve(samples, t0, t1, c);
-    } else if (smooth == 0 || halvings == 0) {
+    } else if (smooth == 0 || halvings == 0 ||
+               flatten_steps(piece_.center, t1 - t0, tolerance_mm_) == 1) {
       append_lines(t0, t1);
     } else {
       const double middle = 0.5 * (t0 + t1);
