@@ -37,6 +37,12 @@ std::size_t choose_joint(const Cubic& curve, std::span<const double> parameters,
   return count - 1;
 }
 
+void append_sample_places(const SamplePlace& place, double next_u, std::vector<double>& sample_u) {
+  constexpr double kStep = 1e-6;
+  const double step = std::clamp((next_u - place.u) / (place.count + 1.0), 0.0, kStep);
+  for (std::uint32_t i = 0; i < place.count; ++i) sample_u.push_back(place.u + i * step);
+}
+
 CurveFitter::CurveFitter(const CurveFitOptions& options)
     : window_(effective_tolerance(options), kSpacing * effective_tolerance(options),
               kWindowCapacity) {}
@@ -80,8 +86,11 @@ Cubic CurveFitter::segment(int i) const noexcept {
 
 FittedCurve CurveFitter::curve() const {
   FittedCurve curve{points_.to_vector(), joints_.to_vector(), {}};
-  for (const SamplePlace& place : places_) {
-    curve.sample_u.insert(curve.sample_u.end(), place.count, place.u);
+  curve.sample_u.reserve(places_.size());
+  const double end = segment_count();
+  for (std::size_t i = 0; i < places_.size(); ++i) {
+    const double next = i + 1 < places_.size() ? places_[i + 1].u : end;
+    append_sample_places(places_[i], next, curve.sample_u);
   }
   return curve;
 }
@@ -120,10 +129,11 @@ void CurveFitter::commit() {
   const std::size_t run_end = next_first_ + search_.count();
   const bool is_corner = at_corner_ && run_end == scanned_;
   const bool is_last = ended_ && run_end == window_.size();
-  if (points_.empty() || is_last) search_.pin(window_, points_.empty(), is_last);
+  const bool to_sample = is_last || is_corner;
+  if (points_.empty() || to_sample) search_.pin(window_, points_.empty(), to_sample);
   const JointKind joint =
       next_kind_ == RunStart::Kind::kTangent ? JointKind::kSmooth : JointKind::kCorner;
-  if (is_last || is_corner) {
+  if (to_sample) {
     search_.lengthen(window_);
     append(search_.curve(), joint, search_.count() - 1);
     start_next(RunStart::Kind::kPoint, run_end - 1, {});

@@ -46,6 +46,10 @@ struct SamplePlace {
   std::uint32_t count = 0;
 };
 
+/// Appends the place of each of the samples. They are a hair apart, as far as the next place
+/// `next_u` leaves room, so that a width may change where the pen rests (R15).
+void append_sample_places(const SamplePlace& place, double next_u, std::vector<double>& sample_u);
+
 /// Fits joined cubics to the samples of a pen while it draws.
 ///
 /// Greedy: from the last joint, RunSearch finds how far one cubic can go; the joint is then put at
@@ -59,7 +63,7 @@ struct SamplePlace {
 ///      |== committed ======|                   never changes again
 ///                          |=== next run ...   same place, same tangent
 ///
-/// The first and last point lie exactly on the first and last sample where the tolerance allows.
+/// Stroke ends and corners lie exactly on their samples where the tolerance allows.
 ///
 /// Work of one push() is bounded by kWorkPerPush + one exact fit (SegmentFit), whatever the
 /// stroke; a search that needs more goes on with the next sample. No allocation after warm-up.

@@ -73,10 +73,9 @@ void Refiner::find_run(const Partial& from, Run& run) {
   run.from = from;
   run.is_last = end == window_.size();
   run.ends_at_corner = end == limit && !run.is_last;
-  if (from.node == kNoNode || run.is_last) {
-    search_.pin(window_, from.node == kNoNode, run.is_last);
-  }
-  if (run.is_last || run.ends_at_corner) search_.lengthen(window_);
+  const bool to_sample = run.is_last || run.ends_at_corner;
+  if (from.node == kNoNode || to_sample) search_.pin(window_, from.node == kNoNode, to_sample);
+  if (to_sample) search_.lengthen(window_);
   run.curve = search_.curve();
   run.t.assign(search_.parameters().begin(), search_.parameters().end());
 }
@@ -153,8 +152,9 @@ FittedCurve Refiner::assemble(std::size_t node) const {
     }
     curve.points.insert(curve.points.end(), n.segment.p.begin() + 1, n.segment.p.end());
     for (std::size_t k = 0; k < n.count; ++k) {
-      curve.sample_u.insert(curve.sample_u.end(), window_.sample_count(n.first + k),
-                            index + places_[n.places + k]);
+      const SamplePlace place{index + places_[n.places + k], window_.sample_count(n.first + k)};
+      const double next = k + 1 < n.count ? index + places_[n.places + k + 1] : index + 1.0;
+      append_sample_places(place, next, curve.sample_u);
     }
     index += 1.0;
   }

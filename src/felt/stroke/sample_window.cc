@@ -5,7 +5,7 @@
 namespace felt {
 
 SampleWindow::SampleWindow(double tolerance_mm, double spacing_mm, std::size_t capacity)
-    : tolerance_mm_(tolerance_mm), spacing_squared_(spacing_mm * spacing_mm) {
+    : tolerance_mm_((1.0 - kReserve) * tolerance_mm), spacing_squared_(spacing_mm * spacing_mm) {
   const std::size_t room = capacity + kPadding;
   for (auto* array : {&x_, &y_, &path_mm_, &inverse_limit_, &slack_, &turns_}) array->resize(room);
   counts_.resize(room);

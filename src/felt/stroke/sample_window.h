@@ -23,6 +23,10 @@ class SampleWindow {
   /// Arrays are padded so that four lanes may be read at any sample.
   static constexpr std::size_t kPadding = 4;
 
+  /// Part of the tolerance that is not used, so that a distance that someone measures by sampling
+  /// the curve is still within it.
+  static constexpr double kReserve = 1e-4;
+
   SampleWindow(double tolerance_mm, double spacing_mm, std::size_t capacity);
 
   /// Forgets all samples.
