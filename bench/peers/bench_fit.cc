@@ -17,9 +17,8 @@ struct Arguments {
   double mm_per_unit = 1.0;
   std::vector<double> tolerances{0.5, 1.0, 2.0};
   int repeats = 3;
-  std::string only;     ///< part of a fitter's name
-  std::string npm_dir;  ///< holds node_modules; empty: no npm rows
-  std::string scratch = ".";
+  std::string only;  ///< part of a fitter's name
+  NpmFolders npm;
   bool by_source = false;
   std::string csv;
   std::int64_t long_samples = 0;
@@ -43,8 +42,7 @@ std::vector<Row> rows_at(const Arguments& arguments, const InkData& data, double
   for (const char* package : {"fit-curve", "paper"}) {
     if (!wanted(arguments, package)) continue;
     std::fprintf(stderr, "tolerance %g: %s\n", tolerance, package);
-    rows.push_back(measure_npm(package, data, tolerance, arguments.repeats, arguments.npm_dir,
-                               arguments.scratch));
+    rows.push_back(measure_npm(package, data, tolerance, arguments.repeats, arguments.npm));
   }
   run(make_feltline_peers(tolerance));
   return rows;
@@ -85,8 +83,8 @@ void describe(CLI::App& app, Arguments& arguments) {
   app.add_option("--repeats", arguments.repeats, "timed runs of each (3)")
       ->check(CLI::Range(1, 99));
   app.add_option("--only", arguments.only, "fitters with this in their name");
-  app.add_option("--npm-dir", arguments.npm_dir, "folder that holds node_modules");
-  app.add_option("--scratch", arguments.scratch, "folder for files that pass to node and back");
+  app.add_option("--npm-dir", arguments.npm.modules, "folder that holds node_modules");
+  app.add_option("--scratch", arguments.npm.scratch, "folder for files that pass to node and back");
   app.add_flag("--by-source", arguments.by_source, "one table per source as well");
   app.add_option("--csv", arguments.csv, "write all rows to this file");
   app.add_option("--long", arguments.long_samples,
@@ -110,23 +108,24 @@ int run(const Arguments& arguments) {
   return 0;
 }
 
+int parse_and_run(int argc, char** argv) {
+  Arguments arguments;
+  CLI::App app("Curve fitters side by side.", "bench_fit");
+  describe(app, arguments);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? 0 : 2;  // 0: --help was asked for
+  }
+  return run(arguments);
+}
+
 }  // namespace
 }  // namespace felt::bench
 
 int main(int argc, char** argv) {
-  felt::bench::Arguments arguments;
-  CLI::App app("Curve fitters side by side.", "bench_fit");
-  felt::bench::describe(app, arguments);
   try {
-    app.parse(argc, argv);
-  } catch (const CLI::CallForHelp& help) {
-    return app.exit(help);
-  } catch (const CLI::ParseError& error) {
-    app.exit(error);
-    return 2;
-  }
-  try {
-    return felt::bench::run(arguments);
+    return felt::bench::parse_and_run(argc, argv);
   } catch (const std::exception& error) {
     std::fprintf(stderr, "bench_fit: %s\n", error.what());
     return 1;

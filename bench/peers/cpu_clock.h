@@ -9,7 +9,7 @@ namespace felt::bench {
 
 /// CPU time of the calling thread. What other programs do on the machine is not in it.
 inline std::int64_t thread_cpu_ns() {
-  timespec now;
+  timespec now{};
   clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
   return now.tv_sec * std::int64_t{1'000'000'000} + now.tv_nsec;
 }
@@ -17,7 +17,7 @@ inline std::int64_t thread_cpu_ns() {
 /// What a measurement of nothing shows: the median of 1,001 empty ones. Part of every per-call
 /// figure, and not subtracted.
 inline std::int64_t timer_overhead_ns() {
-  std::array<std::int64_t, 1001> empty;
+  std::array<std::int64_t, 1001> empty{};
   for (auto& value : empty) {
     const std::int64_t start = thread_cpu_ns();
     value = thread_cpu_ns() - start;

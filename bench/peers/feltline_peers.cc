@@ -15,13 +15,7 @@ class InkFitterPeer : public Peer {
   [[nodiscard]] Feed feed() const override { return Feed::kRaw; }
 
   void fit(const fit_check::Ink& ink, Probe& probe) override {
-    probe.stroke([&] {
-      fitter_.begin();
-      for (const fit_check::Point& p : ink.samples) {
-        probe.call([&] { fitter_.push({{p.x, p.y}, {}, {}}); });
-      }
-      probe.call([&] { fitter_.end(); });
-    });
+    probe.stroke([&] { draw(ink, probe); });
   }
 
   [[nodiscard]] fit_check::Curve curve() const override {
@@ -35,6 +29,15 @@ class InkFitterPeer : public Peer {
     }
     for (const JointKind kind : fitted.joints) curve.corners.push_back(kind == JointKind::kCorner);
     return curve;
+  }
+
+ private:
+  void draw(const fit_check::Ink& ink, Probe& probe) {
+    fitter_.begin();
+    for (const fit_check::Point& p : ink.samples) {
+      probe.call([&] { fitter_.push({{p.x, p.y}, {}, {}}); });
+    }
+    probe.call([&] { fitter_.end(); });
   }
 
  protected:

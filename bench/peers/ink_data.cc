@@ -21,6 +21,22 @@ std::vector<fit_check::Ink> deduplicated(const std::vector<fit_check::Ink>& raw)
   return result;
 }
 
+/// Strokes that name no source are of the file.
+std::vector<fit_check::Ink> read_file(const std::string& path, const std::string& file,
+                                      double mm_per_unit) {
+  std::ifstream in(path);
+  if (!in) throw std::runtime_error(path + ": cannot be opened");
+  try {
+    std::vector<fit_check::Ink> inks = fit_check::read_inks(in, mm_per_unit);
+    for (fit_check::Ink& ink : inks) {
+      if (ink.source.empty()) ink.source = file;
+    }
+    return inks;
+  } catch (const std::runtime_error& error) {
+    throw std::runtime_error(path + ": " + error.what());
+  }
+}
+
 }  // namespace
 
 std::int64_t sample_count(const std::vector<fit_check::Ink>& inks) {
@@ -33,16 +49,8 @@ InkData read_ink_data(const std::vector<std::string>& paths, double mm_per_unit)
   InkData data;
   for (const std::string& path : paths) {
     const std::string file = std::filesystem::path(path).filename();
-    std::ifstream in(path);
-    if (!in) throw std::runtime_error(path + ": cannot be opened");
-    try {
-      for (fit_check::Ink& ink : fit_check::read_inks(in, mm_per_unit)) {
-        if (ink.source.empty()) ink.source = file;
-        data.raw.push_back(std::move(ink));
-      }
-    } catch (const std::runtime_error& error) {
-      throw std::runtime_error(path + ": " + error.what());
-    }
+    std::vector<fit_check::Ink> inks = read_file(path, file, mm_per_unit);
+    std::move(inks.begin(), inks.end(), std::back_inserter(data.raw));
     data.name += (data.name.empty() ? "" : ", ") + file;
   }
   data.deduplicated = deduplicated(data.raw);

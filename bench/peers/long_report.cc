@@ -17,16 +17,23 @@ void print_calls(const char* what, const std::vector<float>& calls) {
 
 void print_slowest(const std::vector<float>& calls) {
   const auto slowest = std::max_element(calls.begin(), calls.end());
-  std::printf("  slowest call: number %td of %zu (the last one is end())\n",
-              slowest - calls.begin(), calls.size());
+  std::printf("  slowest call: number %td of %zu\n", slowest - calls.begin() + 1, calls.size());
 }
 
 void print_result(const fit_check::Report& r) {
-  std::printf(
-      "  result: %lld segments, max error %.6f, %d G1 breaks, %d corners, "
-      "overshoot %.2f, %s\n\n",
-      static_cast<long long>(r.segments), r.max_error, r.breaks[0], r.corners, r.max_overshoot(),
-      r.clean() ? "clean" : "NOT clean");
+  std::printf("  result: %lld segments, %d strokes over tolerance (max error %.6f), %d G1 breaks\n",
+              static_cast<long long>(r.segments), r.over_tolerance, r.max_error, r.breaks[0]);
+  std::printf("          %d corners, %d of them where the ink turns by under %g degrees\n",
+              r.corners, r.weak_corners[1][0], fit_check::kCornerDeg[0]);
+  std::printf("          overshoot %.2f, at most %.2f less than it may be: %s\n\n",
+              r.max_overshoot(), -r.overshoot_excess, r.clean() ? "clean" : "NOT clean");
+}
+
+/// Takes the last call off, which is the pen-up.
+float split_pen_up(std::vector<float>& calls) {
+  const float pen_up = calls.empty() ? 0.0F : calls.back();
+  if (!calls.empty()) calls.pop_back();
+  return pen_up;
 }
 
 void report(Peer& peer, const fit_check::Ink& ink, double tolerance, int repeats) {
@@ -47,11 +54,15 @@ void report(Peer& peer, const fit_check::Ink& ink, double tolerance, int repeats
   for (int i = 0; i < repeats; ++i) {
     Probe each(Probe::Mode::kEachCall);
     peer.fit(ink, each);
-    print_calls(("calls, run " + std::to_string(i + 1)).c_str(), each.calls_ns());
-    keep_smaller(best, each.calls_ns());
+    std::vector<float> calls = each.calls_ns();
+    keep_smaller(best, calls);
+    split_pen_up(calls);
+    print_calls(("push(), run " + std::to_string(i + 1)).c_str(), calls);
   }
-  print_calls("least of the runs", best);
-  if (!best.empty()) print_slowest(best);
+  const float pen_up = split_pen_up(best);
+  print_calls("push(), least of runs", best);
+  print_slowest(best);
+  std::printf("  end(), least of runs   %.0f\n", static_cast<double>(pen_up));
   print_result(fit_check::check_stroke(ink, curve, tolerance));
 }
 
@@ -64,9 +75,7 @@ void print_long_report(std::int64_t samples, double tolerance, int repeats, unsi
       "call.\n\n",
       static_cast<long long>(timer_overhead_ns()));
   for (const auto& peer : make_feltline_peers(tolerance)) {
-    if (peer->name() != "feltline refined" || samples <= 100'000) {
-      report(*peer, ink, tolerance, repeats);
-    }
+    if (peer->call_unit() == "sample") report(*peer, ink, tolerance, repeats);
   }
 }
 

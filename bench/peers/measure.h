@@ -43,10 +43,15 @@ Row measure(Peer& peer, const InkData& data, double tolerance, int repeats);
 void judge(const std::vector<fit_check::Ink>& inks, const std::vector<fit_check::Curve>& curves,
            Row& row);
 
-/// The npm package `package` on the deduplicated data, in a node process of its own. `modules` is
-/// the folder that holds node_modules, `scratch` one for files. Never fails: a row that could not
-/// be had says why.
+/// Where npm packages are run.
+struct NpmFolders {
+  std::string modules;        ///< holds node_modules; may be empty or not there
+  std::string scratch = ".";  ///< for the files that pass to node and back
+};
+
+/// The npm package `package` on the deduplicated data, in a node process of its own. Never fails:
+/// a row that could not be had says why.
 Row measure_npm(const std::string& package, const InkData& data, double tolerance, int repeats,
-                const std::string& modules, const std::string& scratch);
+                const NpmFolders& folders);
 
 }  // namespace felt::bench

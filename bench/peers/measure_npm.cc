@@ -31,17 +31,20 @@ std::string quoted(const std::string& text) {
 
 /// Runs fit_peers.mjs; the empty string, or what went wrong.
 std::string run_node(const std::string& package, double tolerance, int repeats,
-                     const std::string& modules, const std::string& scratch) {
-  const std::string script = std::string(FELT_BENCH_PEERS_DIR) + "/fit_peers.mjs";
-  const std::string command =
-      "timeout " + std::to_string(kTimeoutSeconds) + " node " + quoted(script) + " " +
-      quoted(package) + " " + std::to_string(tolerance) + " " + std::to_string(repeats) + " " +
-      quoted(modules) + " " + quoted(scratch) + " 2> " + quoted(scratch + "/node.log");
+                     const NpmFolders& folders) {
   if (std::system("command -v node > /dev/null") != 0) return "node is not installed";
-  if (!std::filesystem::exists(modules + "/node_modules/" + package)) {
+  if (!std::filesystem::exists(folders.modules + "/node_modules/" + package)) {
     return "the npm package is not installed";
   }
-  return std::system(command.c_str()) == 0 ? "" : "node failed: see " + scratch + "/node.log";
+  const std::string log = folders.scratch + "/node.log";
+  std::string command = "timeout " + std::to_string(kTimeoutSeconds) + " node";
+  for (const std::string& argument :
+       {FELT_BENCH_PEERS_DIR + std::string("/fit_peers.mjs"), package, std::to_string(tolerance),
+        std::to_string(repeats), folders.modules, folders.scratch}) {
+    command += " " + quoted(argument);
+  }
+  command += " 2> " + quoted(log);
+  return std::system(command.c_str()) == 0 ? "" : "node failed: see " + log;
 }
 
 Cost read_cost(const std::string& path) {
@@ -58,16 +61,16 @@ Cost read_cost(const std::string& path) {
 }  // namespace
 
 Row measure_npm(const std::string& package, const InkData& data, double tolerance, int repeats,
-                const std::string& modules, const std::string& scratch) {
+                const NpmFolders& folders) {
   Row row{package + " (npm)", tolerance, "", {}, {}, {}};
   try {
-    std::filesystem::create_directories(scratch);
-    write_inks(data.deduplicated, scratch + "/inks.ndjson");
-    row.skipped = run_node(package, tolerance, repeats, modules, scratch);
+    std::filesystem::create_directories(folders.scratch);
+    write_inks(data.deduplicated, folders.scratch + "/inks.ndjson");
+    row.skipped = run_node(package, tolerance, repeats, folders);
     if (!row.skipped.empty()) return row;
-    std::ifstream curves(scratch + "/curves.ndjson");
+    std::ifstream curves(folders.scratch + "/curves.ndjson");
     judge(data.deduplicated, fit_check::read_curves(curves), row);
-    row.cost = read_cost(scratch + "/cost.json");
+    row.cost = read_cost(folders.scratch + "/cost.json");
   } catch (const std::exception& error) {
     row.skipped = error.what();
   }

@@ -25,9 +25,11 @@ install_npm_peers() {
   fi
 }
 
-# The shared recordings, else the project's own samples.
+# The shared recordings, in px; else the project's own samples, in mm, which 5 px a mm make alike.
 default_data() {
-  if [ -r $shared_data ]; then echo $shared_data; else ls share/samples/*.ndjson; fi
+  if [ -r $shared_data ]; then echo "--data=$shared_data"; return; fi
+  printf -- '--data=%s\n' share/samples/*.ndjson
+  echo --mm-per-unit=5
 }
 
 [ -f "$build_dir/CMakeCache.txt" ] ||
@@ -52,6 +54,6 @@ done
 if $needs_data; then
   install_npm_peers
   mapfile -t data < <(default_data)
-  arguments+=(--data "${data[@]}")
+  arguments=("${data[@]}" "${arguments[@]}")
 fi
 exec "$build_dir/bin/bench_fit" --npm-dir "$npm_dir" --scratch "$npm_dir/scratch" "${arguments[@]}"

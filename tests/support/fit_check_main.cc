@@ -98,11 +98,8 @@ int run(const Arguments& arguments) {
   return total.clean() ? 0 : 1;
 }
 
-}  // namespace
-}  // namespace fit_check
-
-int main(int argc, char** argv) {
-  fit_check::Arguments arguments;
+int parse_and_run(int argc, char** argv) {
+  Arguments arguments;
   CLI::App app("Judges fitted strokes against the raw ink they were made from.", "fit_check");
   app.add_option("RAW", arguments.raw, "raw strokes (.ndjson)")->required();
   app.add_option("SKETCH", arguments.sketch, "fitted strokes (.ndjson)")->required();
@@ -113,14 +110,18 @@ int main(int argc, char** argv) {
   app.add_flag("--list", arguments.list, "name every stroke that breaks a guarantee or has a kink");
   try {
     app.parse(argc, argv);
-  } catch (const CLI::CallForHelp& help) {
-    return app.exit(help);
   } catch (const CLI::ParseError& error) {
-    app.exit(error);
-    return 2;
+    return app.exit(error) == 0 ? 0 : 2;  // 0: --help was asked for
   }
+  return run(arguments);
+}
+
+}  // namespace
+}  // namespace fit_check
+
+int main(int argc, char** argv) {
   try {
-    return fit_check::run(arguments);
+    return fit_check::parse_and_run(argc, argv);
   } catch (const std::exception& error) {
     std::fprintf(stderr, "fit_check: %s\n", error.what());
     return 1;

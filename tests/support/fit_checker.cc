@@ -21,11 +21,9 @@ bool is_corner(const Curve& curve, std::size_t joint) {
 }
 
 bool is_valid(const Ink& ink, const Curve& curve) {
-  if (curve.segments.empty() || ink.samples.empty()) return false;
-  for (const Segment& b : curve.segments) {
-    if (!std::all_of(b.begin(), b.end(), is_finite)) return false;
-  }
-  return true;
+  return !ink.samples.empty() && !curve.segments.empty() &&
+         std::ranges::all_of(curve.segments,
+                             [](const Segment& b) { return std::ranges::all_of(b, is_finite); });
 }
 
 /// Direction in which the segment sets out; zero when all its points are equal.
@@ -139,19 +137,21 @@ void measure_overshoot(const InkPolyline& ink, const CurvePieces& pieces, double
   if (report.overshoot_excess > kRoundingMm) report.overshoot_violations = 1;
 }
 
+void audit_corner(const InkPolyline& ink, Point place, double tolerance, Report& report) {
+  ++report.corners;
+  for (std::size_t arm = 0; arm < kArmInTolerances.size(); ++arm) {
+    const InkPolyline::Turn turn = ink.turn_near(place, kCornerReachInTolerances * tolerance,
+                                                 kArmInTolerances[arm] * tolerance);
+    for (std::size_t limit = 0; limit < kCornerDeg.size(); ++limit) {
+      if (turn.degrees < kCornerDeg[limit]) ++report.weak_corners[arm][limit];
+    }
+    if (arm == 1 && turn.short_arm) ++report.corners_near_end;
+  }
+}
+
 void audit_corners(const InkPolyline& ink, const Curve& curve, double tolerance, Report& report) {
   for (std::size_t joint = 0; joint < curve.segments.size(); ++joint) {
-    if (!is_corner(curve, joint)) continue;
-    ++report.corners;
-    for (std::size_t arm = 0; arm < kArmInTolerances.size(); ++arm) {
-      const InkPolyline::Turn turn =
-          ink.turn_near(curve.segments[joint][3], kCornerReachInTolerances * tolerance,
-                        kArmInTolerances[arm] * tolerance);
-      for (std::size_t limit = 0; limit < kCornerDeg.size(); ++limit) {
-        if (turn.degrees < kCornerDeg[limit]) ++report.weak_corners[arm][limit];
-      }
-      if (arm == 1 && turn.short_arm) ++report.corners_near_end;
-    }
+    if (is_corner(curve, joint)) audit_corner(ink, curve.segments[joint][3], tolerance, report);
   }
 }
 

@@ -20,9 +20,9 @@ Segment line(Point a, Point b) {
 
 /// Samples on the straight line from a to b, `step` apart, both ends included.
 std::vector<Point> ink_along(Point a, Point b, double step) {
-  const double count = std::ceil(length(b - a) / step);
+  const int count = static_cast<int>(std::ceil(length(b - a) / step));
   std::vector<Point> samples;
-  for (double i = 0; i <= count; ++i) samples.push_back(a + (i / count) * (b - a));
+  for (int i = 0; i <= count; ++i) samples.push_back(a + (1.0 * i / count) * (b - a));
   return samples;
 }
 
@@ -186,7 +186,7 @@ TEST(FitChecker, InkTurnIsMeasuredBetweenTheArms) {
 TEST(FitChecker, RoundBendLooksLessOfACornerTheShorterTheArm) {
   // A quarter circle of radius 8: the turn over arms of h is 2 asin(h / 16).
   Ink round = ink({});
-  for (double d = -90; d <= 0; d += 1) {
+  for (int d = -90; d <= 0; ++d) {
     const double a = d * std::numbers::pi / 180.0;
     round.samples.push_back({8 * std::cos(a), 8 * std::sin(a)});
   }

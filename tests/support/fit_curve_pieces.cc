@@ -18,23 +18,23 @@ double sag_of(double second_derivative, double dt) {
   return dt * dt / 8.0 * second_derivative;
 }
 
-double piece_count(const Segment& b, double tolerance) {
+int piece_count(const Segment& b, double tolerance) {
   const double by_sag =
       std::sqrt(largest_second_derivative(b) / (8.0 * kSagInTolerances * tolerance));
   const double by_step = (length(b[1] - b[0]) + length(b[2] - b[1]) + length(b[3] - b[2])) /
                          (kStepInTolerances * tolerance);
-  return std::clamp(std::ceil(std::max(by_sag, by_step)), kMinPieces, kMaxPieces);
+  return static_cast<int>(std::clamp(std::ceil(std::max(by_sag, by_step)), kMinPieces, kMaxPieces));
 }
 
 std::vector<Piece> cut(const std::vector<Segment>& segments, double tolerance) {
   std::vector<Piece> pieces;
   for (std::size_t s = 0; s < segments.size(); ++s) {
     const Segment& b = segments[s];
-    const double count = piece_count(b, tolerance);
+    const int count = piece_count(b, tolerance);
     const double sag = sag_of(largest_second_derivative(b), 1.0 / count);
     Point last = b[0];
-    for (double i = 0.0; i < count; ++i) {
-      const double t0 = i / count, t1 = (i + 1.0) / count;
+    for (int i = 0; i < count; ++i) {
+      const double t0 = static_cast<double>(i) / count, t1 = (i + 1.0) / count;
       const Point next = at(b, t1);
       pieces.push_back({s, t0, t1, last, next, sag});
       last = next;
