@@ -92,6 +92,15 @@ endif()
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/share/samples
   DESTINATION ${CMAKE_INSTALL_DATADIR}/feltline COMPONENT bin OPTIONAL
   FILES_MATCHING PATTERN "*.ndjson")
+set(felt_completions ${PROJECT_SOURCE_DIR}/share/completions)
+install(FILES ${felt_completions}/bash/feltline COMPONENT bin
+  DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions)
+install(FILES ${felt_completions}/zsh/_feltline COMPONENT bin
+  DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/site-functions)
+install(FILES ${felt_completions}/fish/feltline.fish COMPONENT bin
+  DESTINATION ${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d)
+install(FILES ${PROJECT_SOURCE_DIR}/share/man/feltline.1 COMPONENT bin OPTIONAL
+  DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
 install(FILES ${PROJECT_SOURCE_DIR}/LICENSE ${PROJECT_SOURCE_DIR}/README.md
   DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT bin)
 
