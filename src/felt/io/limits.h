@@ -13,8 +13,12 @@ inline constexpr std::size_t kMaxLineBytes = std::size_t{512} << 20;
 /// Longest number as written.
 inline constexpr std::size_t kMaxNumberChars = 64;
 
-/// Largest magnitude of a coordinate, in the unit of the file. 1e9 mm is 1000 km.
+/// Largest magnitude of a coordinate of raw ink, in the unit of the file. 1e9 mm is 1000 km.
 inline constexpr double kMaxCoordinate = 1e9;
+
+/// Largest magnitude of a number in a sketch: a curve through ink at the limit above may reach a
+/// little beyond it, and its handles as far as the samples are apart.
+inline constexpr double kMaxSketchNumber = 1e10;
 
 /// Largest magnitude of a time in ms, so that it fits int64 nanoseconds. Larger than
 /// kMaxCoordinate because recorders write milliseconds since 1970 (1.8e12).

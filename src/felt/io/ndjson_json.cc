@@ -132,9 +132,9 @@ Result<void> read_numbers(Value& value, std::span<double> out) {
     if (const auto error = element.get(item)) return tl::unexpected(syntax_error(error));
     if (count == out.size()) return bad("more than " + std::to_string(count) + " numbers");
     const std::string_view token = token_of(item);
-    if (!read_number(item, kCoordinateLimit, out[count])) {
+    if (!read_number(item, kSketchLimit, out[count])) {
       return tl::unexpected(
-          with_context(number_error(token, kCoordinateLimit), "number " + std::to_string(count)));
+          with_context(number_error(token, kSketchLimit), "number " + std::to_string(count)));
     }
     ++count;
   }

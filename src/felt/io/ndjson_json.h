@@ -41,6 +41,7 @@ struct NumberLimit {
   const char* text;
 };
 inline constexpr NumberLimit kCoordinateLimit = {limits::kMaxCoordinate, "1e9"};
+inline constexpr NumberLimit kSketchLimit = {limits::kMaxSketchNumber, "1e10"};
 inline constexpr NumberLimit kTimeLimit = {limits::kMaxTimeMs, "9e12"};
 
 /// A finite number of at most `limit` in magnitude. On failure returns false, without a text:
@@ -50,7 +51,7 @@ bool read_number(Value& value, NumberLimit limit, double& out);
 /// Why `read_number` refused `token`.
 Error number_error(std::string_view token, NumberLimit limit);
 
-/// Exactly out.size() coordinates.
+/// Exactly out.size() numbers of a sketch.
 Result<void> read_numbers(Value& value, std::span<double> out);
 
 /// true or false.

@@ -192,6 +192,16 @@ TEST(NdjsonRaw, CoordinateAtBelowAndAboveTheLimit) {
   EXPECT_EQ(parse_raw(with_x("1e-400")).stroke.samples.at(0).position.x, 0.0);
 }
 
+TEST(NdjsonSketch, NumberAtBelowAndAboveTheLimit) {
+  const auto with_x = [](const std::string& x) {
+    return sketch_error(R"({"segments":[[0,0,1,1,2,2,)" + x + R"(,3]],"joints":[],"widths":[]})");
+  };
+  EXPECT_EQ(with_x("9999999999.99"), "");
+  EXPECT_EQ(with_x("-1e10"), "");
+  EXPECT_EQ(with_x("10000000000.01"),
+            "segments[0]: number 6: 10000000000.01 is malformed, or larger than 1e10");
+}
+
 TEST(NdjsonRaw, TimeAtAndAboveTheLimit) {
   EXPECT_EQ(raw_error(R"({"points":[[0,0,null,9e12]]})"), "");
   EXPECT_THAT(raw_error(R"({"points":[[0,0,null,9.1e12]]})"), HasSubstr("larger than 9e12"));
