@@ -1,0 +1,66 @@
+#include "allocation_counter.h"
+
+#include <cstdlib>
+#include <new>
+
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+#define FELT_SANITIZED 1
+#elif defined(__has_feature)
+#if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)
+#define FELT_SANITIZED 1
+#endif
+#endif
+
+namespace felt::cli {
+namespace {
+
+thread_local std::int64_t allocations = 0;
+
+}  // namespace
+
+std::int64_t thread_allocations() noexcept {
+  return allocations;
+}
+
+#ifndef FELT_SANITIZED
+namespace {
+
+void* allocate(std::size_t size) {
+  ++allocations;
+  if (void* memory = std::malloc(size == 0 ? 1 : size)) return memory;
+  throw std::bad_alloc();
+}
+
+void* allocate_aligned(std::size_t size, std::align_val_t alignment) {
+  ++allocations;
+  const auto align = static_cast<std::size_t>(alignment);
+  if (void* memory = std::aligned_alloc(align, (size + align - 1) / align * align)) return memory;
+  throw std::bad_alloc();
+}
+
+}  // namespace
+#endif
+
+}  // namespace felt::cli
+
+#ifndef FELT_SANITIZED
+// The array and nothrow forms call these by default ([new.delete] of the standard).
+void* operator new(std::size_t size) {
+  return felt::cli::allocate(size);
+}
+void* operator new(std::size_t size, std::align_val_t alignment) {
+  return felt::cli::allocate_aligned(size, alignment);
+}
+void operator delete(void* memory) noexcept {
+  std::free(memory);
+}
+void operator delete(void* memory, std::size_t) noexcept {
+  std::free(memory);
+}
+void operator delete(void* memory, std::align_val_t) noexcept {
+  std::free(memory);
+}
+void operator delete(void* memory, std::size_t, std::align_val_t) noexcept {
+  std::free(memory);
+}
+#endif

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+#include "console.h"
+
+/// The sub-commands. Each function adds one to the program, with its options and its help; it runs
+/// when the command line names it, says what goes wrong through `console`, and throws UsageError
+/// for options that make no sense together.
+namespace felt::cli {
+
+void add_fit_command(CLI::App& app, Console& console);
+void add_render_command(CLI::App& app, Console& console);
+void add_convert_command(CLI::App& app, Console& console);
+void add_info_command(CLI::App& app, Console& console);
+void add_bench_command(CLI::App& app, Console& console);
+
+/// A command line that makes no sense: the message is shown and the exit code is 2.
+class UsageError : public CLI::Error {
+ public:
+  explicit UsageError(const std::string& message) : CLI::Error("UsageError", message, 2) {}
+};
+
+/// Accepts a number from `low` to `high`; unlike CLI::Range not NaN, which is in no range.
+CLI::Validator number_between(double low, double high);
+
+/// A footer with examples, one a line, below a title.
+std::string examples(const std::string& lines);
+
+}  // namespace felt::cli

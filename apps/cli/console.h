@@ -1,0 +1,42 @@
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <string>
+
+namespace felt::cli {
+
+/// What the program says to the person at the terminal: errors, and a progress line while work goes
+/// on. All of it on stderr, since stdout carries data. Main thread only.
+class Console {
+ public:
+  /// The progress line is shown when stderr is a terminal that can erase a line.
+  Console();
+  ~Console();
+  Console(const Console&) = delete;
+  Console& operator=(const Console&) = delete;
+
+  /// --quiet: no progress line. Errors are always shown.
+  void set_quiet() noexcept { shows_progress_ = false; }
+
+  /// Prints "feltline: message" and remembers that something failed.
+  void error(const std::string& message);
+  /// True once an error was reported: the exit code is then 1.
+  [[nodiscard]] bool failed() const noexcept { return failed_; }
+
+  /// Shows how far `what` is: `done` of `total` bytes (0: unknown) and `strokes` strokes. Draws at
+  /// most ten times a second, and nothing during the first half second.
+  void progress(const char* what, std::int64_t done, std::int64_t total, std::int64_t strokes);
+  /// Removes the progress line.
+  void end_progress();
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  bool shows_progress_;
+  bool failed_ = false;
+  bool drawn_ = false;
+  Clock::time_point next_draw_;
+};
+
+}  // namespace felt::cli

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "felt/geometry/rect.h"
+#include "felt/io/ndjson_record.h"
+#include "felt/stroke/stroke.h"
+
+namespace felt::cli {
+
+/// What `info` tells about a file.
+struct FileSummary {
+  bool is_sketch = false;  ///< else raw pen strokes
+  std::int64_t strokes = 0;
+  Rect bounds;  ///< of the ink in mm; of the samples in the unit of the file
+
+  // Of a sketch.
+  std::int64_t segments = 0;
+  std::int64_t corners = 0;
+  std::int64_t closed = 0;
+  std::int64_t width_knots = 0;
+  double min_width_mm = 0.0, max_width_mm = 0.0;
+
+  // Of raw pen strokes.
+  std::int64_t samples = 0;
+  std::int64_t longest = 0;                       ///< samples of the longest stroke
+  std::int64_t with_pressure = 0, with_time = 0;  ///< strokes where some sample has it
+
+  void add(const Stroke& stroke);
+  void add(const RawStroke& stroke);
+};
+
+/// For people: some lines of "name value".
+std::string summary_text(const FileSummary& summary);
+/// For programs: one line of JSON, keys in a fixed order.
+std::string summary_json(const FileSummary& summary);
+
+}  // namespace felt::cli

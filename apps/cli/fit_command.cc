@@ -1,0 +1,170 @@
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <memory>
+#include <thread>
+
+#include "commands.h"
+#include "fit_source.h"
+#include "fit_worker.h"
+#include "ordered_pipeline.h"
+
+namespace felt::cli {
+namespace {
+
+/// The command line as written.
+struct FitArguments {
+  std::vector<std::string> inputs;
+  std::string output;
+  std::string to;
+  double tolerance_mm = CurveFitOptions{}.tolerance_mm;
+  double mm_per_unit = 1.0;
+  bool no_refine = false;
+  bool filter = false;
+  std::string scheme = "feltline";
+  int shared_samples = InkFitOptions{}.shared_samples;
+  std::string stats;
+  int jobs = 1;
+  double min_width_mm = kPenWidths.min_mm;
+  double max_width_mm = kPenWidths.max_mm;
+  PictureArguments picture;
+};
+
+constexpr const char* kExamples =
+    "feltline fit strokes.ndjson -o sketch.svg\n"
+    "feltline fit scan.ndjson --mm-per-unit 0.01 --tolerance 0.1 -o sketch.ndjson\n"
+    "feltline fit strokes.ndjson --stats json\n"
+    "cat strokes.ndjson | feltline fit - -o - | feltline render - -o page.png";
+
+void add_width_options(CLI::App& command, FitArguments& args) {
+  command.add_option("--min-width", args.min_width_mm, "Width in mm without pressure")
+      ->check(number_between(kMinWidthMm, 1000.0))
+      ->capture_default_str();
+  command.add_option("--max-width", args.max_width_mm, "Width in mm at full pressure")
+      ->check(number_between(kMinWidthMm, 1000.0))
+      ->capture_default_str();
+}
+
+void add_options(CLI::App& command, FitArguments& args) {
+  command.add_option("IN", args.inputs, "Raw pen strokes, .ndjson; '-' is stdin")->required();
+  command.add_option("-o,--output", args.output,
+                     "Where the sketch goes: .ndjson, .svg, .png; '-' is stdout");
+  command.add_option("--to", args.to, "Format of the output, instead of by its extension");
+  command.add_option("--tolerance", args.tolerance_mm, "Largest distance sample to curve, in mm")
+      ->check(number_between(0.0, 1e9))
+      ->capture_default_str();
+  command.add_option("--mm-per-unit", args.mm_per_unit, "Size of one unit of the input, in mm")
+      ->check(number_between(1e-9, 1e9))
+      ->capture_default_str();
+  command.add_flag("--no-refine", args.no_refine, "Keep the curve that is seen while drawing");
+  command.add_flag("--filter", args.filter,
+                   "Drop what the pen adds at touch-down and lift (late pressure, hooks)");
+  command.add_option("--scheme", args.scheme, "Fitting scheme: feltline, or paper2002 for study")
+      ->check(CLI::IsMember({"feltline", "paper2002"}))
+      ->capture_default_str();
+  command
+      .add_option("--shared-samples", args.shared_samples,
+                  "Samples that neighbouring segments share (s of the paper; paper2002 only)")
+      ->check(CLI::Range(1, 1000))
+      ->capture_default_str();
+  command.add_option("--stats", args.stats, "Print what it cost and how close it is, on stdout")
+      ->check(CLI::IsMember({"json"}));
+  command.add_option("-j,--jobs", args.jobs, "Threads; 0 takes all cores. Changes no byte")
+      ->check(CLI::Range(0, 1024))
+      ->capture_default_str();
+  add_width_options(command, args);
+  args.picture.add_to(command);
+}
+
+/// What to do, once the command line has been understood.
+struct FitPlan {
+  FitSettings settings;
+  Format format = Format::kNdjson;
+  PictureOptions picture;
+  int jobs = 1;
+};
+
+FitPlan plan_of(const FitArguments& args) {
+  if (args.output.empty() && args.stats.empty()) throw UsageError("fit needs -o OUT or --stats");
+  if (args.output == "-" && !args.stats.empty()) {
+    throw UsageError("-o - and --stats both want stdout");
+  }
+  if (args.max_width_mm < args.min_width_mm) {
+    throw UsageError("--max-width is less than --min-width");
+  }
+  FitPlan plan;
+  plan.settings.ink.width_map.min_mm = args.min_width_mm;
+  plan.settings.ink.width_map.max_mm = args.max_width_mm;
+  plan.settings.ink.width.max_mm = std::max(plan.settings.ink.width.max_mm, args.max_width_mm);
+  plan.settings.ink.scheme =
+      args.scheme == "paper2002" ? FitScheme::kPaper2002 : FitScheme::kFeltline;
+  plan.settings.ink.curve.tolerance_mm = args.tolerance_mm;
+  plan.settings.ink.shared_samples = args.shared_samples;
+  plan.settings.ink.filter_artefacts = args.filter;
+  plan.settings.mm_per_unit = args.mm_per_unit;
+  plan.settings.refine = !args.no_refine;
+  plan.settings.measure = !args.stats.empty();
+  plan.settings.encode = !args.output.empty();
+  if (plan.settings.encode) {
+    const Result<Format> format = output_format(args.output, args.to);
+    if (!format) throw UsageError(format.error().message);
+    plan.format = *format;
+  }
+  const Result<PictureOptions> picture = args.picture.parse();
+  if (!picture) throw UsageError(picture.error().message);
+  plan.picture = *picture;
+  const int cores = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+  plan.jobs = args.jobs == 0 ? cores : args.jobs;
+  return plan;
+}
+
+/// Fits all inputs into `output` (none: only counts); false when the output failed.
+bool fit_all(const FitArguments& args, const FitPlan& plan, SketchOutput* output, Console& console,
+             FitStats& stats) {
+  FitSource source(args.inputs);
+  bool written = true;
+  OrderedPipeline<FitItem, FitOutput> pipeline(plan.jobs);
+  const auto take = [&](const FitOutput& fitted) {
+    for (const std::string& error : fitted.errors) console.error(error);
+    stats.add(fitted.stats);
+    const Result<void> appended = output ? output->append(fitted.sketch) : Result<void>();
+    if (!appended) console.error(appended.error().message);
+    console.progress("fitting", source.bytes_read(), source.total_bytes(), stats.strokes);
+    return written = appended.has_value();
+  };
+  pipeline.run([&plan] { return FitWorker(plan.settings); },
+               [&source](FitItem& item) { return source.next(item); }, take);
+  console.end_progress();
+  return written;
+}
+
+void run_fit(const FitArguments& args, Console& console) {
+  const FitPlan plan = plan_of(args);
+  std::unique_ptr<SketchOutput> output;
+  if (plan.settings.encode) {
+    Result<std::unique_ptr<SketchOutput>> opened =
+        open_sketch_output(args.output, plan.format, plan.picture);
+    if (!opened) return console.error(opened.error().message);
+    output = *std::move(opened);
+  }
+  FitStats stats;
+  if (!fit_all(args, plan, output.get(), console, stats)) return;
+  // A good older file is worth more than an empty new one.
+  if (stats.strokes == 0 && console.failed()) return;
+  if (output) {
+    if (Result<void> done = output->finish(); !done) return console.error(done.error().message);
+  }
+  if (!args.stats.empty()) fmt::print("{}", stats_json(stats));
+}
+
+}  // namespace
+
+void add_fit_command(CLI::App& app, Console& console) {
+  CLI::App* command = app.add_subcommand("fit", "Turn raw pen strokes into a sketch");
+  const auto args = std::make_shared<FitArguments>();
+  add_options(*command, *args);
+  command->footer(examples(kExamples));
+  command->callback([args, &console] { run_fit(*args, console); });
+}
+
+}  // namespace felt::cli

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "fit_worker.h"
+#include "input.h"
+
+namespace felt::cli {
+
+/// The lines of all inputs of `fit`, one input after the other, in batches for the workers.
+class FitSource {
+ public:
+  explicit FitSource(const std::vector<std::string>& paths) : paths_(paths) {}
+
+  /// Replaces the content of `item`; false when all inputs have ended. An input that cannot be
+  /// opened or read on, or holds nothing, comes as an item with a failure and no lines.
+  bool next(FitItem& item);
+
+  /// How far it is, for the progress line. The total is 0 while a size is unknown.
+  [[nodiscard]] std::int64_t bytes_read() const noexcept;
+  [[nodiscard]] std::int64_t total_bytes() const noexcept { return total_bytes_; }
+
+ private:
+  void open(const std::string& path, FitItem& item);
+
+  const std::vector<std::string>& paths_;
+  std::size_t next_path_ = 0;
+  std::optional<Input> input_;
+  std::optional<LineReader> reader_;
+  std::int64_t records_ = 0;  // of all inputs
+  bool input_is_empty_ = true;
+  std::int64_t bytes_of_ended_ = 0;
+  std::int64_t total_bytes_ = 0;
+};
+
+}  // namespace felt::cli

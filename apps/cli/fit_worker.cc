@@ -1,0 +1,94 @@
+#include "fit_worker.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <new>
+
+#include "thread_clock.h"
+
+namespace felt::cli {
+namespace {
+
+int count_corners(const Stroke& stroke) {
+  const std::vector<JointKind>& joints = stroke.data().joints;
+  return static_cast<int>(std::count(joints.begin(), joints.end(), JointKind::kCorner));
+}
+
+}  // namespace
+
+FitWorker::FitWorker(const FitSettings& settings)
+    : settings_(settings),
+      fitter_(settings.ink),
+      meter_(settings.measure ? std::make_unique<StrokeMeter>(settings.ink) : nullptr) {}
+
+void FitWorker::operator()(const FitItem& item, FitOutput& output) {
+  output.sketch.clear();
+  output.errors.clear();
+  output.stats = {};
+  for (std::size_t i = 0; i < item.lines.size(); ++i) {
+    const NdjsonLine line = item.lines.line(i);
+    Result<void> done = process(line, item.first_record + static_cast<std::int64_t>(i), output);
+    if (done) continue;
+    output.errors.push_back(
+        fmt::format("{}:{}: {}", item.name, line.number(), done.error().message));
+  }
+  if (item.failure) output.errors.push_back(item.name + ": " + item.failure->message);
+}
+
+Result<void> FitWorker::process(const NdjsonLine& line, std::int64_t record, FitOutput& output) {
+  try {
+    const Result<NdjsonKind> kind = parser_.raw_stroke(line, raw_);
+    if (!kind) return tl::unexpected(kind.error());
+    if (*kind == NdjsonKind::kHeader) return {};
+    if (Result<void> scaled = scale_to_mm(); !scaled) return scaled;
+    Result<Stroke> stroke = fit(raw_.samples, output.stats);
+    if (!stroke) return tl::unexpected(stroke.error());
+    if (!settings_.encode) return {};
+    std::string id = raw_.id.empty() ? fmt::format("s{}", record) : raw_.id;
+    encode({std::move(id), *std::move(stroke)}, output.sketch);
+    return {};
+  } catch (const std::bad_alloc&) {
+    return fail(ErrorCode::kLimitExceeded, "not enough memory for this stroke; skipped");
+  }
+}
+
+Result<void> FitWorker::scale_to_mm() {
+  for (std::size_t i = 0; i < raw_.samples.size(); ++i) {
+    Point& p = raw_.samples[i].position;
+    p = {p.x * settings_.mm_per_unit, p.y * settings_.mm_per_unit};
+    if (std::fabs(p.x) <= limits::kMaxCoordinate && std::fabs(p.y) <= limits::kMaxCoordinate) {
+      continue;
+    }
+    return fail(ErrorCode::kLimitExceeded,
+                fmt::format("points[{}]: beyond 1e9 mm after --mm-per-unit", i));
+  }
+  return {};
+}
+
+Result<Stroke> FitWorker::fit(std::span<const InkSample> samples, FitStats& stats) {
+  const std::int64_t start = thread_cpu_ns();
+  fitter_.begin();
+  for (const InkSample& sample : samples) fitter_.push(sample);
+  fitter_.end();
+  const std::int64_t fitted = thread_cpu_ns();
+  if (settings_.refine) fitter_.refine();
+  const std::int64_t refined = thread_cpu_ns();
+  Result<Stroke> stroke = fitter_.stroke();
+  if (!stroke) return stroke;
+
+  ++stats.strokes;
+  stats.samples += static_cast<std::int64_t>(samples.size());
+  stats.segments += stroke->segment_count();
+  stats.corners += count_corners(*stroke);
+  stats.fit_ns += fitted - start;
+  stats.refine_ns += refined - fitted;
+  if (meter_) {
+    meter_->measure_calls(samples, stats);
+    meter_->measure_error(samples, *stroke, stats);
+  }
+  return stroke;
+}
+
+}  // namespace felt::cli

@@ -1,0 +1,66 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "felt/io/ndjson_parser.h"
+#include "felt/stroke/ink_fitter.h"
+#include "felt/stroke/sketch.h"
+#include "fit_stats.h"
+#include "sketch_output.h"
+#include "stroke_meter.h"
+
+namespace felt::cli {
+
+/// How `fit` treats each stroke.
+struct FitSettings {
+  InkFitOptions ink;
+  double mm_per_unit = 1.0;
+  bool refine = true;
+  bool measure = false;  ///< fill in all of FitStats, which takes some five times as long
+  bool encode = true;    ///< make pieces for the output
+};
+
+/// Some lines of one input: what a worker gets.
+struct FitItem {
+  std::string name;  ///< of the input, for errors
+  LineBatch lines;
+  std::int64_t first_record = 1;  ///< number of the first line among the records of all inputs
+  std::optional<Error> failure;   ///< of the input after these lines
+
+  [[nodiscard]] std::size_t bytes() const noexcept { return lines.bytes(); }
+};
+
+/// What a worker makes of them.
+struct FitOutput {
+  SketchPiece sketch;
+  std::vector<std::string> errors;  ///< whole messages, in order of the lines
+  FitStats stats;
+};
+
+/// Parses raw strokes, fits them, encodes the result. One a thread; what comes out depends on the
+/// lines only.
+class FitWorker {
+ public:
+  explicit FitWorker(const FitSettings& settings);
+
+  /// Replaces the content of `output` by what `item` gives. A bad record is an error of its own.
+  void operator()(const FitItem& item, FitOutput& output);
+
+  /// Fits one stroke: `samples` in mm.
+  Result<Stroke> fit(std::span<const InkSample> samples, FitStats& stats);
+
+ private:
+  Result<void> process(const NdjsonLine& line, std::int64_t record, FitOutput& output);
+  Result<void> scale_to_mm();
+
+  FitSettings settings_;
+  NdjsonParser parser_;
+  InkFitter fitter_;
+  std::unique_ptr<StrokeMeter> meter_;
+  RawStroke raw_;
+};
+
+}  // namespace felt::cli

@@ -1,0 +1,126 @@
+#pragma once
+
+#include <condition_variable>
+#include <cstddef>
+#include <mutex>
+#include <thread>
+#include <vector>
+
+namespace felt::cli {
+
+/// Spreads work over threads and hands the results out in the order of the items, in bounded
+/// memory: however many items there are, a fixed number of slots holds them, and what comes out
+/// does not depend on the number of threads.
+///
+/// `Item` and `Output` are default constructible and reused from item to item, so that they keep
+/// their buffers. An item tells by `bytes()` how much it holds.
+template <class Item, class Output>
+class OrderedPipeline {
+ public:
+  /// `jobs` >= 1 threads; with 1 everything runs on the caller's thread.
+  explicit OrderedPipeline(int jobs)
+      : jobs_(jobs), slots_(jobs == 1 ? 1 : 4 * static_cast<std::size_t>(jobs) + 4) {}
+
+  /// Until `next` returns false: fills an item by `next(item)` and takes an output by
+  /// `take(output)`, both on the caller's thread; in between a worker, one per thread and made by
+  /// `make_worker()`, was called as `worker(item, output)`. Ends early when `take` returns false.
+  template <class MakeWorker, class Next, class Take>
+  void run(MakeWorker&& make_worker, Next&& next, Take&& take) {
+    if (jobs_ == 1) {
+      auto worker = make_worker();
+      Slot& slot = slots_.front();
+      while (next(slot.item)) {
+        worker(slot.item, slot.output);
+        if (!take(slot.output)) return;
+      }
+      return;
+    }
+    std::vector<std::jthread> threads;  // join after Stop, on every way out
+    const Stop stop{*this};
+    for (int i = 0; i < jobs_; ++i) {
+      threads.emplace_back([this, worker = make_worker()]() mutable { work(worker); });
+    }
+    feed(next, take);
+  }
+
+ private:
+  struct Slot {
+    Item item;
+    Output output;
+    bool done = false;
+  };
+  /// Sends the workers home when it goes.
+  struct Stop {
+    OrderedPipeline& pipeline;
+    ~Stop() {
+      {
+        const std::lock_guard lock(pipeline.mutex_);
+        pipeline.stopped_ = true;
+      }
+      pipeline.work_waits_.notify_all();
+    }
+  };
+  /// Items that wait or are in work hold no more than this together, apart from a single larger.
+  static constexpr std::size_t kMaxBytesInFlight = std::size_t{64} << 20;
+
+  Slot& slot(std::size_t sequence) { return slots_[sequence % slots_.size()]; }
+
+  template <class Next, class Take>
+  void feed(Next&& next, Take&& take) {
+    std::size_t taken = 0, given = 0, bytes_in_flight = 0;
+    bool more = true;
+    for (;;) {
+      while (more && given - taken < slots_.size() &&
+             (given == taken || bytes_in_flight < kMaxBytesInFlight)) {
+        Slot& free = slot(given);
+        more = next(free.item);
+        if (!more) break;
+        bytes_in_flight += free.item.bytes();
+        free.done = false;
+        give(++given);
+      }
+      if (given == taken) return;
+      Slot& oldest = slot(taken++);
+      wait_for(oldest);
+      bytes_in_flight -= oldest.item.bytes();
+      if (!take(oldest.output)) return;
+    }
+  }
+
+  void give(std::size_t given) {
+    {
+      const std::lock_guard lock(mutex_);
+      given_ = given;
+    }
+    work_waits_.notify_one();
+  }
+
+  void wait_for(const Slot& wanted) {
+    std::unique_lock lock(mutex_);
+    slot_done_.wait(lock, [&wanted] { return wanted.done; });
+  }
+
+  template <class Worker>
+  void work(Worker& worker) {
+    std::unique_lock lock(mutex_);
+    for (;;) {
+      work_waits_.wait(lock, [this] { return stopped_ || started_ < given_; });
+      if (stopped_) return;
+      Slot& mine = slot(started_++);
+      lock.unlock();
+      worker(mine.item, mine.output);
+      lock.lock();
+      mine.done = true;
+      slot_done_.notify_one();
+    }
+  }
+
+  int jobs_;
+  std::vector<Slot> slots_;
+  std::mutex mutex_;
+  std::condition_variable work_waits_, slot_done_;
+  std::size_t given_ = 0, started_ = 0;  // sequence numbers, under the mutex
+  bool stopped_ = false;
+};
+
+}  // namespace felt::cli

@@ -1,0 +1,66 @@
+#include "output.h"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <system_error>
+#include <utility>
+
+namespace felt::cli {
+namespace {
+
+/// A pipe, a terminal or a device: something that cannot be replaced by a finished file.
+bool is_written_directly(const std::string& path) {
+  struct stat status {};
+  return ::stat(path.c_str(), &status) == 0 && !S_ISREG(status.st_mode) && !S_ISDIR(status.st_mode);
+}
+
+}  // namespace
+
+Result<Output> Output::create(const std::string& path) {
+  Output output(path == "-" ? "stdout" : path);
+  if (path == "-") {
+    output.fd_ = STDOUT_FILENO;
+    return output;
+  }
+  if (is_written_directly(path)) {
+    output.fd_ = ::open(path.c_str(), O_WRONLY | O_CLOEXEC);
+    if (output.fd_ >= 0) return output;
+    return fail(ErrorCode::kIo, path + ": " + std::generic_category().message(errno));
+  }
+  Result<AtomicFile> file = AtomicFile::create(path);
+  if (!file) return tl::unexpected(file.error());
+  output.file_ = *std::move(file);
+  return output;
+}
+
+Output::Output(Output&& other) noexcept
+    : name_(std::move(other.name_)),
+      fd_(std::exchange(other.fd_, -1)),
+      file_(std::move(other.file_)) {}
+
+Output::~Output() {
+  if (fd_ > STDERR_FILENO) ::close(fd_);
+}
+
+Result<void> Output::write(std::string_view bytes) {
+  if (file_) return file_->write(bytes);
+  while (!bytes.empty()) {
+    const ssize_t written = ::write(fd_, bytes.data(), bytes.size());
+    if (written < 0 && errno == EINTR) continue;
+    if (written < 0) {
+      return fail(ErrorCode::kIo, name_ + ": " + std::generic_category().message(errno));
+    }
+    bytes.remove_prefix(static_cast<std::size_t>(written));
+  }
+  return {};
+}
+
+Result<void> Output::commit() {
+  if (file_) return file_->commit();
+  return {};
+}
+
+}  // namespace felt::cli

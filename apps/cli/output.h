@@ -1,0 +1,33 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "felt/base/result.h"
+#include "felt/io/atomic_file.h"
+
+namespace felt::cli {
+
+/// An output given on the command line. A file appears under its name only when it is complete
+/// (`commit`): until then, and after any failure, what was there before stays. Stdout ("-") and
+/// what is no ordinary file (a pipe, /dev/null) are written as the data comes.
+class Output {
+ public:
+  /// Error: the place cannot be written, or is a directory. Messages start with the name.
+  static Result<Output> create(const std::string& path);
+  Output(Output&& other) noexcept;
+  ~Output();
+
+  Result<void> write(std::string_view bytes);
+  /// Everything is written: makes it the file of that name.
+  Result<void> commit();
+
+ private:
+  explicit Output(std::string name) : name_(std::move(name)) {}
+  std::string name_;
+  int fd_ = -1;  // when written directly
+  std::optional<AtomicFile> file_;
+};
+
+}  // namespace felt::cli

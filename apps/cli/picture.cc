@@ -1,0 +1,95 @@
+#include "picture.h"
+
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <string_view>
+
+#include "commands.h"
+#include "felt/io/color_text.h"
+
+namespace felt::cli {
+namespace {
+
+constexpr double kMaxPageMm = 1e5;
+
+/// DIN A0..A6 in mm, upright.
+constexpr std::array<Vec, 7> kSizesA = {Vec{841, 1189}, {594, 841}, {420, 594}, {297, 420},
+                                        {210, 297},     {148, 210}, {105, 148}};
+
+std::optional<Vec> named_size(std::string_view text) {
+  if (text.size() < 2 || (text[0] != 'A' && text[0] != 'a') || text[1] < '0' || text[1] > '6') {
+    return std::nullopt;
+  }
+  const Vec upright = kSizesA[static_cast<std::size_t>(text[1] - '0')];
+  if (text.size() == 2) return upright;
+  if (text.substr(2) == "-landscape") return Vec{upright.y, upright.x};
+  return std::nullopt;
+}
+
+std::optional<double> length_mm(std::string_view text) {
+  double length = 0.0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), length);
+  if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
+  if (!(length > 0.0 && length <= kMaxPageMm)) return std::nullopt;
+  return length;
+}
+
+std::optional<Vec> written_size(std::string_view text) {
+  const std::size_t cross = text.find('x');
+  if (cross == std::string_view::npos) return std::nullopt;
+  const std::optional<double> width = length_mm(text.substr(0, cross));
+  const std::optional<double> height = length_mm(text.substr(cross + 1));
+  if (!width || !height) return std::nullopt;
+  return Vec{*width, *height};
+}
+
+}  // namespace
+
+void PictureArguments::add_to(CLI::App& command) {
+  command.add_option("--dpi", dpi, "Resolution of a .png in dots per inch")
+      ->check(number_between(1.0, 4800.0))
+      ->capture_default_str()
+      ->group("Pictures (.svg, .png)");
+  command
+      .add_option("--page", page,
+                  "What to show: 'fit' (all ink and a margin), A0..A6, A4-landscape, or WxH in mm")
+      ->capture_default_str()
+      ->group("Pictures (.svg, .png)");
+  command
+      .add_option("--paper", paper,
+                  "Colour behind the ink in a .png: #rrggbb, #rrggbbaa, white or transparent")
+      ->group("Pictures (.svg, .png)");
+}
+
+Result<PictureOptions> PictureArguments::parse() const {
+  PictureOptions options;
+  options.dpi = dpi;
+  const Result<std::optional<Rect>> sheet = parse_page(page);
+  if (!sheet) return tl::unexpected(sheet.error());
+  options.sheet = *sheet;
+  if (paper.empty()) return options;
+  const Result<Rgba> color = parse_paper(paper);
+  if (!color) return tl::unexpected(color.error());
+  options.paper = *color;
+  return options;
+}
+
+Result<std::optional<Rect>> parse_page(const std::string& text) {
+  if (text == "fit") return std::nullopt;
+  std::optional<Vec> size = named_size(text);
+  if (!size) size = written_size(text);
+  if (size) return Rect{0.0, 0.0, size->x, size->y};
+  return fail(ErrorCode::kInvalidArgument,
+              "--page: '" + text + "' is not fit, A0..A6, A4-landscape or WxH in mm (at most 1e5)");
+}
+
+Result<Rgba> parse_paper(const std::string& text) {
+  if (text == "white") return Rgba{255, 255, 255, 255};
+  if (text == "transparent") return Rgba{255, 255, 255, 0};
+  if (const std::optional<Rgba> color = color_from_text(text)) return *color;
+  return fail(ErrorCode::kInvalidArgument,
+              "--paper: '" + text + "' is not #rrggbb, #rrggbbaa, white or transparent");
+}
+
+}  // namespace felt::cli

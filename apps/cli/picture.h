@@ -1,0 +1,38 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <optional>
+#include <string>
+
+#include "felt/base/result.h"
+#include "felt/geometry/rect.h"
+#include "felt/stroke/stroke.h"
+
+namespace felt::cli {
+
+/// What pictures of a sketch (.png, .svg) look like.
+struct PictureOptions {
+  double dpi = 300.0;         ///< of a .png
+  std::optional<Rect> sheet;  ///< none: all ink and a margin
+  std::optional<Rgba> paper;  ///< of a .png; none: white
+};
+
+/// The options as written, before they are understood.
+struct PictureArguments {
+  double dpi = 300.0;
+  std::string page = "fit";
+  std::string paper;
+
+  /// Adds --dpi, --page and --paper to a sub-command.
+  void add_to(CLI::App& command);
+  /// Error: one of them makes no sense; it is a usage error.
+  [[nodiscard]] Result<PictureOptions> parse() const;
+};
+
+/// "fit" (none), a DIN A size "A0".."A6" with "A4-landscape", or "WxH" in mm.
+Result<std::optional<Rect>> parse_page(const std::string& text);
+
+/// "#rrggbb", "#rrggbbaa", "white" or "transparent".
+Result<Rgba> parse_paper(const std::string& text);
+
+}  // namespace felt::cli

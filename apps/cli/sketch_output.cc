@@ -1,0 +1,104 @@
+#include "sketch_output.h"
+
+#include "felt/io/ndjson_writer.h"
+#include "felt/io/png.h"
+#include "felt/io/svg_writer.h"
+#include "felt/render/page.h"
+#include "felt/render/raster.h"
+#include "sketch_spool.h"
+
+namespace felt::cli {
+namespace {
+
+/// Lines need no knowledge of the rest: they go out as they come.
+class NdjsonOutput final : public SketchOutput {
+ public:
+  explicit NdjsonOutput(Output output) : output_(std::move(output)) {}
+
+  Result<void> append(const SketchPiece& piece) override { return output_.write(piece.lines); }
+  Result<void> finish() override { return output_.commit(); }
+
+ private:
+  Output output_;
+};
+
+/// A picture of all strokes can only be begun when the last one is known: they wait in a spool.
+class PngOutput final : public SketchOutput {
+ public:
+  PngOutput(Output output, const PictureOptions& options)
+      : output_(std::move(output)), options_(options) {}
+
+  Result<void> append(const SketchPiece& piece) override {
+    bounds_.extend(piece.bounds);
+    return spool_.add_lines(piece.lines);
+  }
+
+  Result<void> finish() override {
+    PageOptions page;
+    page.dpi = options_.dpi;
+    page.sheet = options_.sheet.value_or(bounds_.inflated(page.margin_mm));
+    page.paper = options_.paper.value_or(page.paper);
+    Result<Image> image = render_page({}, page);  // the paper
+    if (!image) return tl::unexpected(image.error());
+    const View view = View::at_dpi({page.sheet->x0, page.sheet->y0}, page.dpi);
+    const Pixels pixels = image->pixels();
+    Rasterizer rasterizer;
+    Result<void> drawn = spool_.for_each([&](const SketchStroke& stroke) -> Result<void> {
+      rasterizer.draw(stroke.stroke, view, pixels.rect(), pixels);
+      return {};
+    });
+    if (!drawn) return drawn;
+    const Result<std::string> bytes = encode_png(*image, page.dpi);
+    if (!bytes) return tl::unexpected(bytes.error());
+    if (Result<void> written = output_.write(*bytes); !written) return written;
+    return output_.commit();
+  }
+
+ private:
+  Output output_;
+  PictureOptions options_;
+  SketchSpool spool_;
+  Rect bounds_;
+};
+
+/// The SVG writer mends the head of its file at the end, so strokes go straight to it.
+class SvgOutput final : public SketchOutput {
+ public:
+  explicit SvgOutput(SvgWriter writer) : writer_(std::move(writer)) {}
+
+  Result<void> append(const SketchPiece& piece) override {
+    return for_each_line_stroke(read_text(piece.lines),
+                                [this](const SketchStroke& stroke) { return writer_.add(stroke); });
+  }
+  Result<void> finish() override { return writer_.finish(); }
+
+ private:
+  SvgWriter writer_;
+};
+
+Result<std::unique_ptr<SketchOutput>> open_svg_output(const std::string& path,
+                                                      const PictureOptions& picture) {
+  SvgOptions options;
+  options.sheet = picture.sheet;
+  Result<SvgWriter> writer = SvgWriter::create(path, options);
+  if (!writer) return tl::unexpected(writer.error());
+  return std::make_unique<SvgOutput>(*std::move(writer));
+}
+
+}  // namespace
+
+void encode(const SketchStroke& stroke, SketchPiece& piece) {
+  append_sketch_line(piece.lines, stroke.id, stroke.stroke.data());
+  piece.bounds.extend(stroke.stroke.bounds());
+}
+
+Result<std::unique_ptr<SketchOutput>> open_sketch_output(const std::string& path, Format format,
+                                                         const PictureOptions& picture) {
+  if (format == Format::kSvg) return open_svg_output(path, picture);
+  Result<Output> output = Output::create(path);
+  if (!output) return tl::unexpected(output.error());
+  if (format == Format::kPng) return std::make_unique<PngOutput>(*std::move(output), picture);
+  return std::make_unique<NdjsonOutput>(*std::move(output));
+}
+
+}  // namespace felt::cli

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "felt/geometry/rect.h"
+#include "felt/stroke/sketch.h"
+#include "format.h"
+#include "output.h"
+#include "picture.h"
+
+namespace felt::cli {
+
+/// Strokes made ready for an output, which is done on the workers.
+struct SketchPiece {
+  std::string lines;  ///< as the ndjson writer makes them
+  Rect bounds;        ///< of their ink
+  void clear() { *this = {}; }
+};
+
+/// Adds a stroke to a piece.
+void encode(const SketchStroke& stroke, SketchPiece& piece);
+
+/// Writes a sketch in one of the formats, piece by piece, in memory that does not grow with the
+/// number of strokes. Nothing shows under the output's name before `finish`.
+class SketchOutput {
+ public:
+  virtual ~SketchOutput() = default;
+  virtual Result<void> append(const SketchPiece& piece) = 0;
+  virtual Result<void> finish() = 0;
+};
+
+/// Opens the output for a format. The picture options count for .svg and .png.
+Result<std::unique_ptr<SketchOutput>> open_sketch_output(const std::string& path, Format format,
+                                                         const PictureOptions& picture);
+
+}  // namespace felt::cli

@@ -1,0 +1,42 @@
+# Outputs appear whole or not at all.
+. "$(dirname "$0")/helpers.sh"
+
+strokes 50 >in.ndjson
+echo "an older file" >old
+for extension in ndjson png; do
+  output=sketch.$extension
+  for signal in KILL TERM HUP; do
+    cp old "$output"
+    mkfifo pipe
+    "$feltline" fit pipe -o "$output" 2>/dev/null &
+    pid=$!
+    exec 3>pipe
+    cat in.ndjson in.ndjson >&3
+    sleep 0.2
+    same old "$output"
+    kill -"$signal" "$pid"
+    wait "$pid" 2>/dev/null && fail "survived $signal"
+    exec 3>&-
+    rm pipe
+    same old "$output"
+  done
+  cp old "$output"
+  run 0 "$feltline" fit in.ndjson -o "$output" --dpi 50
+  cmp -s old "$output" && fail "$output is still the older file"
+done
+
+# The same file as input and output.
+cp sketch.ndjson twice.ndjson
+run 0 "$feltline" convert twice.ndjson -o twice.ndjson
+same twice.ndjson sketch.ndjson
+
+# Through a symbolic link, the file that it points to changes; its permissions stay.
+mkdir kept
+cp old kept/real.ndjson
+chmod 640 kept/real.ndjson
+ln -s kept/real.ndjson link.ndjson
+run 0 "$feltline" fit in.ndjson -o link.ndjson
+[ -L link.ndjson ] || fail "the link was replaced"
+same kept/real.ndjson sketch.ndjson
+[ "$(stat -c %a kept/real.ndjson)" = 640 ] || fail "permissions changed"
+finish

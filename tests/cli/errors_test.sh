@@ -1,0 +1,90 @@
+# Bad records and bad files: one line on stderr each, the rest goes on, exit code 1.
+. "$(dirname "$0")/helpers.sh"
+
+strokes 2 >good.ndjson
+{
+  head -n 1 good.ndjson
+  echo 'hello'
+  echo '{"id":"n","points":[[1,2],[NaN,3]]}'
+  echo
+  echo '{"id":"m"}'
+  printf '{"points":[[1,2]\0]}\n'
+  tail -n 1 good.ndjson
+  printf '{"id":"torn","points":[[1,2],[3'
+} >bad.ndjson
+run 1 "$feltline" fit bad.ndjson -o out.ndjson
+lines err 5
+has err "feltline: bad.ndjson:2: not a JSON object"
+has err "feltline: bad.ndjson:3: points[1]: x: NaN is not a number"
+has err "feltline: bad.ndjson:5: key \"points\" is missing"
+has err "feltline: bad.ndjson:6: byte 17 is NUL"
+has err "feltline: bad.ndjson:8: the record is cut off"
+cp err errors
+run 0 "$feltline" fit good.ndjson -o expected.ndjson
+same out.ndjson expected.ndjson
+run 1 "$feltline" fit bad.ndjson -o out.ndjson --jobs 4
+same err errors
+same out.ndjson expected.ndjson
+run 1 "$feltline" fit - -o - <bad.ndjson
+has err "feltline: stdin:2: "
+same out expected.ndjson
+
+# Records without a name get their number.
+printf '{"points":[[0,0],[5,5]]}\n{"id":"b","points":[[0,0],[5,5]]}\n{"points":[[0,0],[5,5]]}\n' >n.ndjson
+run 0 "$feltline" fit n.ndjson -o -
+has out '{"id":"s1",'
+has out '{"id":"s3",'
+
+# Inputs that are not there do not spoil the others, nor an older output.
+run 1 "$feltline" fit missing.ndjson good.ndjson . -o out.ndjson
+has err "feltline: missing.ndjson: No such file or directory"
+has err "feltline: .: Is a directory"
+same out.ndjson expected.ndjson
+run 1 "$feltline" fit missing.ndjson -o out.ndjson
+same out.ndjson expected.ndjson
+: >empty.ndjson
+printf '\n \n' >blank.ndjson
+for nothing in empty blank; do
+  run 1 "$feltline" fit $nothing.ndjson -o out.ndjson
+  has err "feltline: $nothing.ndjson: holds no strokes"
+  same out.ndjson expected.ndjson
+  for command in "render $nothing.ndjson -o x.png" "convert $nothing.ndjson -o -" \
+    "info $nothing.ndjson"; do
+    # shellcheck disable=SC2086  # words on purpose
+    run 1 "$feltline" $command
+    has err "feltline: $nothing.ndjson: holds no strokes"
+  done
+done
+[ ! -e x.png ] || fail "a picture of nothing"
+if [ "$(id -u)" != 0 ]; then
+  cp good.ndjson locked.ndjson
+  chmod 000 locked.ndjson
+  run 1 "$feltline" fit locked.ndjson -o -
+  has err "feltline: locked.ndjson: Permission denied"
+fi
+
+# Outputs that cannot be written.
+run 1 "$feltline" fit good.ndjson -o no/such/folder.ndjson
+has err "no/such/folder.ndjson"
+mkdir folder.ndjson
+run 1 "$feltline" fit good.ndjson -o folder.ndjson
+has err "folder.ndjson"
+if [ -w /dev/full ]; then
+  run 1 "$feltline" fit good.ndjson -o /dev/full
+  has err "feltline: /dev/full: No space left on device"
+  run 1 bash -c "'$feltline' fit good.ndjson -o - >/dev/full"
+  has err "feltline: stdout: No space left on device"
+  run 1 bash -c "'$feltline' info good.ndjson >/dev/full"
+  has err "feltline: stdout: "
+fi
+run 0 "$feltline" fit good.ndjson -o /dev/null
+[ -c /dev/null ] || fail "/dev/null was replaced"
+
+# Sketches are checked as strictly.
+echo '{"id":"k","closed":false,"segments":[[0,0,1,1,2,1,3,0],[3,1,4,4,5,5,6,6]],"joints":["smooth"],"widths":[[0,1],[2,1]]}' >k.ndjson
+run 1 "$feltline" convert k.ndjson -o -
+has err "feltline: k.ndjson:1: segments[1]: does not start where the one before ends"
+echo '{"id":"k","closed":false,"segments":[[0,0,1,1,2,1,3,0]],"joints":[],"widths":[[0,1],[2,1]]}' >k.ndjson
+run 1 "$feltline" convert k.ndjson -o -
+has err "feltline: k.ndjson:1: "
+finish

@@ -1,0 +1,67 @@
+# Sourced by the tests of the program. $feltline is the program, the current folder is empty and goes
+# away at the end. A failed check says where and what, and the test goes on; `finish` ends it.
+set -uo pipefail
+feltline=$1
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+cd "$work" || exit 1
+unset NO_COLOR
+failures=0
+
+fail() {
+  local line=${BASH_LINENO[1]}
+  [ "$line" != 0 ] || line=${BASH_LINENO[0]}  # called by the test itself
+  printf 'FAILED at line %s: %s\n' "$line" "$*" >&2
+  failures=$((failures + 1))
+}
+
+# run CODE COMMAND...: runs the command, its output in ./out and ./err, and checks its exit code.
+run() {
+  local wanted=$1 code=0
+  shift
+  "$@" >out 2>err || code=$?
+  [ "$code" = "$wanted" ] || fail "exit code $code instead of $wanted: $* : $(head -c 300 err)"
+}
+
+# same FILE FILE
+same() { cmp -s "$1" "$2" || fail "$1 and $2 differ"; }
+
+# has FILE TEXT: the file has a line with that text.
+has() { grep -qF -- "$2" "$1" || fail "no '$2' in $1: $(head -c 300 "$1")"; }
+
+# lines FILE COUNT
+lines() { [ "$(wc -l <"$1")" = "$2" ] || fail "$(wc -l <"$1") lines instead of $2 in $1"; }
+
+# is_empty FILE
+is_empty() { [ ! -s "$1" ] || fail "$1 is not empty: $(head -c 300 "$1")"; }
+
+# limit_memory KIB COMMAND...: with bounded address space, which sanitizers cannot live in.
+limit_memory() {
+  local kib=$1
+  shift
+  if [ -z "${FELT_SANITIZE:-}" ]; then
+    (ulimit -v "$kib" && exec "$@")
+  else
+    "$@"
+  fi
+}
+
+# strokes COUNT: that many raw strokes of some 40 samples, all different.
+strokes() {
+  awk -v count="$1" 'BEGIN {
+    for (s = 1; s <= count; s++) {
+      printf "{\"id\":\"s%d\",\"points\":[", s
+      for (i = 0; i < 40; i++) {
+        a = i * (0.1 + s % 7 * 0.02)
+        printf "%s[%.2f,%.2f,%.2f,%d]", i ? "," : "", s % 50 * 4 + 3 * a + cos(3 * a),
+               s % 60 * 4 + 4 * sin(2 * a), 0.3 + 0.2 * sin(a), i * 8
+      }
+      print "]}"
+    }
+  }'
+}
+
+finish() {
+  [ "$failures" = 0 ] || printf '%s checks failed\n' "$failures" >&2
+  exit $((failures > 0))
+}

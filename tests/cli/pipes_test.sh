@@ -1,0 +1,45 @@
+# The program as a filter: stdin, stdout, threads, a reader that leaves, a long stream.
+. "$(dirname "$0")/helpers.sh"
+
+strokes 300 >in.ndjson
+run 0 "$feltline" fit in.ndjson -o a.ndjson
+is_empty out
+is_empty err
+lines a.ndjson 300
+
+# stdin and stdout are the same as files, two runs are the same, and threads change no byte.
+run 0 "$feltline" fit - -o - <in.ndjson
+same out a.ndjson
+for jobs in 1 2 3 8 0; do
+  run 0 "$feltline" fit in.ndjson -o - --jobs "$jobs"
+  same out a.ndjson
+done
+head -n 100 in.ndjson >part1.ndjson
+tail -n +101 in.ndjson >part2.ndjson
+run 0 "$feltline" fit part1.ndjson - -o - --jobs 2 <part2.ndjson
+same out a.ndjson
+
+# A whole pipe: fitted and drawn while it comes.
+run 0 bash -c "'$feltline' fit - -o - <in.ndjson | '$feltline' render - -o - --to png --dpi 50 >p1.png"
+run 0 "$feltline" render a.ndjson -o p2.png --dpi 50
+same p1.png p2.png
+
+# Whoever reads only the start ends the program without a word.
+run 0 bash -c "('$feltline' fit in.ndjson -o - ; true) 2>broken | head -c 100"
+is_empty broken
+run 0 bash -c "trap '' PIPE; ('$feltline' fit in.ndjson -o - ; true) 2>broken | head -c 100"
+is_empty broken
+
+# Memory does not grow with the number of strokes: 20 MB of input in much less.
+for _ in $(seq 40); do cat in.ndjson; done >long.ndjson
+limit_memory 200000 "$feltline" fit long.ndjson --no-refine -o long_out.ndjson || fail "long input"
+lines long_out.ndjson 12000
+limit_memory 400000 "$feltline" fit long.ndjson --no-refine -o long_2.ndjson --jobs 2 ||
+  fail "long input, two jobs"
+same long_out.ndjson long_2.ndjson
+
+# A terminal that is none gets no progress line, and --quiet is understood everywhere.
+run 0 "$feltline" --quiet fit in.ndjson -o b.ndjson
+run 0 "$feltline" fit in.ndjson -o b.ndjson -q
+is_empty err
+finish

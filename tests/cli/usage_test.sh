@@ -1,0 +1,44 @@
+# Help, version and exit codes.
+. "$(dirname "$0")/helpers.sh"
+
+run 0 "$feltline" --help
+has out "feltline fit strokes.ndjson -o sketch.svg"
+is_empty err
+run 0 "$feltline" --version
+has out "feltline 0."
+for command in fit render convert info bench; do
+  run 0 "$feltline" "$command" --help
+  has out "Examples:"
+  is_empty err
+done
+
+run 2 "$feltline"
+run 2 "$feltline" nonsense
+has err "feltline: there is no command 'nonsense'"
+run 2 "$feltline" fit
+has err "Try 'feltline fit --help'."
+strokes 3 >in.ndjson
+run 2 "$feltline" fit in.ndjson
+run 2 "$feltline" fit in.ndjson -o x.ndjson --nonsense
+for tolerance in -1 nan inf abc 1e10 ''; do
+  run 2 "$feltline" fit in.ndjson -o x.ndjson --tolerance "$tolerance"
+done
+run 2 "$feltline" fit in.ndjson -o x.ndjson --mm-per-unit 0
+run 2 "$feltline" fit in.ndjson -o x.ndjson --jobs -1
+run 2 "$feltline" fit in.ndjson -o x.ndjson --scheme nonsense
+run 2 "$feltline" fit in.ndjson -o x.ndjson --stats xml
+run 2 "$feltline" fit in.ndjson -o - --stats json
+has err "both want stdout"
+run 2 "$feltline" fit in.ndjson -o x.docx
+has err "x.docx: the extension '.docx' is not known; there is .ndjson, .svg and .png"
+run 2 "$feltline" fit in.ndjson -o x
+run 2 "$feltline" fit in.ndjson -o x.ndjson --to docx
+run 2 "$feltline" render in.ndjson -o x.ndjson
+for page in A9 10 10x x10 0x5 -1x5 nanxnan 1e9x1 A4-portrait; do
+  run 2 "$feltline" render in.ndjson -o x.png --page "$page"
+done
+run 2 "$feltline" render in.ndjson -o x.png --paper reddish
+run 2 "$feltline" render in.ndjson -o x.png --dpi 0
+is_empty out
+[ ! -e x.ndjson ] || fail "a wrong command line made a file"
+finish
