@@ -13,11 +13,16 @@ double per_stroke(const fit_check::Report& r) {
   return r.strokes > 0 ? static_cast<double>(r.segments) / r.strokes : 0.0;
 }
 
+/// Declared corners where the ink turns by less than 45 degrees over arms of 4 tolerances.
+int weak_corners(const fit_check::Report& r) {
+  return r.weak_corners[1][0];
+}
+
 void print_result(std::FILE* out, const fit_check::Report& r) {
-  std::fprintf(out, " %" PRId64 " | %.2f | %.3f | %.3f | %d | %d | %d | %.1f / %.1f / %d |",
+  std::fprintf(out, " %" PRId64 " | %.2f | %.3f | %.3f | %d | %d | %d / %d | %.1f / %.1f / %d |",
                r.segments, per_stroke(r), r.max_error, r.mean_error(), r.over_tolerance,
-               r.breaks[kOver5], r.corners, r.overshoot_quantile(0.99), r.max_overshoot(),
-               r.overshoot_violations);
+               r.breaks[kOver5], r.corners, weak_corners(r), r.overshoot_quantile(0.99),
+               r.max_overshoot(), r.overshoot_violations);
 }
 
 void print_cost(std::FILE* out, const Cost& cost) {
@@ -51,7 +56,7 @@ void write_csv_row(std::FILE* out, const Row& row, const std::string& source,
 void print_table(std::FILE* out, const std::vector<Row>& rows) {
   std::fprintf(out,
                "| fitter | segments | per stroke | max error | mean error | strokes over | "
-               "G1 > 5 deg | corners | overshoot p99 / max / strokes beyond | ns / sample | "
+               "G1 > 5 deg | corners / weak | overshoot p99 / max / strokes beyond | ns / sample | "
                "call p99.9 / max, us | alloc / sample |\n"
                "|---|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|\n");
   for (const Row& row : rows) {
@@ -71,11 +76,12 @@ void print_sources(std::FILE* out, const std::vector<Row>& rows) {
     for (const auto& [source, report] : row.by_source) sources.insert(source);
   }
   for (const std::string& source : sources) {
-    std::fprintf(out,
-                 "\n%s\n\n| fitter | segments | per stroke | max error | mean error | "
-                 "strokes over | G1 > 5 deg | corners | overshoot p99 / max / strokes beyond |\n"
-                 "|---|---:|---:|---:|---:|---:|---:|---:|---:|\n",
-                 source.c_str());
+    std::fprintf(
+        out,
+        "\n%s\n\n| fitter | segments | per stroke | max error | mean error | "
+        "strokes over | G1 > 5 deg | corners / weak | overshoot p99 / max / strokes beyond |\n"
+        "|---|---:|---:|---:|---:|---:|---:|---:|---:|\n",
+        source.c_str());
     for (const Row& row : rows) {
       const auto found = row.by_source.find(source);
       if (found == row.by_source.end()) continue;

@@ -2,6 +2,7 @@
 
 #include <deque>
 #include <limits>
+#include <optional>
 #include <unordered_map>
 
 #include "tests/support/fit_curve_pieces.h"
@@ -120,19 +121,63 @@ void measure_kinks(const Curve& curve, const CurvePieces& pieces, double toleran
   }
 }
 
-void measure_overshoot(const InkPolyline& ink, const CurvePieces& pieces, double tolerance,
-                       Report& report) {
+/// How far a place of the curve is beyond the ink plus the sample gap there. What "there" is: the
+/// line of the ink that is nearest, or a line both ends of which lie at the same segment of the
+/// curve or a neighbour; the nearest may belong to another part of the ink that merely passes by.
+class OvershootExcess {
+ public:
+  OvershootExcess(const Curve& curve, const InkPolyline& ink, double tolerance)
+      : curve_(curve), ink_(ink), tolerance_(tolerance) {}
+
+  [[nodiscard]] double at(Point p, std::size_t segment, const InkPolyline::Nearest& nearest) {
+    double least = nearest.distance - nearest.gap;
+    if (least <= kOvershootInTolerances * tolerance_) return least;
+    const std::vector<Point>& v = ink_.vertices();
+    for (std::size_t i = 0; i + 1 < v.size(); ++i) {
+      const double excess = distance_to_line(v[i], v[i + 1], p) - length(v[i + 1] - v[i]);
+      if (excess < least && is_local(v[i], segment) && is_local(v[i + 1], segment)) least = excess;
+    }
+    return least;
+  }
+
+ private:
+  /// Does p lie within a tolerance of the segment or a neighbour?
+  bool is_local(Point p, std::size_t segment) {
+    if (!pieces_ || segment != segment_) {
+      const std::size_t first = segment > 0 ? segment - 1 : 0;
+      const std::size_t last = std::min(segment + 2, curve_.segments.size());
+      const auto begin = curve_.segments.begin();
+      segments_.assign(begin + static_cast<std::ptrdiff_t>(first),
+                       begin + static_cast<std::ptrdiff_t>(last));
+      pieces_.emplace(segments_, tolerance_);
+      segment_ = segment;
+    }
+    std::size_t hint = 0;
+    return pieces_->distance(p, hint) <= tolerance_ + kRoundingMm;
+  }
+
+  const Curve& curve_;
+  const InkPolyline& ink_;
+  double tolerance_;
+  std::size_t segment_ = 0;
+  std::vector<Segment> segments_;
+  std::optional<CurvePieces> pieces_;  // of segments_
+};
+
+void measure_overshoot(const Curve& curve, const InkPolyline& ink, const CurvePieces& pieces,
+                       double tolerance, Report& report) {
   double overshoot = 0.0;
   std::size_t hint = 0;
-  const auto measure = [&](Point p) {
+  OvershootExcess excess(curve, ink, tolerance);
+  const auto measure = [&](Point p, std::size_t segment) {
     const InkPolyline::Nearest nearest = ink.nearest(p, hint);
     overshoot = std::max(overshoot, nearest.distance);
     report.overshoot_excess =
         std::max(report.overshoot_excess,
-                 nearest.distance - kOvershootInTolerances * tolerance - nearest.gap);
+                 excess.at(p, segment, nearest) - kOvershootInTolerances * tolerance);
   };
-  for (const Piece& piece : pieces.pieces()) measure(piece.a);
-  measure(pieces.pieces().back().b);
+  for (const Piece& piece : pieces.pieces()) measure(piece.a, piece.segment);
+  measure(pieces.pieces().back().b, pieces.pieces().back().segment);
   report.overshoots.push_back(overshoot);
   if (report.overshoot_excess > kRoundingMm) report.overshoot_violations = 1;
 }
@@ -175,7 +220,7 @@ Report check_stroke(const Ink& ink, const Curve& curve, double tolerance) {
   measure_error(ink, pieces, tolerance, report);
   measure_joints(curve, report);
   measure_kinks(curve, pieces, tolerance, report);
-  measure_overshoot(polyline, pieces, tolerance, report);
+  measure_overshoot(curve, polyline, pieces, tolerance, report);
   audit_corners(polyline, curve, tolerance, report);
   return report;
 }

@@ -46,7 +46,8 @@ inline constexpr std::array kCornerDeg{45.0, 50.0, 60.0};
 /// How far from the declared corner the ink may have its turn, in tolerances: the curve is allowed
 /// one, and the sample that turns most need not be the nearest.
 inline constexpr double kCornerReachInTolerances = 2.0;
-/// A curve may leave the ink by this many tolerances plus the sample gap there.
+/// A curve may leave the ink by this many tolerances plus the sample gap there: the length of the
+/// ink's line that it is nearest to, or of one that belongs to the same stretch of the curve.
 inline constexpr double kOvershootInTolerances = 4.0;
 
 /// What was found. Sums of reports are reports: `add`.

@@ -164,6 +164,25 @@ TEST(FitChecker, OvershootMayGrowWithTheSampleGap) {
   EXPECT_EQ(r.overshoot_violations, 0) << "12 < 4 + 40";
 }
 
+TEST(FitChecker, SlowInkPassingByDoesNotMakeAWideGapNarrow) {
+  // The bulge over the gap comes 8 away from its own line, near to nothing; a slow line of samples
+  // passes 6 above it. The gap that counts is the wide one.
+  const Point turn{60, 14};
+  std::vector<Point> samples{{0, 0}, {40, 0}, {60, 0}, turn};
+  samples = joined(samples, ink_along(turn, {0, 14}, 0.5));
+  const Segment bulge{Point{0, 0}, {0, 10.67}, {40, 10.67}, {40, 0}};
+  const Curve over =
+      curve({bulge, line({40, 0}, {60, 0}), line({60, 0}, turn), line(turn, {0, 14})},
+            {true, true, true});
+  const Report r = check_stroke(ink(samples), over, kTolerance);
+  EXPECT_NEAR(r.max_overshoot(), 7.0, 0.1);
+  EXPECT_EQ(r.overshoot_violations, 0);
+
+  Curve spike = over;  // out of the slow line, beyond what its own samples allow
+  spike.segments[3] = {turn, {30, 40}, {30, 40}, {0, 14}};
+  EXPECT_EQ(check_stroke(ink(samples), spike, kTolerance).overshoot_violations, 1);
+}
+
 TEST(FitChecker, CornerWhereTheInkIsStraightIsWeak) {
   const Report r =
       check_stroke(ink(ink_along({0, 0}, {60, 0}, 1.0)),

@@ -11,6 +11,9 @@ class InkPolyline {
  public:
   explicit InkPolyline(const std::vector<Point>& samples);
 
+  /// The samples without repeats; consecutive ones are joined by the lines.
+  [[nodiscard]] const std::vector<Point>& vertices() const { return vertices_; }
+
   /// Where the polyline comes nearest to a place.
   struct Nearest {
     double distance = 0.0;
