@@ -16,6 +16,7 @@ int flatten_steps(const Cubic& c, double span, double tolerance_mm) noexcept {
 
 void flatten(const Stroke& stroke, double tolerance_mm, std::vector<Dab>& out) {
   const auto knots = stroke.widths();
+  const int most = std::max(1, kMaxStrokeSteps / stroke.segment_count());
   out.clear();
   out.push_back({stroke.position(0.0), 0.5 * knots[0].width_mm});
   std::size_t k = 0;  // the width piece in hand runs from knot k to k + 1
@@ -25,7 +26,7 @@ void flatten(const Stroke& stroke, double tolerance_mm, std::vector<Dab>& out) {
       const WidthKnot a = knots[k], b = knots[k + 1];
       const bool knot_first = b.u < i + 1;
       const double t1 = knot_first ? b.u - i : 1.0;
-      const int steps = flatten_steps(c, t1 - t0, tolerance_mm);
+      const int steps = std::min(most, flatten_steps(c, t1 - t0, tolerance_mm));
       const double slope = 0.5 * (b.width_mm - a.width_mm) / (b.u - a.u);
       for (int s = 1; s < steps; ++s) {
         const double t = t0 + (t1 - t0) * s / steps;

@@ -18,6 +18,10 @@ struct Dab {
 /// fine for the size of the segment.
 inline constexpr int kMaxFlattenSteps = 1 << 14;
 
+/// Steps that a stroke of many segments is divided into at most, shared evenly (but at least one
+/// a segment): 2^24 dabs take 400 MB.
+inline constexpr int kMaxStrokeSteps = 1 << 24;
+
 /// Parameter steps, at least 1, so that straight lines between equal steps of t over a part of c
 /// `span` of t long stay within the tolerance of the curve at the same t. By the bound
 /// h^2 max|f''| / 8 (Wang, "The subdivision method for finding the intersection between two
@@ -25,8 +29,9 @@ inline constexpr int kMaxFlattenSteps = 1 << 14;
 int flatten_steps(const Cubic& c, double span, double tolerance_mm) noexcept;
 
 /// Replaces `out` by dabs along the stroke: radius and centre, taken linearly from each dab to
-/// the next, stay within the tolerance of those of the stroke at the same parameter. Segment ends
-/// and width breakpoints are hit exactly. A closed stroke's seam appears at both ends.
+/// the next, stay within the tolerance of those of the stroke at the same parameter, unless that
+/// would take more than the largest number of steps. Segment ends and width breakpoints are hit
+/// exactly. A closed stroke's seam appears at both ends.
 void flatten(const Stroke& stroke, double tolerance_mm, std::vector<Dab>& out);
 
 }  // namespace felt

@@ -20,9 +20,9 @@ struct OutlinePath {
 };
 
 /// The outline of a stroke by curves, for vector files: the ink of `StrokeOutliner`, smooth at any
-/// zoom and in a third of the numbers. Each side of a stretch is fitted by as few cubics as stay within the
-/// tolerance of its true edge; where a bend is tighter than the half width there is no smooth
-/// edge, and the side follows the polygon. Requires tolerance_mm > 0.
+/// zoom and in a third of the numbers. Each side of a stretch is fitted by as few cubics as stay
+/// within the tolerance of its true edge; where a bend is tighter than the half width there is no
+/// smooth edge, and the side follows the polygon. Requires tolerance_mm > 0.
 OutlinePath outline_path(const Stroke& stroke, double tolerance_mm);
 
 }  // namespace felt

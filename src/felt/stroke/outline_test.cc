@@ -98,6 +98,20 @@ TEST(Outline, DotIsADisc) {
   EXPECT_EQ(outliner.trace(std::vector<Dab>{}, false, 0.01).contour_count(), 0u);
 }
 
+TEST(Flatten, AbsurdStrokesStayWithinMemory) {
+  StrokeData d = testing::straight_stroke({0, 0}, {1, 0}, 1, 1).data();
+  constexpr int kSegments = 20'000;
+  for (int i = 1; i < kSegments; ++i) {
+    const double x = i % 2 == 0 ? 1.0 : 1e300;
+    d.points.insert(d.points.end(), {{x, 3e299}, {0, x}, {x, 7}});
+    d.joints.push_back(JointKind::kCorner);
+  }
+  d.widths.back().u = kSegments;
+  std::vector<Dab> dabs;
+  flatten(Stroke::create(std::move(d)).value(), 1e-3, dabs);
+  EXPECT_LE(dabs.size(), static_cast<std::size_t>(kMaxStrokeSteps) + 1);
+}
+
 TEST(Flatten, StaysWithinTheToleranceAtTheSameParameter) {
   for (std::uint64_t seed = 0; seed < 200; ++seed) {
     const Stroke s = testing::random_stroke(seed);
