@@ -122,5 +122,5 @@ set(CPACK_DEBIAN_DEV_PACKAGE_SECTION libdevel)
 set(CPACK_DEBIAN_BIN_PACKAGE_SHLIBDEPS ON)
 # The archives are static: whoever links them needs what they were built against.
 set(CPACK_DEBIAN_DEV_PACKAGE_DEPENDS
-    "libexpected-dev, libfmt-dev, libpng-dev, libsimdjson-dev, libpugixml-dev, libagg2-dev")
+    "libexpected-dev, libpng-dev, libsimdjson-dev, libagg2-dev")
 include(CPack)
