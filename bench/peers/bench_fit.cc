@@ -96,7 +96,8 @@ void describe(CLI::App& app, Arguments& arguments) {
 int run(const Arguments& arguments) {
   if (arguments.long_samples > 0) {
     for (const double tolerance : arguments.tolerances) {
-      print_long_report(arguments.long_samples, tolerance, arguments.repeats, arguments.seed);
+      print_long_report(arguments.long_samples, tolerance, arguments.repeats, arguments.seed,
+                        arguments.only);
     }
     return 0;
   }

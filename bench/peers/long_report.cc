@@ -63,19 +63,22 @@ void report(Peer& peer, const fit_check::Ink& ink, double tolerance, int repeats
   print_calls("push(), least of runs", best);
   print_slowest(best);
   std::printf("  end(), least of runs   %.0f\n", static_cast<double>(pen_up));
+  std::fflush(stdout);
   print_result(fit_check::check_stroke(ink, curve, tolerance));
 }
 
 }  // namespace
 
-void print_long_report(std::int64_t samples, double tolerance, int repeats, unsigned seed) {
+void print_long_report(std::int64_t samples, double tolerance, int repeats, unsigned seed,
+                       const std::string& only) {
   const fit_check::Ink ink = make_long_stroke(samples, tolerance, seed);
   std::printf(
       "Thread CPU time in ns. An empty measurement shows %lld ns, which is part of every "
       "call.\n\n",
       static_cast<long long>(timer_overhead_ns()));
   for (const auto& peer : make_feltline_peers(tolerance)) {
-    if (peer->call_unit() == "sample") report(*peer, ink, tolerance, repeats);
+    const bool wanted = peer->name().find(only) != std::string::npos;
+    if (wanted && peer->call_unit() == "sample") report(*peer, ink, tolerance, repeats);
   }
 }
 

@@ -133,8 +133,10 @@ class OvershootExcess {
     double least = nearest.distance - nearest.gap;
     if (least <= kOvershootInTolerances * tolerance_) return least;
     const std::vector<Point>& v = ink_.vertices();
-    for (std::size_t i = 0; i + 1 < v.size(); ++i) {
-      const double excess = distance_to_line(v[i], v[i + 1], p) - length(v[i + 1] - v[i]);
+    for (const std::size_t i : ink_.edges_by_length()) {
+      const double gap = length(v[i + 1] - v[i]);
+      if (nearest.distance - gap >= least) break;  // no line is nearer, and the rest are shorter
+      const double excess = distance_to_line(v[i], v[i + 1], p) - gap;
       if (excess < least && is_local(v[i], segment) && is_local(v[i + 1], segment)) least = excess;
     }
     return least;

@@ -1,5 +1,8 @@
 #include "tests/support/fit_ink_polyline.h"
 
+#include <functional>
+#include <numeric>
+
 namespace fit_check {
 namespace {
 
@@ -32,7 +35,12 @@ Point crossing(Point center, double radius, Point a, Point b) {
 }  // namespace
 
 InkPolyline::InkPolyline(const std::vector<Point>& samples)
-    : vertices_(without_repeats(samples)), edges_(edge_boxes(vertices_)) {}
+    : vertices_(without_repeats(samples)), edges_(edge_boxes(vertices_)) {
+  by_length_.resize(vertices_.empty() ? 0 : vertices_.size() - 1);
+  std::iota(by_length_.begin(), by_length_.end(), std::size_t{0});
+  std::ranges::stable_sort(by_length_, std::greater<>(),
+                           [&](std::size_t edge) { return edge_length(edge); });
+}
 
 double InkPolyline::edge_length(std::size_t edge) const {
   return length(vertices_[edge + 1] - vertices_[edge]);

@@ -14,6 +14,9 @@ class InkPolyline {
   /// The samples without repeats; consecutive ones are joined by the lines.
   [[nodiscard]] const std::vector<Point>& vertices() const { return vertices_; }
 
+  /// Lines, the longest first; line i goes from vertex i to the next.
+  [[nodiscard]] const std::vector<std::size_t>& edges_by_length() const { return by_length_; }
+
   /// Where the polyline comes nearest to a place.
   struct Nearest {
     double distance = 0.0;
@@ -46,6 +49,7 @@ class InkPolyline {
 
   std::vector<Point> vertices_;
   BoxTree edges_;
+  std::vector<std::size_t> by_length_;
 };
 
 }  // namespace fit_check
