@@ -11,5 +11,6 @@ namespace felt::detail {
 }  // namespace felt::detail
 
 /// Aborts with file and line when `condition` does not hold.
-#define FELT_CHECK(condition) \
-  ((condition) ? static_cast<void>(0) : ::felt::detail::check_failed(#condition, __FILE__, __LINE__))
+#define FELT_CHECK(condition)         \
+  ((condition) ? static_cast<void>(0) \
+               : ::felt::detail::check_failed(#condition, __FILE__, __LINE__))

@@ -8,12 +8,12 @@ namespace felt {
 
 /// What kind of thing went wrong; the message says the rest.
 enum class ErrorCode {
-  kInvalidArgument,   ///< the caller's values make no sense together
-  kInvalidData,       ///< a file or stream says something that it must not
-  kLimitExceeded,     ///< well-formed, but larger than we accept
-  kNotFound,          ///< no such file, tool, device
-  kIo,                ///< the operating system refused or failed
-  kUnsupported,       ///< known, and not done here
+  kInvalidArgument,  ///< the caller's values make no sense together
+  kInvalidData,      ///< a file or stream says something that it must not
+  kLimitExceeded,    ///< well-formed, but larger than we accept
+  kNotFound,         ///< no such file, tool, device
+  kIo,               ///< the operating system refused or failed
+  kUnsupported,      ///< known, and not done here
 };
 
 /// An error for a person: a code, and a message that names the place and the reason.
