@@ -1,6 +1,7 @@
 # Sourced by the tests of the program. $feltline is the program, the current folder is empty and goes
 # away at the end. A failed check says where and what, and the test goes on; `finish` ends it.
 set -uo pipefail
+# shellcheck disable=SC2034  # the scripts that read this file use it
 feltline=$1
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT

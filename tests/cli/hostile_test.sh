@@ -65,7 +65,7 @@ done <<'END'
 [[0,0],[10,0],[0,0],[10,0],[0,0]]
 [[0,0,5,0],[1,1,-5,1]]
 END
-for word in NaN Infinity -Infinity nan 1e999 null true '"1"' 0x1 1,2,3,,; do
+for word in NaN Infinity -Infinity nan 1e999 null true '"1"' 0x1 '1,2,3,,'; do
   feed 20 500000 1 < <(printf '{"points":[[0,0],[%s,0]]}\n%s\n' "$word" "$good")
   lines out 1
   lines err 1
