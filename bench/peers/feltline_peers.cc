@@ -18,9 +18,9 @@ class InkFitterPeer : public Peer {
     probe.stroke([&] { draw(ink, probe); });
   }
 
-  [[nodiscard]] fit_check::Curve curve() const override {
+  [[nodiscard]] fit_check::FitCurve curve() const override {
     const FittedCurve& fitted = fitter_.curve();
-    fit_check::Curve curve;
+    fit_check::FitCurve curve;
     for (int i = 0; i < fitted.segment_count(); ++i) {
       const Cubic cubic = fitted.segment(i);
       fit_check::Segment segment;

@@ -19,8 +19,8 @@ class Lib2geomPeer : public Peer {
   explicit Lib2geomPeer(double tolerance) : error_(tolerance * tolerance) {}
 
   [[nodiscard]] Feed feed() const override { return Feed::kDeduplicated; }
-  [[nodiscard]] fit_check::Curve curve() const override {
-    fit_check::Curve curve;
+  [[nodiscard]] fit_check::FitCurve curve() const override {
+    fit_check::FitCurve curve;
     for (std::size_t i = 0; i < count_; ++i) curve.segments.push_back(segment_of(&beziers_[4 * i]));
     return curve;
   }
@@ -99,8 +99,8 @@ class Greedy : public Lib2geomPeer {
   }
 
  public:
-  [[nodiscard]] fit_check::Curve curve() const override {
-    fit_check::Curve curve = Lib2geomPeer::curve();
+  [[nodiscard]] fit_check::FitCurve curve() const override {
+    fit_check::FitCurve curve = Lib2geomPeer::curve();
     curve.segments.push_back(segment_of(&beziers_[4 * count_]));  // the run that was open
     return curve;
   }

@@ -41,7 +41,7 @@ void report(Peer& peer, const fit_check::Ink& ink, double tolerance, int repeats
               tolerance);
   Probe warm_up(Probe::Mode::kTotal);
   peer.fit(ink, warm_up);
-  fit_check::Curve curve = peer.curve();
+  fit_check::FitCurve curve = peer.curve();
 
   Probe total(Probe::Mode::kTotal);
   peer.fit(ink, total);

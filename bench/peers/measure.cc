@@ -7,8 +7,8 @@ const std::vector<fit_check::Ink>& fed(const InkData& data, Feed feed) {
   return feed == Feed::kRaw ? data.raw : data.deduplicated;
 }
 
-std::vector<fit_check::Curve> curves_of(Peer& peer, const std::vector<fit_check::Ink>& inks) {
-  std::vector<fit_check::Curve> curves;
+std::vector<fit_check::FitCurve> curves_of(Peer& peer, const std::vector<fit_check::Ink>& inks) {
+  std::vector<fit_check::FitCurve> curves;
   Probe warm_up(Probe::Mode::kTotal);
   for (const fit_check::Ink& ink : inks) {
     peer.fit(ink, warm_up);
@@ -52,7 +52,7 @@ void keep_smaller(std::vector<float>& best, const std::vector<float>& values) {
   }
 }
 
-void judge(const std::vector<fit_check::Ink>& inks, const std::vector<fit_check::Curve>& curves,
+void judge(const std::vector<fit_check::Ink>& inks, const std::vector<fit_check::FitCurve>& curves,
            Row& row) {
   row.by_source.clear();
   row.total = fit_check::check_all(inks, curves, row.tolerance, &row.by_source);

@@ -40,7 +40,7 @@ void keep_smaller(std::vector<float>& best, const std::vector<float>& values);
 Row measure(Peer& peer, const InkData& data, double tolerance, int repeats);
 
 /// Judges curves made elsewhere from the deduplicated data.
-void judge(const std::vector<fit_check::Ink>& inks, const std::vector<fit_check::Curve>& curves,
+void judge(const std::vector<fit_check::Ink>& inks, const std::vector<fit_check::FitCurve>& curves,
            Row& row);
 
 /// Where npm packages are run.

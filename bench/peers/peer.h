@@ -27,7 +27,7 @@ class Peer {
   /// Fits one stroke, inside `probe`.
   virtual void fit(const fit_check::Ink& ink, Probe& probe) = 0;
   /// The curve of the last fit, for the checker. Not timed.
-  [[nodiscard]] virtual fit_check::Curve curve() const = 0;
+  [[nodiscard]] virtual fit_check::FitCurve curve() const = 0;
 };
 
 using Peers = std::vector<std::unique_ptr<Peer>>;

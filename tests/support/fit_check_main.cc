@@ -59,10 +59,10 @@ void print_sources(const std::map<std::string, Report>& sources) {
   }
 }
 
-void list_bad_strokes(const std::vector<Ink>& inks, const std::vector<Curve>& curves,
+void list_bad_strokes(const std::vector<Ink>& inks, const std::vector<FitCurve>& curves,
                       double tolerance) {
   for (const Ink& ink : inks) {
-    for (const Curve& curve : curves) {
+    for (const FitCurve& curve : curves) {
       if (curve.id != ink.id) continue;
       const Report r = check_stroke(ink, curve, tolerance);
       if (r.clean() && r.kinks == 0) continue;
@@ -89,7 +89,7 @@ struct Arguments {
 int run(const Arguments& arguments) {
   std::ifstream raw = open(arguments.raw), sketch = open(arguments.sketch);
   const std::vector<Ink> inks = read_inks(raw, arguments.mm_per_unit);
-  const std::vector<Curve> curves = read_curves(sketch);
+  const std::vector<FitCurve> curves = read_curves(sketch);
   std::map<std::string, Report> sources;
   const Report total = check_all(inks, curves, arguments.tolerance, &sources);
   print_report(total);

@@ -17,11 +17,11 @@ constexpr double kJoinedMm = 1e-9;
 /// Two floating-point roads to the same distance may differ by this much.
 constexpr double kRoundingMm = 1e-9;
 
-bool is_corner(const Curve& curve, std::size_t joint) {
+bool is_corner(const FitCurve& curve, std::size_t joint) {
   return joint < curve.corners.size() && curve.corners[joint];
 }
 
-bool is_valid(const Ink& ink, const Curve& curve) {
+bool is_valid(const Ink& ink, const FitCurve& curve) {
   return !ink.samples.empty() && !curve.segments.empty() &&
          std::ranges::all_of(curve.segments,
                              [](const Segment& b) { return std::ranges::all_of(b, is_finite); });
@@ -66,7 +66,7 @@ void judge_joint(double turn, bool corner, Report& report) {
 
 /// A segment that is a single point has no direction: the one before it is carried across it, and
 /// it makes a corner if either of its joints is one.
-void measure_joints(const Curve& curve, Report& report) {
+void measure_joints(const FitCurve& curve, Report& report) {
   const std::size_t n = curve.segments.size();
   Point incoming{};
   bool corner = false;
@@ -90,7 +90,7 @@ void measure_joints(const Curve& curve, Report& report) {
 /// Slides a window of a quarter tolerance of arc along the pieces and counts the places where more
 /// than kKinkDeg of turning fall into it; places nearer than the window are one. Declared corners
 /// empty the window.
-void measure_kinks(const Curve& curve, const CurvePieces& pieces, double tolerance,
+void measure_kinks(const FitCurve& curve, const CurvePieces& pieces, double tolerance,
                    Report& report) {
   struct Bend {
     double arc;
@@ -126,7 +126,7 @@ void measure_kinks(const Curve& curve, const CurvePieces& pieces, double toleran
 /// curve or a neighbour; the nearest may belong to another part of the ink that merely passes by.
 class OvershootExcess {
  public:
-  OvershootExcess(const Curve& curve, const InkPolyline& ink, double tolerance)
+  OvershootExcess(const FitCurve& curve, const InkPolyline& ink, double tolerance)
       : curve_(curve), ink_(ink), tolerance_(tolerance) {}
 
   [[nodiscard]] double at(Point p, std::size_t segment, const InkPolyline::Nearest& nearest) {
@@ -158,7 +158,7 @@ class OvershootExcess {
     return pieces_->distance(p, hint) <= tolerance_ + kRoundingMm;
   }
 
-  const Curve& curve_;
+  const FitCurve& curve_;
   const InkPolyline& ink_;
   double tolerance_;
   std::size_t segment_ = 0;
@@ -166,7 +166,7 @@ class OvershootExcess {
   std::optional<CurvePieces> pieces_;  // of segments_
 };
 
-void measure_overshoot(const Curve& curve, const InkPolyline& ink, const CurvePieces& pieces,
+void measure_overshoot(const FitCurve& curve, const InkPolyline& ink, const CurvePieces& pieces,
                        double tolerance, Report& report) {
   double overshoot = 0.0;
   std::size_t hint = 0;
@@ -196,7 +196,8 @@ void audit_corner(const InkPolyline& ink, Point place, double tolerance, Report&
   }
 }
 
-void audit_corners(const InkPolyline& ink, const Curve& curve, double tolerance, Report& report) {
+void audit_corners(const InkPolyline& ink, const FitCurve& curve, double tolerance,
+                   Report& report) {
   for (std::size_t joint = 0; joint < curve.segments.size(); ++joint) {
     if (is_corner(curve, joint)) audit_corner(ink, curve.segments[joint][3], tolerance, report);
   }
@@ -204,7 +205,7 @@ void audit_corners(const InkPolyline& ink, const Curve& curve, double tolerance,
 
 }  // namespace
 
-Report check_stroke(const Ink& ink, const Curve& curve, double tolerance) {
+Report check_stroke(const Ink& ink, const FitCurve& curve, double tolerance) {
   Report report;
   report.strokes = 1;
   report.samples = static_cast<std::int64_t>(ink.samples.size());
@@ -281,15 +282,15 @@ bool Report::clean() const {
          overshoot_violations == 0 && max_gap <= kJoinedMm;
 }
 
-Report check_all(const std::vector<Ink>& inks, const std::vector<Curve>& curves, double tolerance,
-                 std::map<std::string, Report>* by_source) {
+Report check_all(const std::vector<Ink>& inks, const std::vector<FitCurve>& curves,
+                 double tolerance, std::map<std::string, Report>* by_source) {
   const bool by_order =
-      std::all_of(curves.begin(), curves.end(), [](const Curve& c) { return c.id.empty(); });
-  std::unordered_map<std::string, const Curve*> by_id;
-  for (const Curve& curve : curves) by_id.emplace(curve.id, &curve);
+      std::all_of(curves.begin(), curves.end(), [](const FitCurve& c) { return c.id.empty(); });
+  std::unordered_map<std::string, const FitCurve*> by_id;
+  for (const FitCurve& curve : curves) by_id.emplace(curve.id, &curve);
   Report total;
   for (std::size_t i = 0; i < inks.size(); ++i) {
-    const Curve* curve = nullptr;
+    const FitCurve* curve = nullptr;
     if (by_order) {
       if (i < curves.size()) curve = &curves[i];
     } else if (const auto found = by_id.find(inks[i].id); found != by_id.end()) {

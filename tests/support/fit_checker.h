@@ -28,7 +28,7 @@ struct Ink {
 };
 
 /// The curve fitted to them.
-struct Curve {
+struct FitCurve {
   std::string id;
   bool closed = false;
   std::vector<Segment> segments;
@@ -94,10 +94,10 @@ struct Report {
 };
 
 /// Judges one stroke. Requires tolerance > 0. An invalid curve gets an infinite error.
-Report check_stroke(const Ink& ink, const Curve& curve, double tolerance);
+Report check_stroke(const Ink& ink, const FitCurve& curve, double tolerance);
 
 /// Judges many; curves find their ink by id, or by order when no curve has an id.
-Report check_all(const std::vector<Ink>& inks, const std::vector<Curve>& curves, double tolerance,
-                 std::map<std::string, Report>* by_source = nullptr);
+Report check_all(const std::vector<Ink>& inks, const std::vector<FitCurve>& curves,
+                 double tolerance, std::map<std::string, Report>* by_source = nullptr);
 
 }  // namespace fit_check

@@ -34,7 +34,7 @@ std::vector<Point> joined(std::vector<Point> first, const std::vector<Point>& se
 Ink ink(std::vector<Point> samples) {
   return {"s", "", std::move(samples)};
 }
-Curve curve(std::vector<Segment> segments, std::vector<bool> corners = {}) {
+FitCurve curve(std::vector<Segment> segments, std::vector<bool> corners = {}) {
   return {"s", false, std::move(segments), std::move(corners)};
 }
 
@@ -171,14 +171,14 @@ TEST(FitChecker, SlowInkPassingByDoesNotMakeAWideGapNarrow) {
   std::vector<Point> samples{{0, 0}, {40, 0}, {60, 0}, turn};
   samples = joined(samples, ink_along(turn, {0, 14}, 0.5));
   const Segment bulge{Point{0, 0}, {0, 10.67}, {40, 10.67}, {40, 0}};
-  const Curve over =
+  const FitCurve over =
       curve({bulge, line({40, 0}, {60, 0}), line({60, 0}, turn), line(turn, {0, 14})},
             {true, true, true});
   const Report r = check_stroke(ink(samples), over, kTolerance);
   EXPECT_NEAR(r.max_overshoot(), 7.0, 0.1);
   EXPECT_EQ(r.overshoot_violations, 0);
 
-  Curve spike = over;  // out of the slow line, beyond what its own samples allow
+  FitCurve spike = over;  // out of the slow line, beyond what its own samples allow
   spike.segments[3] = {turn, {30, 40}, {30, 40}, {0, 14}};
   EXPECT_EQ(check_stroke(ink(samples), spike, kTolerance).overshoot_violations, 1);
 }
@@ -214,7 +214,7 @@ TEST(FitChecker, RoundBendLooksLessOfACornerTheShorterTheArm) {
   const Point q01 = 0.5 * (arc[0] + arc[1]), q12 = 0.5 * (arc[1] + arc[2]),
               q23 = 0.5 * (arc[2] + arc[3]);
   const Point middle{half, -half};
-  const Curve split = curve(
+  const FitCurve split = curve(
       {{arc[0], q01, 0.5 * (q01 + q12), middle}, {middle, 0.5 * (q12 + q23), q23, arc[3]}}, {true});
   const Report r = check_stroke(round, split, kTolerance);
   EXPECT_THAT(r.weak_corners[0], testing::ElementsAre(1, 1, 1)) << "14 degrees";

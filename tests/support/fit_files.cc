@@ -52,11 +52,11 @@ std::vector<Ink> read_inks(std::istream& in, double mm_per_unit) {
   return inks;
 }
 
-std::vector<Curve> read_curves(std::istream& in) {
-  std::vector<Curve> curves;
+std::vector<FitCurve> read_curves(std::istream& in) {
+  std::vector<FitCurve> curves;
   for_each_line(in, [&](const Json& object) {
     if (!object.is_object() || !object.contains("segments")) return;
-    Curve curve{text_of(object, "id"), object.value("closed", false), {}, {}};
+    FitCurve curve{text_of(object, "id"), object.value("closed", false), {}, {}};
     for (const Json& numbers : object.at("segments")) {
       curve.segments.push_back(segment_of(numbers));
     }

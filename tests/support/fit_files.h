@@ -16,6 +16,6 @@ std::vector<Ink> read_inks(std::istream& in, double mm_per_unit);
 /// Sketch strokes, one object a line:
 /// {"id":"s1","closed":false,"segments":[[x1,y1,..,x4,y4],...],"joints":["smooth","corner",...]}.
 /// Lines without "segments" (a header, a comment object) are passed over.
-std::vector<Curve> read_curves(std::istream& in);
+std::vector<FitCurve> read_curves(std::istream& in);
 
 }  // namespace fit_check
