@@ -28,10 +28,10 @@ namespace felt {
 /// 1.7 mm at the default tolerance. Streaming and in one go give the same corners (R5, R7).
 class CornerDetector {
  public:
-  static constexpr double kCornerDeg = 55.0;
+  static constexpr double kCornerDeg = 60.0;
   static constexpr double kCornerArm = 4.0;
   static constexpr double kCornerMargin = 7.0;
-  static constexpr double kCornerPersistence = 0.75;
+  static constexpr double kCornerPersistence = 0.8;
 
   /// Starts a stroke.
   void clear() noexcept;

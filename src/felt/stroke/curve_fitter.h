@@ -71,7 +71,7 @@ void append_sample_places(const SamplePlace& place, double next_u, std::vector<d
 class CurveFitter {
  public:
   /// The joint is put at this part of the longest run.
-  static constexpr double kReach = 0.9;
+  static constexpr double kReach = 0.8;
   /// Kept samples nearer than this part of the tolerance are merged (SampleWindow).
   static constexpr double kSpacing = 0.125;
   /// Work of one push, in samples x rounds of the fit: about 10 microseconds.

@@ -22,8 +22,8 @@ namespace felt {
 /// one Refiner per thread; buffers are kept between strokes.
 class Refiner {
  public:
-  static constexpr std::size_t kBeam = 4;
-  static constexpr double kReaches[] = {1.0, 0.9, 0.8, 0.7};
+  static constexpr std::size_t kBeam = 6;
+  static constexpr double kReaches[] = {0.88, 0.8, 0.7};
   /// Of the candidates that cover the same samples, at most this many are kept.
   static constexpr std::size_t kPerJoint = 2;
 

@@ -46,7 +46,7 @@ class SegmentFit {
   /// Least-squares rounds of one fit at most.
   static constexpr int kMaxRounds = 8;
   static constexpr double kTangentWeight = 0.05;
-  static constexpr double kEnergy = 3e-5;
+  static constexpr double kEnergy = 2e-5;
   static constexpr double kRidge = 1e-4;
   /// Handle at a smooth start: between these parts of the chord length of the run.
   static constexpr double kMinHandle = 0.03;
