@@ -10,7 +10,7 @@ namespace {
 constexpr std::size_t kWindowCapacity = 2048;
 // Samples and path kept behind the open run for the corner detector's arms.
 constexpr std::size_t kKeepSamples = 8;
-constexpr double kKeepPath = CornerDetector::kCornerDetour * CornerDetector::kCornerArm + 1.0;
+constexpr double kKeepPath = CornerDetector::kCornerArm + 1.0;
 // A joint's tangent is taken where the curve moves at least at this part of its mean speed.
 constexpr double kJointSpeed = 0.6;
 
