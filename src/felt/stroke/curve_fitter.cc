@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace felt {
 namespace {
@@ -14,6 +15,10 @@ constexpr double kKeepPath = CornerDetector::kCornerArm + 1.0;
 // A joint's tangent is taken where the curve moves at least at this part of its mean speed.
 constexpr double kJointSpeed = 0.6;
 
+// What a step costs besides its fit: gate updates, solving, a commit.
+constexpr long kStepWork = 64;
+constexpr long kAllWork = std::numeric_limits<long>::max();
+
 double effective_tolerance(const CurveFitOptions& options) {
   return std::max(options.tolerance_mm, kMinSegmentMm);
 }
@@ -23,10 +28,11 @@ double effective_tolerance(const CurveFitOptions& options) {
 std::size_t choose_joint(const Cubic& curve, std::span<const double> parameters,
                          double reach) noexcept {
   const std::size_t count = parameters.size();
-  const double length = control_length(curve);
+  const double speed = kJointSpeed * control_length(curve);
   const auto is_good = [&](std::size_t k) {
     const double t = parameters[k];
-    return t * length >= 2.0 * kMinSegmentMm && norm(derivative(curve, t)) >= kJointSpeed * length;
+    return norm(derivative(curve, t)) >= speed &&
+           control_length(split(curve, t).first) >= kShortestSegmentMm;
   };
   const double wanted = std::ceil(reach * static_cast<double>(count));
   const std::size_t middle = std::min(count, static_cast<std::size_t>(wanted)) - 1;
@@ -37,9 +43,14 @@ std::size_t choose_joint(const Cubic& curve, std::span<const double> parameters,
   return count - 1;
 }
 
-void append_sample_places(const SamplePlace& place, double next_u, std::vector<double>& sample_u) {
+void append_sample_places(const SamplePlace& place, double next_u, const Cubic& segment,
+                          double tolerance_mm, std::vector<double>& sample_u) {
   constexpr double kStep = 1e-6;
-  const double step = std::clamp((next_u - place.u) / (place.count + 1.0), 0.0, kStep);
+  // |f'| is at most three times the longest leg of the control polygon.
+  const double speed = 3.0 * control_length(segment);
+  const double room = 0.5 * SampleWindow::kReserve * tolerance_mm;
+  const double span = std::min({kStep * place.count, next_u - place.u, room / speed});
+  const double step = std::max(0.0, span) / (place.count + 1.0);
   for (std::uint32_t i = 0; i < place.count; ++i) sample_u.push_back(place.u + i * step);
 }
 
@@ -72,10 +83,10 @@ void CurveFitter::end() {
   ended_ = true;
   if (window_.size() == 0) return;
   corners_.finish(window_);
-  if (points_.empty() && window_.path_mm(window_.size() - 1) < kMinSegmentMm) {
+  if (points_.empty() && window_.path_mm(window_.size() - 1) < kShortestSegmentMm) {
     add_dot();
   } else {
-    advance(-1);
+    advance(kAllWork);
   }
 }
 
@@ -85,14 +96,21 @@ Cubic CurveFitter::segment(int i) const noexcept {
 }
 
 FittedCurve CurveFitter::curve() const {
-  FittedCurve curve{points_.to_vector(), joints_.to_vector(), {}};
-  curve.sample_u.reserve(places_.size());
+  FittedCurve curve;
+  copy_to(curve);
+  return curve;
+}
+
+void CurveFitter::copy_to(FittedCurve& curve) const {
+  curve.points.assign(points_.begin(), points_.end());
+  curve.joints.assign(joints_.begin(), joints_.end());
+  curve.sample_u.clear();
   const double end = segment_count();
   for (std::size_t i = 0; i < places_.size(); ++i) {
     const double next = i + 1 < places_.size() ? places_[i + 1].u : end;
-    append_sample_places(places_[i], next, curve.sample_u);
+    const int at = std::min(static_cast<int>(places_[i].u), segment_count() - 1);
+    append_sample_places(places_[i], next, segment(at), window_.tolerance_mm(), curve.sample_u);
   }
-  return curve;
 }
 
 // Moves `scanned_` on: the open run may use the samples before it, and ends there at a corner.
@@ -104,9 +122,10 @@ void CurveFitter::scan_for_corner() noexcept {
   }
 }
 
-// Works on the open run; `work` < 0 means until all samples are used.
+// Works on the open run until `work` is used up.
 void CurveFitter::advance(long work) {
-  const long stop = search_.work() + work;
+  const long before = search_.work();
+  long steps = 0;
   while (next_first_ < corners_.decided() || searching_) {
     if (!searching_) {
       const std::size_t least = next_kind_ == RunStart::Kind::kFree ? 2 : 1;
@@ -119,13 +138,15 @@ void CurveFitter::advance(long work) {
     const RunSearch::Status status = search_.step(window_, scanned_, at_corner_ || ended_);
     if (status == RunSearch::Status::kDone) commit();
     if (status == RunSearch::Status::kNeedSamples) return;
-    if (work >= 0 && search_.work() >= stop) return;
+    ++steps;
+    if (search_.work() - before + kStepWork * steps >= work) return;
   }
 }
 
 // Ends the open run with a segment and prepares the next one.
 void CurveFitter::commit() {
   searching_ = false;
+  search_.ensure_length(window_);
   const std::size_t run_end = next_first_ + search_.count();
   const bool is_corner = at_corner_ && run_end == scanned_;
   const bool is_last = ended_ && run_end == window_.size();
@@ -134,7 +155,6 @@ void CurveFitter::commit() {
   const JointKind joint =
       next_kind_ == RunStart::Kind::kTangent ? JointKind::kSmooth : JointKind::kCorner;
   if (to_sample) {
-    search_.lengthen(window_);
     append(search_.curve(), joint, search_.count() - 1);
     start_next(RunStart::Kind::kPoint, run_end - 1, {});
     return;
@@ -183,7 +203,7 @@ void CurveFitter::make_room() {
   };
   std::size_t count = droppable();
   if (count < window_.capacity() / 4) {
-    advance(-1);
+    advance(kAllWork);
     count = droppable();
   }
   if (count == 0) return;
@@ -216,7 +236,7 @@ void CurveFitter::append_live_tail(std::vector<Cubic>& tail) const {
 void CurveFitter::add_dot() {
   const Point first = window_.point(0);
   const Vec along = normalized(window_.newest() - first);
-  const Vec step = kMinSegmentMm * (along == Vec{} ? Vec{1.0, 0.0} : along);
+  const Vec step = kShortestSegmentMm * (along == Vec{} ? Vec{1.0, 0.0} : along);
   const Cubic dot = straight(first, first + step);
   for (const Point& p : dot.p) points_.push_back(p);
   for (std::size_t i = 0; i < window_.size(); ++i)

@@ -46,9 +46,11 @@ struct SamplePlace {
   std::uint32_t count = 0;
 };
 
-/// Appends the place of each of the samples. They are a hair apart, as far as the next place
-/// `next_u` leaves room, so that a width may change where the pen rests (R15).
-void append_sample_places(const SamplePlace& place, double next_u, std::vector<double>& sample_u);
+/// Appends the place of each of the samples on `segment`. They are a hair apart, so that a width
+/// may change where the pen rests (R15): as far as the next place `next_u` and the reserve in the
+/// tolerance (SampleWindow::kReserve) allow.
+void append_sample_places(const SamplePlace& place, double next_u, const Cubic& segment,
+                          double tolerance_mm, std::vector<double>& sample_u);
 
 /// Fits joined cubics to the samples of a pen while it draws.
 ///
@@ -104,6 +106,8 @@ class CurveFitter {
   void append_live_tail(std::vector<Cubic>& tail) const;
   /// A copy of the committed curve.
   [[nodiscard]] FittedCurve curve() const;
+  /// The same, into the buffers of `curve`.
+  void copy_to(FittedCurve& curve) const;
 
  private:
   void advance(long work);

@@ -44,7 +44,9 @@ struct InkFitter::State {
   ChunkedVector<InkSample> samples;
   std::size_t ignored = 0;
   bool ended = false;
-  FittedCurve curve;  // after end()
+  // After end(), made when it is asked for: copying a long stroke takes longer than a sample may.
+  bool has_curve = false;
+  FittedCurve curve;
   std::vector<Cubic> tail;
 };
 
@@ -63,7 +65,7 @@ void InkFitter::begin() {
   s.samples.clear();
   s.ignored = 0;
   s.ended = false;
-  s.curve = {};
+  s.has_curve = false;
 }
 
 void InkFitter::push(const InkSample& sample) {
@@ -87,33 +89,33 @@ void InkFitter::end() {
   s.ended = true;
   if (s.options.scheme == FitScheme::kPaper2002) {
     s.paper.end();
-    s.curve = s.paper.curve();
   } else {
     s.online.end();
-    s.curve = s.online.curve();
   }
 }
 
 void InkFitter::refine() {
   State& s = *state_;
-  if (s.options.scheme == FitScheme::kPaper2002 || s.curve.segment_count() < 2) return;
+  if (!s.ended || s.options.scheme == FitScheme::kPaper2002 || segment_count() < 2) return;
   s.refiner.begin();
   for (const InkSample& sample : s.samples) s.refiner.push(sample.position);
   FittedCurve refined = s.refiner.end();
   const int count = refined.segment_count();
-  if (count > 0 && count < s.curve.segment_count()) s.curve = std::move(refined);
+  if (count == 0 || count >= segment_count()) return;
+  s.curve = std::move(refined);
+  s.has_curve = true;
 }
 
 int InkFitter::segment_count() const {
   const State& s = *state_;
-  if (s.ended) return s.curve.segment_count();
+  if (s.has_curve) return s.curve.segment_count();
   return s.options.scheme == FitScheme::kPaper2002 ? s.paper.curve().segment_count()
                                                    : s.online.segment_count();
 }
 
 Cubic InkFitter::segment(int i) const {
   const State& s = *state_;
-  if (s.ended) return s.curve.segment(i);
+  if (s.has_curve) return s.curve.segment(i);
   return s.options.scheme == FitScheme::kPaper2002 ? s.paper.curve().segment(i)
                                                    : s.online.segment(i);
 }
@@ -121,7 +123,7 @@ Cubic InkFitter::segment(int i) const {
 JointKind InkFitter::joint(int i) const {
   const State& s = *state_;
   const auto k = static_cast<std::size_t>(i - 1);
-  if (s.ended) return s.curve.joints[k];
+  if (s.has_curve) return s.curve.joints[k];
   return s.options.scheme == FitScheme::kPaper2002 ? s.paper.curve().joints[k] : s.online.joint(i);
 }
 
@@ -153,7 +155,16 @@ std::size_t InkFitter::ignored_count() const {
 }
 
 const FittedCurve& InkFitter::curve() const {
-  return state_->curve;
+  State& s = *state_;
+  if (!s.has_curve) {
+    if (s.options.scheme == FitScheme::kPaper2002) {
+      s.curve = s.paper.curve();
+    } else {
+      s.online.copy_to(s.curve);
+    }
+    s.has_curve = s.ended;
+  }
+  return s.curve;
 }
 
 StrokeData InkFitter::State::stroke_data() const {
@@ -173,7 +184,7 @@ StrokeData InkFitter::State::stroke_data() const {
 
 Result<Stroke> InkFitter::stroke() const {
   const State& s = *state_;
-  if (s.curve.points.empty()) {
+  if (curve().points.empty()) {
     return fail(ErrorCode::kInvalidData, s.ignored > 0
                                              ? "none of the samples has usable coordinates"
                                              : "the stroke has no samples");

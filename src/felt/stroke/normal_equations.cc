@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cmath>
+#include <cstddef>
 
 #include "felt/stroke/segment_fit.h"
 
@@ -9,20 +10,20 @@ namespace felt::detail {
 namespace {
 
 // A symmetric system A z = b; only the lower triangle of A is used.
-template <int N>
+template <std::size_t N>
 struct System {
   std::array<std::array<double, N>, N> a{};
   std::array<double, N> b{};
 };
 
 // Solves in place by Cholesky's factorisation; the solution replaces b.
-template <int N>
+template <std::size_t N>
 bool solve_in_place(System<N>& s) noexcept {
-  std::array<double, N> inverse;
-  for (int i = 0; i < N; ++i) {
-    for (int j = 0; j <= i; ++j) {
+  std::array<double, N> inverse{};
+  for (std::size_t i = 0; i < N; ++i) {
+    for (std::size_t j = 0; j <= i; ++j) {
       double v = s.a[i][j];
-      for (int k = 0; k < j; ++k) v -= s.a[i][k] * s.a[j][k];
+      for (std::size_t k = 0; k < j; ++k) v -= s.a[i][k] * s.a[j][k];
       if (i == j) {
         if (!(v > 1e-300)) return false;
         s.a[i][i] = std::sqrt(v);
@@ -32,12 +33,12 @@ bool solve_in_place(System<N>& s) noexcept {
       }
     }
   }
-  for (int i = 0; i < N; ++i) {
-    for (int k = 0; k < i; ++k) s.b[i] -= s.a[i][k] * s.b[k];
+  for (std::size_t i = 0; i < N; ++i) {
+    for (std::size_t k = 0; k < i; ++k) s.b[i] -= s.a[i][k] * s.b[k];
     s.b[i] *= inverse[i];
   }
-  for (int i = N - 1; i >= 0; --i) {
-    for (int k = i + 1; k < N; ++k) s.b[i] -= s.a[k][i] * s.b[k];
+  for (std::size_t i = N; i-- > 0;) {
+    for (std::size_t k = i + 1; k < N; ++k) s.b[i] -= s.a[k][i] * s.b[k];
     s.b[i] *= inverse[i];
   }
   return true;
@@ -49,13 +50,13 @@ constexpr std::array<double, 4> kJerk = {-1.0, 3.0, -3.0, 1.0};
 constexpr std::array<double, 4> kOnChord = {0.0, 1.0 / 3.0, 2.0 / 3.0, 1.0};
 
 // The system of the control points kFirst..4, x and y interleaved, with the priors.
-template <int kFirst>
+template <std::size_t kFirst>
 System<2 * (4 - kFirst)> assemble(const NormalSums& sums, const Priors& priors) noexcept {
-  constexpr int kCount = 4 - kFirst;
+  constexpr std::size_t kCount = 4 - kFirst;
   System<2 * kCount> s;
-  int pair = 0;
-  for (int j = 0; j < kCount; ++j) {
-    for (int k = 0; k <= j; ++k, ++pair) {
+  std::size_t pair = 0;
+  for (std::size_t j = 0; j < kCount; ++j) {
+    for (std::size_t k = 0; k <= j; ++k, ++pair) {
       const double jerk = priors.energy * kJerk[j + kFirst] * kJerk[k + kFirst];
       s.a[2 * j][2 * k] = sums.xx[pair] + jerk;
       s.a[2 * j + 1][2 * k] = sums.xy[pair];
@@ -72,8 +73,8 @@ System<2 * (4 - kFirst)> assemble(const NormalSums& sums, const Priors& priors) 
 
 }  // namespace
 
-void add_end_sample(NormalSums& sums, int basis, Vec sample, double weight) noexcept {
-  const int diagonal = basis * (basis + 1) / 2 + basis;
+void add_end_sample(NormalSums& sums, std::size_t basis, Vec sample, double weight) noexcept {
+  const std::size_t diagonal = basis * (basis + 1) / 2 + basis;
   sums.xx[diagonal] += weight;
   sums.yy[diagonal] += weight;
   sums.rx[basis] += weight * sample.x;
@@ -99,7 +100,9 @@ bool solve_point(const NormalSums& sums, const Priors& priors, Point origin,
 bool solve_tangent(const NormalSums& sums, const Priors& priors, Point origin, Vec tangent,
                    Cubic& curve) noexcept {
   const System<6> full = assemble<1>(sums, priors);
-  const auto entry = [&](int i, int j) { return i >= j ? full.a[i][j] : full.a[j][i]; };
+  const auto entry = [&](std::size_t i, std::size_t j) {
+    return i >= j ? full.a[i][j] : full.a[j][i];
+  };
   // Unknowns: a, B3, B4; row a is the projection of the rows of B2 on the tangent.
   System<5> s;
   const double ax = entry(0, 0) * tangent.x + entry(0, 1) * tangent.y;
@@ -107,9 +110,9 @@ bool solve_tangent(const NormalSums& sums, const Priors& priors, Point origin, V
   // The ridge on a pulls to a third of the path rather than of the chord, which may be short.
   s.a[0][0] = ax * tangent.x + ay * tangent.y;
   s.b[0] = sums.rx[0] * tangent.x + sums.ry[0] * tangent.y + priors.ridge * priors.length_mm / 3.0;
-  for (int i = 0; i < 4; ++i) {
+  for (std::size_t i = 0; i < 4; ++i) {
     s.a[i + 1][0] = entry(i + 2, 0) * tangent.x + entry(i + 2, 1) * tangent.y;
-    for (int j = 0; j <= i; ++j) s.a[i + 1][j + 1] = entry(i + 2, j + 2);
+    for (std::size_t j = 0; j <= i; ++j) s.a[i + 1][j + 1] = entry(i + 2, j + 2);
     s.b[i + 1] = full.b[i + 2];
   }
   const System<5> kept = s;
@@ -121,8 +124,8 @@ bool solve_tangent(const NormalSums& sums, const Priors& priors, Point origin, V
   if (handle < least || handle > most) {
     handle = handle < least ? least : most;
     System<4> bound;
-    for (int i = 0; i < 4; ++i) {
-      for (int j = 0; j <= i; ++j) bound.a[i][j] = kept.a[i + 1][j + 1];
+    for (std::size_t i = 0; i < 4; ++i) {
+      for (std::size_t j = 0; j <= i; ++j) bound.a[i][j] = kept.a[i + 1][j + 1];
       bound.b[i] = kept.b[i + 1] - handle * kept.a[i + 1][0];
     }
     if (!solve_in_place(bound)) return false;

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstddef>
+
 #include "felt/geometry/cubic.h"
 #include "felt/stroke/segment_fit_kernels.h"
 
@@ -17,7 +19,7 @@ struct Priors {
 
 /// Adds a sample that sits at an end of the curve, where one basis function is 1 and the others
 /// are 0. `basis` counts from the first free control point.
-void add_end_sample(NormalSums& sums, int basis, Vec sample, double weight) noexcept;
+void add_end_sample(NormalSums& sums, std::size_t basis, Vec sample, double weight) noexcept;
 
 /// B1..B4 free; the sums are those of accumulate_free_start. False when the system is singular.
 bool solve_free(const NormalSums& sums, const Priors& priors, Point origin, Cubic& curve) noexcept;

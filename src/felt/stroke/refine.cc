@@ -69,13 +69,13 @@ void Refiner::find_run(const Partial& from, Run& run) {
   search_.begin(window_, from.start, from.first);
   while (search_.step(window_, limit, true) != RunSearch::Status::kDone) {
   }
+  search_.ensure_length(window_);
   const std::size_t end = from.first + search_.count();
   run.from = from;
   run.is_last = end == window_.size();
   run.ends_at_corner = end == limit && !run.is_last;
   const bool to_sample = run.is_last || run.ends_at_corner;
   if (from.node == kNoNode || to_sample) search_.pin(window_, from.node == kNoNode, to_sample);
-  if (to_sample) search_.lengthen(window_);
   run.curve = search_.curve();
   run.t.assign(search_.parameters().begin(), search_.parameters().end());
 }
@@ -154,7 +154,7 @@ FittedCurve Refiner::assemble(std::size_t node) const {
     for (std::size_t k = 0; k < n.count; ++k) {
       const SamplePlace place{index + places_[n.places + k], window_.sample_count(n.first + k)};
       const double next = k + 1 < n.count ? index + places_[n.places + k + 1] : index + 1.0;
-      append_sample_places(place, next, curve.sample_u);
+      append_sample_places(place, next, n.segment, window_.tolerance_mm(), curve.sample_u);
     }
     index += 1.0;
   }

@@ -104,7 +104,7 @@ RunSearch::Status RunSearch::run_gallop(const SampleWindow& window, std::size_t 
 RunSearch::Status RunSearch::run_bisect(const SampleWindow& window) noexcept {
   const std::size_t least = least_count();
   if (bad_ <= least) {
-    take_bridge(window);
+    bridge(window);
     phase_ = Phase::kDone;
     return Status::kDone;
   }
@@ -134,10 +134,10 @@ void RunSearch::keep_fit(std::size_t count) noexcept {
 
 // Not even the shortest run is accepted (a hairpin inside the tolerance band, say): go straight to
 // the first sample that is far enough for a segment.
-void RunSearch::take_bridge(const SampleWindow& window) noexcept {
+void RunSearch::bridge(const SampleWindow& window) noexcept {
   std::size_t count = least_count();
   const auto end = [&] { return window.point(first_ + count - 1); };
-  while (count < offered_ && distance(start_.point, end()) < kMinSegmentMm) ++count;
+  while (count < offered_ && distance(start_.point, end()) < kShortestSegmentMm) ++count;
   count = std::min(count, offered_);
   fit_.bridge(window, start_, first_, count);
   keep_fit(count);
@@ -151,6 +151,7 @@ void RunSearch::pin(const SampleWindow& window, bool start, bool end) noexcept {
     if (!fit_.fit(window, from, first_, good_,
                   at_end ? SegmentFit::End::kPinned : SegmentFit::End::kFree))
       return false;
+    if (control_length(fit_.curve()) < kShortestSegmentMm) return false;
     if (at_start) start_ = pinned;
     keep_fit(good_);
     return true;
@@ -160,12 +161,8 @@ void RunSearch::pin(const SampleWindow& window, bool start, bool end) noexcept {
   if (end) attempt(false, true);
 }
 
-void RunSearch::lengthen(const SampleWindow& window) noexcept {
-  if (control_length(curve_) >= kMinSegmentMm) return;
-  fit_.bridge(window, start_, first_, good_);
-  keep_fit(good_);
-  // All of the run is within kMinSegmentMm of its last sample, where the bridge ends.
-  std::fill_n(t_.begin(), good_, 1.0);
+void RunSearch::ensure_length(const SampleWindow& window) noexcept {
+  if (control_length(curve_) < kShortestSegmentMm) bridge(window);
 }
 
 }  // namespace felt

@@ -51,9 +51,10 @@ class RunSearch {
   /// or last sample, if that is within the tolerance. For the ends of a stroke.
   void pin(const SampleWindow& window, bool start, bool end) noexcept;
 
-  /// Makes the run's curve at least kMinSegmentMm long (I5); it rarely is shorter, when a stroke
-  /// ends just after a joint.
-  void lengthen(const SampleWindow& window) noexcept;
+  /// Where the run found is shorter than a segment may be (I5), goes straight to the first sample
+  /// that is far enough from the start, or to the last one offered. All samples between are within
+  /// kMinSegmentMm of the start, so the tolerance holds. After kDone; may change count().
+  void ensure_length(const SampleWindow& window) noexcept;
 
   /// The run's samples have moved down by `count` in the window.
   void shift(std::size_t count) noexcept { first_ -= count; }
@@ -68,7 +69,7 @@ class RunSearch {
   Status run_bisect(const SampleWindow& window) noexcept;
   bool try_count(const SampleWindow& window, std::size_t count) noexcept;
   void keep_fit(std::size_t count) noexcept;
-  void take_bridge(const SampleWindow& window) noexcept;
+  void bridge(const SampleWindow& window) noexcept;
   [[nodiscard]] std::size_t least_count() const noexcept;
 
   RunStart start_;

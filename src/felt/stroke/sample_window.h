@@ -25,7 +25,7 @@ class SampleWindow {
 
   /// Part of the tolerance that is not used, so that a distance that someone measures by sampling
   /// the curve is still within it.
-  static constexpr double kReserve = 1e-4;
+  static constexpr double kReserve = 1e-3;
 
   SampleWindow(double tolerance_mm, double spacing_mm, std::size_t capacity);
 

@@ -171,12 +171,12 @@ void SegmentFit::bridge(const SampleWindow& window, const RunStart& start, std::
   const Point end = window.point(first + count - 1);
   const double reach = distance(start_.point, end);
   curve_ = straight(start_.point, end);
-  if (start_.kind == RunStart::Kind::kTangent || reach < kMinSegmentMm) {
+  if (start_.kind == RunStart::Kind::kTangent || reach < kShortestSegmentMm) {
     // The handle makes the segment long enough (I5) even when the pen came back to where it was.
     Vec along =
         start_.kind == RunStart::Kind::kTangent ? start_.tangent : normalized(end - start_.point);
     if (along == Vec{}) along = {1.0, 0.0};
-    curve_.p[1] = start_.point + std::max(reach / 3.0, kMinSegmentMm) * along;
+    curve_.p[1] = start_.point + std::max(reach / 3.0, kShortestSegmentMm) * along;
     curve_.p[2] = lerp(curve_.p[1], end, 0.5);
   }
   for (std::size_t i = 0; i < count; ++i) t_[i] = 0.0;

@@ -6,8 +6,12 @@
 
 #include "felt/geometry/cubic.h"
 #include "felt/stroke/sample_window.h"
+#include "felt/stroke/stroke.h"
 
 namespace felt {
+
+/// The fitters make segments at least this long: what I5 asks and a little for rounding.
+inline constexpr double kShortestSegmentMm = 1.001 * kMinSegmentMm;
 
 /// What is already decided about the start of a segment.
 struct RunStart {

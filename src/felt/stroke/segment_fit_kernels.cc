@@ -42,12 +42,12 @@ FELT_INLINE void bernstein(const Lanes& t, Lanes* b) noexcept {
   b[3] = tt * t;
 }
 
-template <int kFirst>
+template <std::size_t kFirst>
 FELT_INLINE void accumulate(const PowerCubic& c, const RunView& run, const double* t_in,
                             std::size_t begin, std::size_t end, double w,
                             NormalSums& sums) noexcept {
-  constexpr int kCount = 4 - kFirst;
-  constexpr int kPairs = kCount * (kCount + 1) / 2;
+  constexpr std::size_t kCount = 4 - kFirst;
+  constexpr std::size_t kPairs = kCount * (kCount + 1) / 2;
   Lanes xx[kPairs] = {}, xy[kPairs] = {}, yy[kPairs] = {}, rx[kCount] = {}, ry[kCount] = {};
   const double keep = 1.0 - w;
   for (std::size_t i = begin; i < end; i += kLanes) {
@@ -74,11 +74,11 @@ FELT_INLINE void accumulate(const PowerCubic& c, const RunView& run, const doubl
     Lanes b[4];
     bernstein(t, b);
     const Lanes mx = m11 * x + m12 * y, my = m12 * x + m22 * y;
-    int pair = 0;
-    for (int j = 0; j < kCount; ++j) {
+    std::size_t pair = 0;
+    for (std::size_t j = 0; j < kCount; ++j) {
       rx[j] += b[j + kFirst] * mx;
       ry[j] += b[j + kFirst] * my;
-      for (int k = 0; k <= j; ++k, ++pair) {
+      for (std::size_t k = 0; k <= j; ++k, ++pair) {
         const Lanes bb = b[j + kFirst] * b[k + kFirst];
         xx[pair] += bb * m11;
         xy[pair] += bb * m12;
@@ -86,12 +86,12 @@ FELT_INLINE void accumulate(const PowerCubic& c, const RunView& run, const doubl
       }
     }
   }
-  for (int p = 0; p < kPairs; ++p) {
+  for (std::size_t p = 0; p < kPairs; ++p) {
     sums.xx[p] = sum(xx[p]);
     sums.xy[p] = sum(xy[p]);
     sums.yy[p] = sum(yy[p]);
   }
-  for (int j = 0; j < kCount; ++j) {
+  for (std::size_t j = 0; j < kCount; ++j) {
     sums.rx[j] = sum(rx[j]);
     sums.ry[j] = sum(ry[j]);
   }

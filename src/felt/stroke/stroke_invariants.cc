@@ -1,6 +1,8 @@
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <limits>
 #include <numbers>
 #include <string>
 
@@ -53,6 +55,20 @@ double angle_deg(Vec a, Vec b) {
   return angle_between(normalized(a), normalized(b)) * (180.0 / std::numbers::pi);
 }
 
+/// How far rounding moves a control point near p: half a unit in the last place per coordinate,
+/// twice, since a handle is a difference.
+double rounding_mm(Point p) {
+  constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
+  return 2.0 * kEpsilon * std::max(std::fabs(p.x), std::fabs(p.y));
+}
+
+/// Turn in degrees that rounding alone can give to two handles that meet at p: a few millionths
+/// where the sheet is kilometres away, nothing on paper.
+double rounding_deg(Point p, Vec in, Vec out) {
+  const double shortest = std::min(norm(in), norm(out));
+  return shortest > 0.0 ? 2.0 * rounding_mm(p) / shortest * (180.0 / std::numbers::pi) : 0.0;
+}
+
 Result<void> check_finite(const StrokeData& d) {
   for (std::size_t i = 0; i < d.points.size(); ++i) {
     if (!is_finite(d.points[i])) {
@@ -91,10 +107,12 @@ Result<void> check_joints(const StrokeData& d, std::size_t n) {
     if (d.joints[i] != JointKind::kSmooth) {
       return broken("I2", "joint " + text(i + 1) + " must be smooth or a corner");
     }
-    const double angle = angle_deg(direction_in(d, i), direction_out(d, (i + 1) % n));
-    if (!(angle <= kSmoothJointMaxDeg)) {
-      return broken("I2", "smooth joint " + text(i + 1) + " at " + text(d.points[3 * (i + 1)]) +
-                              " turns by " + text(angle) + " degrees");
+    const Point at = d.points[3 * (i + 1)];
+    const Vec in = direction_in(d, i), out = direction_out(d, (i + 1) % n);
+    const double angle = angle_deg(in, out);
+    if (!(angle <= kSmoothJointMaxDeg + rounding_deg(at, in, out))) {
+      return broken("I2", "smooth joint " + text(i + 1) + " at " + text(at) + " turns by " +
+                              text(angle) + " degrees");
     }
   }
   return {};
@@ -104,7 +122,7 @@ Result<void> check_lengths(const StrokeData& d, std::size_t n) {
   for (std::size_t i = 0; i < n; ++i) {
     const Point* p = &d.points[3 * i];
     const double length = control_length(Cubic{{p[0], p[1], p[2], p[3]}});
-    if (!(length >= kMinSegmentMm - kLengthSlackMm)) {
+    if (!(length >= kMinSegmentMm - kLengthSlackMm - 4.0 * rounding_mm(p[0]))) {
       return broken("I5", "segment " + text(i) + " at " + text(p[0]) + " is " + text(length) +
                               " mm long, less than " + text(kMinSegmentMm));
     }
