@@ -16,30 +16,27 @@ struct System {
   std::array<double, N> b{};
 };
 
-// Solves in place by Cholesky's factorisation; the solution replaces b.
+// Solves in place by the factorisation A = L D L' (no square roots); the solution replaces b.
 template <std::size_t N>
 bool solve_in_place(System<N>& s) noexcept {
   std::array<double, N> inverse{};
   for (std::size_t i = 0; i < N; ++i) {
-    for (std::size_t j = 0; j <= i; ++j) {
+    double pivot = s.a[i][i];
+    std::array<double, N> scaled{};  // row i of L D
+    for (std::size_t j = 0; j < i; ++j) {
       double v = s.a[i][j];
-      for (std::size_t k = 0; k < j; ++k) v -= s.a[i][k] * s.a[j][k];
-      if (i == j) {
-        if (!(v > 1e-300)) return false;
-        s.a[i][i] = std::sqrt(v);
-        inverse[i] = 1.0 / s.a[i][i];
-      } else {
-        s.a[i][j] = v * inverse[j];
-      }
+      for (std::size_t k = 0; k < j; ++k) v -= scaled[k] * s.a[j][k];
+      scaled[j] = v;
+      s.a[i][j] = v * inverse[j];
+      pivot -= v * s.a[i][j];
     }
-  }
-  for (std::size_t i = 0; i < N; ++i) {
+    if (!(pivot > 1e-300)) return false;
+    inverse[i] = 1.0 / pivot;
     for (std::size_t k = 0; k < i; ++k) s.b[i] -= s.a[i][k] * s.b[k];
-    s.b[i] *= inverse[i];
   }
   for (std::size_t i = N; i-- > 0;) {
-    for (std::size_t k = i + 1; k < N; ++k) s.b[i] -= s.a[k][i] * s.b[k];
     s.b[i] *= inverse[i];
+    for (std::size_t k = i + 1; k < N; ++k) s.b[i] -= s.a[k][i] * s.b[k];
   }
   return true;
 }
@@ -71,6 +68,35 @@ System<2 * (4 - kFirst)> assemble(const NormalSums& sums, const Priors& priors) 
   return s;
 }
 
+// The system of (a, B3, B4), B2 = a tangent: the rows and columns of B2 projected on the tangent.
+System<5> assemble_on_tangent(const NormalSums& sums, const Priors& priors, Vec tangent) noexcept {
+  // Pairs of (B2, B3, B4) in the lower triangle.
+  enum Pair : std::size_t { k22, k32, k33, k42, k43, k44 };
+  const double e = priors.energy, ridge = priors.ridge;
+  const auto on_tangent = [&](Pair p, double jerk) {
+    return Vec{(sums.xx[p] + jerk) * tangent.x + sums.xy[p] * tangent.y,
+               sums.xy[p] * tangent.x + (sums.yy[p] + jerk) * tangent.y};
+  };
+  const Vec a22 = on_tangent(k22, e * kJerk[1] * kJerk[1]);
+  const Vec a32 = on_tangent(k32, e * kJerk[2] * kJerk[1]);
+  const Vec a42 = on_tangent(k42, e * kJerk[3] * kJerk[1]);
+  const double e33 = e * kJerk[2] * kJerk[2] + ridge, e43 = e * kJerk[3] * kJerk[2];
+  const double e44 = e * kJerk[3] * kJerk[3] + ridge;
+  System<5> s;
+  s.a[0] = {dot(a22, tangent) + ridge};
+  s.a[1] = {a32.x, sums.xx[k33] + e33};
+  s.a[2] = {a32.y, sums.xy[k33], sums.yy[k33] + e33};
+  s.a[3] = {a42.x, sums.xx[k43] + e43, sums.xy[k43], sums.xx[k44] + e44};
+  s.a[4] = {a42.y, sums.xy[k43], sums.yy[k43] + e43, sums.xy[k44], sums.yy[k44] + e44};
+  // The ridge on a pulls to a third of the path rather than of the chord, which may be short.
+  s.b = {sums.rx[0] * tangent.x + sums.ry[0] * tangent.y + ridge * priors.length_mm / 3.0,
+         sums.rx[1] + ridge * kOnChord[2] * priors.chord.x,
+         sums.ry[1] + ridge * kOnChord[2] * priors.chord.y,
+         sums.rx[2] + ridge * kOnChord[3] * priors.chord.x,
+         sums.ry[2] + ridge * kOnChord[3] * priors.chord.y};
+  return s;
+}
+
 }  // namespace
 
 void add_end_sample(NormalSums& sums, std::size_t basis, Vec sample, double weight) noexcept {
@@ -99,22 +125,7 @@ bool solve_point(const NormalSums& sums, const Priors& priors, Point origin,
 
 bool solve_tangent(const NormalSums& sums, const Priors& priors, Point origin, Vec tangent,
                    Cubic& curve) noexcept {
-  const System<6> full = assemble<1>(sums, priors);
-  const auto entry = [&](std::size_t i, std::size_t j) {
-    return i >= j ? full.a[i][j] : full.a[j][i];
-  };
-  // Unknowns: a, B3, B4; row a is the projection of the rows of B2 on the tangent.
-  System<5> s;
-  const double ax = entry(0, 0) * tangent.x + entry(0, 1) * tangent.y;
-  const double ay = entry(1, 0) * tangent.x + entry(1, 1) * tangent.y;
-  // The ridge on a pulls to a third of the path rather than of the chord, which may be short.
-  s.a[0][0] = ax * tangent.x + ay * tangent.y;
-  s.b[0] = sums.rx[0] * tangent.x + sums.ry[0] * tangent.y + priors.ridge * priors.length_mm / 3.0;
-  for (std::size_t i = 0; i < 4; ++i) {
-    s.a[i + 1][0] = entry(i + 2, 0) * tangent.x + entry(i + 2, 1) * tangent.y;
-    for (std::size_t j = 0; j <= i; ++j) s.a[i + 1][j + 1] = entry(i + 2, j + 2);
-    s.b[i + 1] = full.b[i + 2];
-  }
+  System<5> s = assemble_on_tangent(sums, priors, tangent);
   const System<5> kept = s;
   if (!solve_in_place(s)) return false;
   double handle = s.b[0];

@@ -85,7 +85,7 @@ bool SegmentFit::solve(const SampleWindow& window, double tangent_weight, End en
   const Vec last = window.point(first_ + count_ - 1) - start_.point;
   const double weight = static_cast<double>(count_);
   const double end_weight = end == End::kPinned ? kPinWeight : 1.0;
-  detail::NormalSums sums{};
+  detail::NormalSums sums;  // all that is used of it is written
   detail::Priors priors{weight * kEnergy, weight * kRidge, last, length_mm_};
   switch (start_.kind) {
     case RunStart::Kind::kFree:
