@@ -99,6 +99,7 @@ void InkFitter::refine() {
   if (!s.ended || s.options.scheme == FitScheme::kPaper2002 || segment_count() < 2) return;
   s.refiner.begin();
   for (const InkSample& sample : s.samples) s.refiner.push(sample.position);
+  s.refiner.follow(curve());
   FittedCurve refined = s.refiner.end();
   const int count = refined.segment_count();
   if (count == 0 || count >= segment_count()) return;

@@ -22,16 +22,22 @@ Refiner::Refiner(const CurveFitOptions& options)
 
 void Refiner::begin() {
   window_.clear();
+  guide_.clear();
 }
 
 void Refiner::push(Point p) {
   window_.add(p);
 }
 
+void Refiner::follow(const FittedCurve& online) {
+  guide_.follow(window_, online);
+}
+
 FittedCurve Refiner::end() {
   const std::size_t size = window_.size();
   if (size < 2 || window_.path_mm(size - 1) < kMinSegmentMm) return {};
   find_next_corners();
+  search_.set_guide(&guide_);
   nodes_.clear();
   places_.clear();
   beam_.assign(1, Partial{kNoNode, {}, 0});
@@ -40,13 +46,16 @@ FittedCurve Refiner::end() {
     if (runs_.size() < beam_.size()) runs_.resize(beam_.size());
     run_count_ = 0;
     for (const Partial& partial : beam_) {
-      Run& run = runs_[run_count_++];
+      Run& run = runs_[run_count_];
       find_run(partial, run);
+      if (!search_.is_close_to_guide()) continue;
+      ++run_count_;
       if (run.is_last) {
         return assemble(extend({run_count_ - 1, run.t.size() - 1}).node);
       }
       add_cuts(run_count_ - 1);
     }
+    if (cuts_.empty()) return {};
     keep_best_cuts();
     beam_.clear();
     for (const Cut& cut : cuts_) beam_.push_back(extend(cut));

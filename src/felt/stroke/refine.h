@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "felt/stroke/curve_fitter.h"
+#include "felt/stroke/guide_curve.h"
 #include "felt/stroke/run_search.h"
 #include "felt/stroke/sample_window.h"
 
@@ -22,7 +23,7 @@ namespace felt {
 /// one Refiner per thread; buffers are kept between strokes.
 class Refiner {
  public:
-  static constexpr std::size_t kBeam = 6;
+  static constexpr std::size_t kBeam = 8;
   static constexpr double kReaches[] = {0.88, 0.8, 0.7};
   /// Of the candidates that cover the same samples, at most this many are kept.
   static constexpr std::size_t kPerJoint = 2;
@@ -33,8 +34,12 @@ class Refiner {
   void begin();
   /// Takes the next sample. Requires finite coordinates of at most 1e9 mm.
   void push(Point p);
-  /// The curve with the fewest segments found, or an empty one where the online fit has nothing
-  /// to improve (a dot, no sample).
+  /// Asks for a curve that stays within the tolerance of `online`, the curve that CurveFitter made
+  /// of the same samples, so that nothing jumps by more when it takes its place. After the last
+  /// push().
+  void follow(const FittedCurve& online);
+  /// The curve with the fewest segments found, or an empty one where there is nothing to improve
+  /// (a dot, no sample) or no way to stay close to the curve that is followed.
   FittedCurve end();
 
  private:
@@ -75,6 +80,7 @@ class Refiner {
   [[nodiscard]] FittedCurve assemble(std::size_t node) const;
 
   SampleWindow window_;
+  GuideCurve guide_;
   RunSearch search_;
   std::vector<std::size_t> run_limits_;  // for each sample: one past the next corner, or the end
   std::vector<Node> nodes_;

@@ -31,6 +31,7 @@ void RunSearch::begin(const SampleWindow& window, const RunStart& start,
   lead_mm_ = distance(start_.point, window.point(first));
   tightest_ = 0.0;
   gated_ = proven_ = good_ = next_ = bad_ = 0;
+  is_close_to_guide_ = true;
   phase_ = Phase::kGate;
 }
 
@@ -140,6 +141,7 @@ void RunSearch::bridge(const SampleWindow& window) noexcept {
   while (count < offered_ && distance(start_.point, end()) < kShortestSegmentMm) ++count;
   count = std::min(count, offered_);
   fit_.bridge(window, start_, first_, count);
+  is_close_to_guide_ = fit_.follows_guide(window);
   keep_fit(count);
 }
 
@@ -152,6 +154,7 @@ void RunSearch::pin(const SampleWindow& window, bool start, bool end) noexcept {
                   at_end ? SegmentFit::End::kPinned : SegmentFit::End::kFree))
       return false;
     if (control_length(fit_.curve()) < kShortestSegmentMm) return false;
+    is_close_to_guide_ = true;
     if (at_start) start_ = pinned;
     keep_fit(good_);
     return true;

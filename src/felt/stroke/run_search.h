@@ -29,6 +29,12 @@ class RunSearch {
     kDone,         ///< the run is found
   };
 
+  /// Accepts only runs within the tolerance of `guide` (SegmentFit::set_guide).
+  void set_guide(const GuideCurve* guide) noexcept { fit_.set_guide(guide); }
+
+  /// True unless the run is a bridge, for want of any fit, that leaves the guide.
+  [[nodiscard]] bool is_close_to_guide() const noexcept { return is_close_to_guide_; }
+
   /// Starts a search at sample `first` of the window. On a free start that sample is the first of
   /// the curve, else it is the one after the joint.
   void begin(const SampleWindow& window, const RunStart& start, std::size_t first) noexcept;
@@ -84,6 +90,7 @@ class RunSearch {
   std::size_t next_ = 0;     // next run to try
   std::size_t bad_ = 0;      // shortest run that failed
   std::size_t offered_ = 0;  // samples that may be used
+  bool is_close_to_guide_ = true;
   SegmentFit fit_;
   Cubic curve_{};
   std::array<double, SegmentFit::kMaxRun> t_{};

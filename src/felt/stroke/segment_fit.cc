@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "felt/stroke/guide_curve.h"
 #include "felt/stroke/normal_equations.h"
 #include "felt/stroke/segment_fit_kernels.h"
 #include "felt/stroke/stroke.h"
@@ -11,6 +12,9 @@ namespace {
 
 // From this round on a fit that is not converging fast enough to arrive is given up.
 constexpr int kGiveUpRound = 2;
+// Part of the tolerance by which a curve may leave its guide at the places compared; the rest is
+// for what lies between them.
+constexpr double kGuideShare = 0.95;
 // Of a pinned end sample against 1 of every other.
 constexpr double kPinWeight = 1e6;
 
@@ -52,7 +56,7 @@ bool SegmentFit::fit(const SampleWindow& window, const RunStart& start, std::siz
   for (int round = 0;; ++round) {
     work_ += static_cast<long>(count);
     const double worst = place(window);
-    if (worst <= 1.0 && gaps_are_tame(window)) {
+    if (worst <= 1.0 && gaps_are_tame(window) && follows_guide(window)) {
       for (std::size_t i = 1; i < count_; ++i) t_[i] = std::max(t_[i], t_[i - 1]);
       return true;
     }
@@ -158,6 +162,24 @@ bool SegmentFit::gaps_are_tame(const SampleWindow& window) const noexcept {
     if (t1 - t0 > 0.15 && (!is_tame(0.25) || !is_tame(0.75))) return false;
     t0 = t1;
     p0 = p1;
+  }
+  return true;
+}
+
+// True when the curve stays within the tolerance of the guide, at the samples and between.
+bool SegmentFit::follows_guide(const SampleWindow& window) const noexcept {
+  if (guide_ == nullptr || guide_->empty()) return true;
+  const double limit = kGuideShare * window.tolerance_mm();
+  double t0 = 0.0;
+  for (std::size_t i = 0; i < count_; ++i) {
+    const double t1 = std::max(t_[i], t0);
+    if (!guide_->is_close_at(first_ + i, evaluate(curve_, t1), limit)) return false;
+    if (first_ + i > 0 && t1 > t0) {
+      const auto at = [&](double part) { return evaluate(curve_, t0 + part * (t1 - t0)); };
+      const Point stretch[] = {at(0.0), at(0.25), at(0.5), at(0.75), at(1.0)};
+      if (!guide_->is_close_before(first_ + i, stretch, limit)) return false;
+    }
+    t0 = t1;
   }
   return true;
 }

@@ -10,6 +10,8 @@
 
 namespace felt {
 
+class GuideCurve;
+
 /// The fitters make segments at least this long: what I5 asks and a little for rounding.
 inline constexpr double kShortestSegmentMm = 1.001 * kMinSegmentMm;
 
@@ -75,6 +77,12 @@ class SegmentFit {
   void bridge(const SampleWindow& window, const RunStart& start, std::size_t first,
               std::size_t count) noexcept;
 
+  /// From now on only curves within the tolerance of `guide` are accepted; nullptr for none. The
+  /// guide must know the samples of the windows given to fit().
+  void set_guide(const GuideCurve* guide) noexcept { guide_ = guide; }
+  /// True when the last curve fitted or bridged is within the tolerance of the guide.
+  [[nodiscard]] bool follows_guide(const SampleWindow& window) const noexcept;
+
   [[nodiscard]] const Cubic& curve() const noexcept { return curve_; }
   /// Parameter of each sample of the run, non-decreasing in [0, 1].
   [[nodiscard]] std::span<const double> parameters() const noexcept { return {t_.data(), count_}; }
@@ -89,6 +97,7 @@ class SegmentFit {
   double place(const SampleWindow& window) noexcept;
   [[nodiscard]] bool gaps_are_tame(const SampleWindow& window) const noexcept;
 
+  const GuideCurve* guide_ = nullptr;
   RunStart start_;
   std::size_t first_ = 0;
   std::size_t count_ = 0;
