@@ -11,7 +11,10 @@ namespace {
 constexpr std::size_t kWindowCapacity = 2048;
 // Samples and path kept behind the open run for the corner detector's arms.
 constexpr std::size_t kKeepSamples = 8;
-constexpr double kKeepPath = CornerDetector::kCornerArm + 1.0;
+constexpr double kKeepPath = CornerDetector::kCornerDetour * CornerDetector::kCornerArm + 1.0;
+// A stroke with less path is a dot: what its samples stand for is within the least tolerance of
+// the first one.
+constexpr double kDotMm = (1.0 - CurveFitter::kSpacing - SampleWindow::kReserve) * kMinSegmentMm;
 // A joint's tangent is taken where the curve moves at least at this part of its mean speed.
 constexpr double kJointSpeed = 0.6;
 
@@ -83,7 +86,7 @@ void CurveFitter::end() {
   ended_ = true;
   if (window_.size() == 0) return;
   corners_.finish(window_);
-  if (points_.empty() && window_.path_mm(window_.size() - 1) < kShortestSegmentMm) {
+  if (points_.empty() && window_.path_mm(window_.size() - 1) < kDotMm) {
     add_dot();
   } else {
     advance(kAllWork);

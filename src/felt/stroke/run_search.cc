@@ -137,8 +137,12 @@ void RunSearch::keep_fit(std::size_t count) noexcept {
 // the first sample that is far enough for a segment.
 void RunSearch::bridge(const SampleWindow& window) noexcept {
   std::size_t count = least_count();
-  const auto end = [&] { return window.point(first_ + count - 1); };
-  while (count < offered_ && distance(start_.point, end()) < kShortestSegmentMm) ++count;
+  const auto is_at_start = [&](std::size_t i) {
+    const double squared = distance_squared(start_.point, window.point(i));
+    return squared < kShortestSegmentMm * kShortestSegmentMm &&
+           squared * window.inverse_limit()[i] <= 1.0;
+  };
+  while (count < offered_ && is_at_start(first_ + count - 1)) ++count;
   count = std::min(count, offered_);
   fit_.bridge(window, start_, first_, count);
   is_close_to_guide_ = fit_.follows_guide(window);

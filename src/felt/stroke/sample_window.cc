@@ -65,14 +65,4 @@ void SampleWindow::drop_front(std::size_t count) noexcept {
   size_ -= count;
 }
 
-Point SampleWindow::point_at_path(double at_mm, std::size_t hint) const noexcept {
-  std::size_t i = hint;
-  while (i > 0 && path_mm_[i] > at_mm) --i;
-  while (i + 1 < size_ && path_mm_[i + 1] < at_mm) ++i;
-  if (i + 1 >= size_) return point(size_ - 1);
-  const double span = path_mm_[i + 1] - path_mm_[i];
-  const double t = span > 0.0 ? (at_mm - path_mm_[i]) / span : 0.0;
-  return lerp(point(i), point(i + 1), std::clamp(t, 0.0, 1.0));
-}
-
 }  // namespace felt

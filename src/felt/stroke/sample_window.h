@@ -57,10 +57,6 @@ class SampleWindow {
   [[nodiscard]] bool is_corner(std::size_t i) const noexcept { return corners_[i] != 0; }
   void set_corner(std::size_t i) noexcept { corners_[i] = 1; }
 
-  /// The point at path length `at_mm`, searched from sample `hint` (0 <= hint < size()); clamped
-  /// to the samples held.
-  [[nodiscard]] Point point_at_path(double at_mm, std::size_t hint) const noexcept;
-
  private:
   void grow();
 
