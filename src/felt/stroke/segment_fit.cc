@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "felt/geometry/polyline.h"
 #include "felt/stroke/guide_curve.h"
 #include "felt/stroke/normal_equations.h"
 #include "felt/stroke/segment_fit_kernels.h"
@@ -25,13 +26,6 @@ detail::PowerCubic power_form(const Cubic& c, Point origin) noexcept {
 
 detail::RunView view(const SampleWindow& w, std::size_t first, std::size_t count, Point origin) {
   return {w.x() + first, w.y() + first, w.inverse_limit() + first, count, origin};
-}
-
-double distance_to_segment(Point p, Point a, Point b) noexcept {
-  const Vec along = b - a;
-  const double squared = norm_squared(along);
-  const double t = squared > 0.0 ? std::clamp(dot(p - a, along) / squared, 0.0, 1.0) : 0.0;
-  return distance(p, a + t * along);
 }
 
 // True when the error, shrinking by the same factor as in the last round, could still get within
@@ -156,7 +150,8 @@ bool SegmentFit::gaps_are_tame(const SampleWindow& window) const noexcept {
     const Point p1 = window.point(first_ + i);
     const double allowed = tolerance + kGapBulge * distance(p0, p1);
     const auto is_tame = [&](double part) {
-      return distance_to_segment(evaluate(curve_, t0 + part * (t1 - t0)), p0, p1) <= allowed;
+      const Point between = evaluate(curve_, t0 + part * (t1 - t0));
+      return nearest_on_line(p0, p1, between).distance_squared <= allowed * allowed;
     };
     if (t1 > t0 && !is_tame(0.5)) return false;
     if (t1 - t0 > 0.15 && (!is_tame(0.25) || !is_tame(0.75))) return false;
