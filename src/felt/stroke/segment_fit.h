@@ -31,7 +31,7 @@ struct RunStart {
 ///
 /// Both B4 and, on a free start, B1 may leave their samples: joints are places on the ink, not
 /// samples, so their noise is averaged away like all other noise. This halves the number of
-/// segments at noise-level tolerances (docs/decisions/0008-joints-leave-the-samples.md).
+/// segments at noise-level tolerances (docs/decisions/0004-joints-leave-the-samples.md).
 ///
 /// Minimised is  sum_i |f(t_i) - P_i|^2_M + n kEnergy |f'''/6|^2 + n kRidge |B - B_chord|^2:
 /// the distance to the curve's tangent line at the foot point, a little of the distance along it
