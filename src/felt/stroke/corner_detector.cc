@@ -7,6 +7,9 @@ namespace felt {
 namespace {
 
 constexpr std::size_t kArmSamples = 2;
+// Samples measured in one update: enough to catch up after ink that had to be waited for, few
+// enough to bound the work of one sample.
+constexpr std::size_t kMeasuresPerUpdate = 4;
 constexpr std::size_t kOpen = static_cast<std::size_t>(-1);
 constexpr double kCornerRad = CornerDetector::kCornerDeg * std::numbers::pi / 180.0;
 
@@ -127,10 +130,15 @@ void CornerDetector::shift(std::size_t count) noexcept {
 }
 
 void CornerDetector::update(SampleWindow& w) noexcept {
+  measure(w, kMeasuresPerUpdate);
+  decide(w);
+}
+
+void CornerDetector::measure(SampleWindow& w, std::size_t most) noexcept {
   if (w.size() == 0) return;
   const double margin = kCornerMargin * w.tolerance_mm();
   const double newest = w.path_mm(w.size() - 1);
-  while (measured_ + kArmSamples < w.size()) {
+  for (; most > 0 && measured_ + kArmSamples < w.size(); --most) {
     const double here = w.path_mm(measured_);
     const bool at_start = measured_ < kArmSamples || here < margin;
     if (!at_start) {
@@ -140,6 +148,9 @@ void CornerDetector::update(SampleWindow& w) noexcept {
     }
     ++measured_;
   }
+}
+
+void CornerDetector::decide(SampleWindow& w) noexcept {
   // A turn is the largest of its neighbourhood once all of the neighbourhood is measured.
   while (decided_ < measured_) {
     if (w.turn(decided_) > 0.0) {
@@ -151,7 +162,8 @@ void CornerDetector::update(SampleWindow& w) noexcept {
 }
 
 void CornerDetector::finish(SampleWindow& w) noexcept {
-  update(w);
+  measure(w, w.size());
+  decide(w);
   for (; decided_ < w.size(); ++decided_) {
     if (w.turn(decided_) > 0.0 && is_largest(w, decided_)) w.set_corner(decided_);
   }

@@ -42,7 +42,7 @@ class CornerDetector {
 
   /// Starts a stroke.
   void clear() noexcept;
-  /// Looks at the samples added to `window` since the last call and marks corners in it.
+  /// Looks at some of the samples added to `window` and marks corners in it; bounded work.
   void update(SampleWindow& window) noexcept;
   /// The stroke has ended: decides the rest.
   void finish(SampleWindow& window) noexcept;
@@ -52,6 +52,9 @@ class CornerDetector {
   void shift(std::size_t count) noexcept;
 
  private:
+  void measure(SampleWindow& window, std::size_t most) noexcept;
+  void decide(SampleWindow& window) noexcept;
+
   std::size_t measured_ = 0;  // samples before it have their turn
   std::size_t decided_ = 0;
 };
