@@ -53,6 +53,25 @@ std::string temporary_name(const std::string& target) {
          std::to_string(counter.fetch_add(1)) + ".tmp";
 }
 
+/// The name under which the system shows an open file, also one without a name of its own.
+std::string descriptor_path(int fd) {
+  return "/proc/self/fd/" + std::to_string(fd);
+}
+
+/// A file in `folder` that has no name yet and vanishes with the process; -1 where the system has
+/// no such files, or no way to name them later.
+int open_unnamed(const std::string& folder) {
+#ifdef O_TMPFILE
+  // 0666 less the umask: the permissions that any new file gets.
+  const int fd = ::open(folder.c_str(), O_TMPFILE | O_RDWR | O_CLOEXEC, 0666);
+  if (fd < 0 || ::access(descriptor_path(fd).c_str(), F_OK) == 0) return fd;
+  ::close(fd);
+#else
+  static_cast<void>(folder);
+#endif
+  return -1;
+}
+
 }  // namespace
 
 Result<AtomicFile> AtomicFile::create(const std::string& path) {
@@ -84,6 +103,7 @@ AtomicFile& AtomicFile::operator=(AtomicFile&& other) noexcept {
   shown_name_ = std::move(other.shown_name_);
   target_ = std::move(other.target_);
   temporary_ = std::exchange(other.temporary_, {});
+  is_spool_ = other.is_spool_;
   buffer_ = std::exchange(other.buffer_, {});
   fd_ = std::exchange(other.fd_, -1);
   return *this;
@@ -107,9 +127,10 @@ tl::unexpected<Error> AtomicFile::error(const char* doing) const {
 }
 
 Result<void> AtomicFile::open_beside_target() {
+  fd_ = open_unnamed(folder_of(target_));
+  if (fd_ >= 0) return {};
   for (int attempt = 0; attempt < kNameAttempts; ++attempt) {
     std::string name = temporary_name(target_);
-    // 0666 less the umask: the permissions that any new file gets.
     fd_ = ::open(name.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
     if (fd_ >= 0) {
       temporary_ = std::move(name);
@@ -126,6 +147,7 @@ Result<void> AtomicFile::open_spool() {
   fd_ = ::mkostemp(name.data(), O_CLOEXEC);
   if (fd_ < 0) return error("cannot create a temporary file");
   ::unlink(name.c_str());
+  is_spool_ = true;
   return {};
 }
 
@@ -156,7 +178,7 @@ Result<void> AtomicFile::overwrite(std::uint64_t offset, std::string_view bytes)
 
 Result<void> AtomicFile::commit() {
   if (auto ok = flush(); !ok) return ok;
-  auto done = temporary_.empty() ? copy_to_target() : replace_target();
+  auto done = is_spool_ ? copy_to_target() : replace_target();
   discard();
   return done;
 }
@@ -183,6 +205,7 @@ Result<void> AtomicFile::copy_to_target() {
 
 Result<void> AtomicFile::replace_target() {
   if (::fsync(fd_) != 0) return error("cannot write to the disk");
+  if (auto ok = give_name(); !ok) return ok;
   if (::rename(temporary_.c_str(), target_.c_str()) != 0) return error("cannot replace");
   temporary_.clear();
   // The rename itself survives a power cut only once the folder is on the disk. Some file systems
@@ -192,6 +215,21 @@ Result<void> AtomicFile::replace_target() {
   const bool synced = ::fsync(folder) == 0 || errno == EINVAL;
   ::close(folder);
   return synced ? Result<void>() : error("cannot write the folder to the disk");
+}
+
+/// A file without a name cannot replace another in one step: it gets a name of its own first.
+Result<void> AtomicFile::give_name() {
+  for (int attempt = 0; temporary_.empty() && attempt < kNameAttempts; ++attempt) {
+    std::string name = temporary_name(target_);
+    if (::linkat(AT_FDCWD, descriptor_path(fd_).c_str(), AT_FDCWD, name.c_str(),
+                 AT_SYMLINK_FOLLOW) == 0) {
+      temporary_ = std::move(name);
+    } else if (errno != EEXIST) {
+      break;
+    }
+  }
+  if (temporary_.empty()) return error("cannot create");
+  return {};
 }
 
 Result<void> write_file(const std::string& path, std::string_view bytes) {

@@ -11,7 +11,9 @@ namespace felt {
 /// A file that appears whole or not at all.
 ///
 /// Life-cycle:
-///   1. `create(path)` opens a temporary file in the folder of `path`;
+///   1. `create(path)` opens a temporary file in the folder of `path`, without a name where the
+///   file
+///      system can do that (else hidden), so that a killed process leaves nothing behind;
 ///   2. `write` any number of times; `overwrite` mends what was written;
 ///   3. `commit` makes it durable and puts it in the place of `path`: flush, fsync, rename,
 ///      fsync of the folder.
@@ -43,12 +45,14 @@ class AtomicFile {
   Result<void> flush();
   Result<void> copy_to_target();
   Result<void> replace_target();
+  Result<void> give_name();
   void discard() noexcept;
   tl::unexpected<Error> error(const char* doing) const;
 
   std::string shown_name_;  ///< for messages
   std::string target_;      ///< links resolved; empty for stdout
-  std::string temporary_;   ///< empty when spooled or committed
+  std::string temporary_;   ///< name of the file in work; empty while it has none
+  bool is_spool_ = false;   ///< to be copied at `commit`, not renamed
   std::string buffer_;
   int fd_ = -1;
 };

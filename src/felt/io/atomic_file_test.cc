@@ -64,6 +64,15 @@ TEST_F(AtomicFileTest, WithoutCommitNothingChanges) {
   EXPECT_EQ(entries(), 1u);
 }
 
+TEST_F(AtomicFileTest, NothingShowsBeforeCommitThatAKillWouldLeave) {
+  const int unnamed = ::open(folder_.c_str(), O_TMPFILE | O_RDWR, 0666);
+  if (unnamed < 0) GTEST_SKIP() << "this file system has no files without a name";
+  ::close(unnamed);
+  auto file = AtomicFile::create(path("a")).value();
+  ASSERT_TRUE(file.write(std::string(200'000, 'x')));
+  EXPECT_EQ(entries(), 0u);
+}
+
 TEST_F(AtomicFileTest, KeepsPermissionsAndFollowsLinks) {
   ASSERT_TRUE(write_file(path("a"), "old"));
   ASSERT_EQ(::chmod(path("a").c_str(), 0640), 0);
