@@ -28,12 +28,9 @@ void convert(const ConvertArguments& args, Format format, Console& console) {
   if (!picture) throw UsageError(picture.error().message);
   Result<std::unique_ptr<SketchOutput>> output = open_sketch_output(args.output, format, *picture);
   if (!output) return console.error(output.error().message);
-  SketchPiece piece;
   bool empty = true;
-  const bool read = for_each_stroke(args.input, console, [&](const SketchStroke& stroke) {
-    piece.clear();
+  const bool read = for_each_piece(args.input, format, console, [&](const SketchPiece& piece) {
     empty = false;
-    encode(stroke, piece);
     const Result<void> appended = (*output)->append(piece);
     if (!appended) console.error(appended.error().message);
     return appended.has_value();

@@ -79,7 +79,6 @@ void add_options(CLI::App& command, FitArguments& args) {
 /// What to do, once the command line has been understood.
 struct FitPlan {
   FitSettings settings;
-  Format format = Format::kNdjson;
   PictureOptions picture;
   int jobs = 1;
 };
@@ -104,11 +103,10 @@ FitPlan plan_of(const FitArguments& args) {
   plan.settings.mm_per_unit = args.mm_per_unit;
   plan.settings.refine = !args.no_refine;
   plan.settings.measure = !args.stats.empty();
-  plan.settings.encode = !args.output.empty();
-  if (plan.settings.encode) {
+  if (!args.output.empty()) {
     const Result<Format> format = output_format(args.output, args.to);
     if (!format) throw UsageError(format.error().message);
-    plan.format = *format;
+    plan.settings.format = *format;
   }
   const Result<PictureOptions> picture = args.picture.parse();
   if (!picture) throw UsageError(picture.error().message);
@@ -141,9 +139,9 @@ bool fit_all(const FitArguments& args, const FitPlan& plan, SketchOutput* output
 void run_fit(const FitArguments& args, Console& console) {
   const FitPlan plan = plan_of(args);
   std::unique_ptr<SketchOutput> output;
-  if (plan.settings.encode) {
+  if (plan.settings.format) {
     Result<std::unique_ptr<SketchOutput>> opened =
-        open_sketch_output(args.output, plan.format, plan.picture);
+        open_sketch_output(args.output, *plan.settings.format, plan.picture);
     if (!opened) return console.error(opened.error().message);
     output = *std::move(opened);
   }

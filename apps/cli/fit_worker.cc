@@ -45,10 +45,9 @@ Result<void> FitWorker::process(const NdjsonLine& line, std::int64_t record, Fit
     if (Result<void> scaled = scale_to_mm(); !scaled) return scaled;
     Result<Stroke> stroke = fit(raw_.samples, output.stats);
     if (!stroke) return tl::unexpected(stroke.error());
-    if (!settings_.encode) return {};
+    if (!settings_.format) return {};
     std::string id = raw_.id.empty() ? fmt::format("s{}", record) : raw_.id;
-    encode({std::move(id), *std::move(stroke)}, output.sketch);
-    return {};
+    return encode({std::move(id), *std::move(stroke)}, record, *settings_.format, output.sketch);
   } catch (const std::bad_alloc&) {
     return fail(ErrorCode::kLimitExceeded, "not enough memory for this stroke; skipped");
   }

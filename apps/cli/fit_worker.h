@@ -19,8 +19,8 @@ struct FitSettings {
   InkFitOptions ink;
   double mm_per_unit = 1.0;
   bool refine = true;
-  bool measure = false;  ///< fill in all of FitStats, which takes some five times as long
-  bool encode = true;    ///< make pieces for the output
+  bool measure = false;          ///< fill in all of FitStats, which takes some five times as long
+  std::optional<Format> format;  ///< of the output; none: no pieces for it
 };
 
 /// Some lines of one input: what a worker gets.

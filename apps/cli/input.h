@@ -10,7 +10,8 @@ namespace felt::cli {
 /// An input given on the command line: a file, or stdin as "-". Closes what it opened.
 class Input {
  public:
-  /// Error: missing, not readable, a directory. The message is the reason alone.
+  /// Error: missing, not readable, a directory, a file with the extension of another format. The
+  /// message is the reason alone.
   static Result<Input> open(const std::string& path);
   Input(Input&& other) noexcept;
   ~Input();

@@ -58,7 +58,8 @@ void PictureArguments::add_to(CLI::App& command) {
       ->group("Pictures (.svg, .png)");
   command
       .add_option("--paper", paper,
-                  "Colour behind the ink in a .png: #rrggbb, #rrggbbaa, white or transparent")
+                  "Colour behind the ink: #rrggbb, #rrggbbaa, white or transparent; without it\n"
+                  "white in a .png, transparent in an .svg")
       ->group("Pictures (.svg, .png)");
 }
 

@@ -14,7 +14,7 @@ namespace felt::cli {
 struct PictureOptions {
   double dpi = 300.0;         ///< of a .png
   std::optional<Rect> sheet;  ///< none: all ink and a margin
-  std::optional<Rgba> paper;  ///< of a .png; none: white
+  std::optional<Rgba> paper;  ///< none: white in a .png, nothing in an .svg
 };
 
 /// The options as written, before they are understood.

@@ -3,41 +3,30 @@
 #include <fmt/core.h>
 
 #include "felt/io/ndjson_parser.h"
-#include "format.h"
+#include "input.h"
 
 namespace felt::cli {
 namespace {
 
 constexpr std::size_t kBatchBytes = std::size_t{64} << 10;
 
-/// One line as a stroke; nothing for a header.
-Result<std::optional<SketchStroke>> read_stroke(NdjsonParser& parser, const NdjsonLine& line,
-                                                std::int64_t record_number) {
+/// Adds one line to a piece; nothing for a header.
+Result<void> add_line(NdjsonParser& parser, const NdjsonLine& line, std::int64_t number,
+                      Format format, SketchPiece& piece) {
   SketchRecord record;
   const Result<NdjsonKind> kind = parser.sketch_stroke(line, record);
   if (!kind) return tl::unexpected(kind.error());
-  if (*kind == NdjsonKind::kHeader) return std::nullopt;
+  if (*kind == NdjsonKind::kHeader) return {};
   Result<Stroke> stroke = Stroke::create(std::move(record.data));
   if (!stroke) return tl::unexpected(stroke.error());
-  if (record.id.empty()) record.id = fmt::format("s{}", record_number);
-  return SketchStroke{std::move(record.id), *std::move(stroke)};
-}
-
-Result<void> check_readable(const std::string& path) {
-  const Result<Format> format = format_of_path(path);
-  if (!format) return tl::unexpected(format.error());
-  if (*format == Format::kNdjson) return {};
-  return fail(ErrorCode::kUnsupported, path + ": sketches are read from .ndjson only, so far");
+  if (record.id.empty()) record.id = fmt::format("s{}", number);
+  return encode({std::move(record.id), *std::move(stroke)}, number, format, piece);
 }
 
 }  // namespace
 
-bool for_each_stroke(const std::string& path, Console& console,
-                     const std::function<bool(const SketchStroke&)>& take) {
-  if (const Result<void> readable = check_readable(path); !readable) {
-    console.error(readable.error().message);
-    return false;
-  }
+bool for_each_piece(const std::string& path, Format format, Console& console,
+                    const std::function<bool(const SketchPiece&)>& take) {
   const Result<Input> input = Input::open(path);
   if (!input) {
     console.error(input_name(path) + ": " + input.error().message);
@@ -46,21 +35,20 @@ bool for_each_stroke(const std::string& path, Console& console,
   LineReader reader(input->reader());
   LineBatch batch;
   NdjsonParser parser;
+  SketchPiece piece;
   std::int64_t records = 0;
   for (;;) {
     const Result<bool> more = reader.fill(batch, kBatchBytes);
     if (!more) console.error(input->name() + ": " + more.error().message);
     if (!more || !*more) break;
+    piece.clear();
     for (std::size_t i = 0; i < batch.size(); ++i) {
       const NdjsonLine line = batch.line(i);
-      Result<std::optional<SketchStroke>> stroke = read_stroke(parser, line, ++records);
-      if (!stroke) {
-        console.error(
-            fmt::format("{}:{}: {}", input->name(), line.number(), stroke.error().message));
-      } else if (*stroke && !take(**stroke)) {
-        return false;
-      }
+      const Result<void> added = add_line(parser, line, ++records, format, piece);
+      if (added) continue;
+      console.error(fmt::format("{}:{}: {}", input->name(), line.number(), added.error().message));
     }
+    if (!piece.text.empty() && !take(piece)) return false;
     console.progress("reading", reader.bytes_read(), input->size_bytes(), records);
   }
   console.end_progress();

@@ -2,6 +2,7 @@
 
 #include "felt/io/ndjson_writer.h"
 #include "felt/io/png.h"
+#include "felt/io/svg_text.h"
 #include "felt/io/svg_writer.h"
 #include "felt/render/page.h"
 #include "felt/render/raster.h"
@@ -15,7 +16,7 @@ class NdjsonOutput final : public SketchOutput {
  public:
   explicit NdjsonOutput(Output output) : output_(std::move(output)) {}
 
-  Result<void> append(const SketchPiece& piece) override { return output_.write(piece.lines); }
+  Result<void> append(const SketchPiece& piece) override { return output_.write(piece.text); }
   Result<void> finish() override { return output_.commit(); }
 
  private:
@@ -30,7 +31,7 @@ class PngOutput final : public SketchOutput {
 
   Result<void> append(const SketchPiece& piece) override {
     bounds_.extend(piece.bounds);
-    return spool_.add_lines(piece.lines);
+    return spool_.add_lines(piece.text);
   }
 
   Result<void> finish() override {
@@ -67,8 +68,7 @@ class SvgOutput final : public SketchOutput {
   explicit SvgOutput(SvgWriter writer) : writer_(std::move(writer)) {}
 
   Result<void> append(const SketchPiece& piece) override {
-    return for_each_line_stroke(read_text(piece.lines),
-                                [this](const SketchStroke& stroke) { return writer_.add(stroke); });
+    return writer_.add_text(piece.text, piece.bounds);
   }
   Result<void> finish() override { return writer_.finish(); }
 
@@ -80,6 +80,7 @@ Result<std::unique_ptr<SketchOutput>> open_svg_output(const std::string& path,
                                                       const PictureOptions& picture) {
   SvgOptions options;
   options.sheet = picture.sheet;
+  options.paper = picture.paper.value_or(options.paper);
   Result<SvgWriter> writer = SvgWriter::create(path, options);
   if (!writer) return tl::unexpected(writer.error());
   return std::make_unique<SvgOutput>(*std::move(writer));
@@ -87,9 +88,17 @@ Result<std::unique_ptr<SketchOutput>> open_svg_output(const std::string& path,
 
 }  // namespace
 
-void encode(const SketchStroke& stroke, SketchPiece& piece) {
-  append_sketch_line(piece.lines, stroke.id, stroke.stroke.data());
+Result<void> encode(const SketchStroke& stroke, std::int64_t number, Format format,
+                    SketchPiece& piece) {
+  if (format == Format::kSvg) {
+    const Result<void> done = append_svg_stroke(
+        piece.text, stroke, static_cast<std::size_t>(number), SvgOptions{}.tolerance_mm);
+    if (!done) return done;
+  } else {
+    append_sketch_line(piece.text, stroke.id, stroke.stroke.data());
+  }
   piece.bounds.extend(stroke.stroke.bounds());
+  return {};
 }
 
 Result<std::unique_ptr<SketchOutput>> open_sketch_output(const std::string& path, Format format,

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <string>
 
@@ -13,13 +14,15 @@ namespace felt::cli {
 
 /// Strokes made ready for an output, which is done on the workers.
 struct SketchPiece {
-  std::string lines;  ///< as the ndjson writer makes them
-  Rect bounds;        ///< of their ink
+  std::string text;  ///< elements of an SVG file; for the other formats lines of .ndjson
+  Rect bounds;       ///< of their ink
   void clear() { *this = {}; }
 };
 
-/// Adds a stroke to a piece.
-void encode(const SketchStroke& stroke, SketchPiece& piece);
+/// Adds a stroke to a piece for an output of that format. `number` is a different one for each
+/// stroke. On error, a stroke that the format cannot hold, the piece stays as it was.
+Result<void> encode(const SketchStroke& stroke, std::int64_t number, Format format,
+                    SketchPiece& piece);
 
 /// Writes a sketch in one of the formats, piece by piece, in memory that does not grow with the
 /// number of strokes. Nothing shows under the output's name before `finish`.

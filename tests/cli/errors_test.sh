@@ -29,6 +29,16 @@ run 1 "$feltline" fit - -o - <bad.ndjson
 has err "feltline: stdin:2: "
 same out expected.ndjson
 
+# What is no .ndjson is not read line by line.
+printf '<svg>\n</svg>\n' >picture.svg
+for command in "fit picture.svg -o x.ndjson" "info picture.svg" "render picture.svg -o x.png" \
+  "convert picture.svg -o -"; do
+  # shellcheck disable=SC2086  # words on purpose
+  run 1 "$feltline" $command
+  lines err 1
+  has err "feltline: picture.svg: cannot read .svg, only .ndjson"
+done
+
 # Records without a name get their number.
 printf '{"points":[[0,0],[5,5]]}\n{"id":"b","points":[[0,0],[5,5]]}\n{"points":[[0,0],[5,5]]}\n' >n.ndjson
 run 0 "$feltline" fit n.ndjson -o -

@@ -31,6 +31,28 @@ run 1 "$feltline" render a.ndjson -o r.png --dpi 4800 --page 100000x100000
 run 0 "$feltline" render headed.ndjson -o headed.png --dpi 50 --paper transparent
 same headed.png p.png
 
+# The paper is there in an .svg as well, and nowhere when it is transparent or not asked for.
+run 0 "$feltline" convert a.ndjson -o plain.svg
+run 0 "$feltline" convert a.ndjson -o clear.svg --paper transparent
+same plain.svg clear.svg
+run 0 "$feltline" fit in.ndjson -o fitted.svg --jobs 2
+same plain.svg fitted.svg
+! grep -q '<rect' plain.svg || fail "paper that nobody asked for"
+run 0 "$feltline" render a.ndjson -o paper.svg --paper '#ffeecc80' --page 30x20
+has paper.svg '<rect id="paper" x="0" y="0" width="30" height="20" fill="#ffeecc" fill-opacity="0.502"'
+has paper.svg '</svg>'
+
+# A stroke that a format cannot hold is left out; the rest goes on.
+printf '{"id":"a\\u0001","points":[[0,0],[5,5]]}\n{"id":"b","points":[[0,0],[5,5]]}\n' >ids.ndjson
+run 1 "$feltline" fit ids.ndjson -o ids.svg
+lines err 1
+has err "feltline: ids.ndjson:1: XML cannot hold the character U+1"
+has ids.svg 'felt:id="b"'
+run 0 "$feltline" fit ids.ndjson -o fitted_ids.ndjson
+run 1 "$feltline" convert fitted_ids.ndjson -o converted_ids.svg
+has err "feltline: fitted_ids.ndjson:1: XML cannot hold the character U+1"
+same converted_ids.svg ids.svg
+
 # info
 run 0 "$feltline" info in.ndjson --json
 has out '{"kind":"raw","strokes":20,"samples":800,"longest_stroke":40,"with_pressure":20,"with_time":20,'

@@ -137,11 +137,26 @@ void append_path_effect(std::string& out, const StrokeData& d, const std::string
 }
 
 void append_color(std::string& out, Rgba color) {
-  out += "\" fill=\"" + color_to_text({color.r, color.g, color.b, 255}) + "\" ";
+  out += " fill=\"" + color_to_text({color.r, color.g, color.b, 255}) + "\" ";
   if (color.a == 255) return;
   out += "fill-opacity=\"";
   append_number(out, std::round(color.a * (1e4 / 255.0)) / 1e4);  // enough to tell all 256
   out += "\" ";
+}
+
+/// Ends the start of the root element and begins a rectangle over all of it.
+void append_paper(std::string& out, const Rect& area, Rgba color) {
+  out += ">\n<rect id=\"paper\"";
+  const auto attribute = [&out](const char* name, double mm) {
+    out += name;
+    append_length(out, mm);
+    out += '"';
+  };
+  attribute(" x=\"", area.x0);
+  attribute(" y=\"", area.y0);
+  attribute(" width=\"", area.width());
+  attribute(" height=\"", area.height());
+  append_color(out, color);
 }
 
 void append_joints(std::string& out, const StrokeData& d) {
@@ -186,7 +201,7 @@ void append_path_data(std::string& out, const OutlinePath& path) {
   }
 }
 
-void append_svg_head(std::string& out, const Rect& area) {
+void append_svg_head(std::string& out, const Rect& area, Rgba paper) {
   const std::size_t begin = out.size();
   out +=
       "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
@@ -204,8 +219,13 @@ void append_svg_head(std::string& out, const Rect& area) {
     append_length(out, v);
   }
   out += '"';
-  out.resize(std::max(out.size(), begin + kSvgHeadBytes - 2), ' ');
-  out += ">\n";
+  std::string_view end = ">\n";
+  if (paper.a > 0) {
+    append_paper(out, area, paper);
+    end = "/>\n";
+  }
+  out.resize(std::max(out.size(), begin + kSvgHeadBytes - end.size()), ' ');
+  out += end;
 }
 
 Result<void> append_svg_stroke(std::string& out, const SketchStroke& stroke, std::size_t number,
@@ -223,6 +243,7 @@ Result<void> append_svg_stroke(std::string& out, const SketchStroke& stroke, std
   append_path_effect(out, d, count);
   out += "<path id=\"stroke" + count + "\" d=\"";
   append_path_data(out, outline_path(stroke.stroke, tolerance_mm));
+  out += '"';
   append_color(out, d.color);
   out += "stroke=\"none\" inkscape:path-effect=\"#width" + count + "\" inkscape:original-d=\"";
   append_center_line(out, d);

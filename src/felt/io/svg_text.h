@@ -23,8 +23,9 @@ inline constexpr std::size_t kSvgHeadBytes = 640;
 /// How fine coordinates of outlines are written: 1e-4 mm.
 inline constexpr double kSvgStepsPerMm = 1e4;
 
-/// XML declaration and start of the root element, which shows `area` in mm at its true size.
-void append_svg_head(std::string& out, const Rect& area);
+/// XML declaration and start of the root element, which shows `area` in mm at its true size; then
+/// the paper, a filled rectangle, unless its alpha is 0.
+void append_svg_head(std::string& out, const Rect& area, Rgba paper);
 
 /// One stroke: a filled path that any viewer shows right, with Inkscape's PowerStroke and our own
 /// attributes on it. `number` makes the element ids unique. `tolerance_mm` is for the outline; the

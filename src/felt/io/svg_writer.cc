@@ -26,7 +26,7 @@ Result<SvgWriter> SvgWriter::create(const std::string& path, const SvgOptions& o
   auto file = AtomicFile::create(path);
   if (!file) return tl::unexpected<Error>(std::move(file.error()));
   SvgWriter writer(*std::move(file), options);
-  append_svg_head(writer.text_, svg_area({}, options));
+  append_svg_head(writer.text_, svg_area({}, options), options.paper);
   return writer;
 }
 
@@ -35,7 +35,12 @@ Result<void> SvgWriter::add(const SketchStroke& stroke) {
     return tl::unexpected<Error>(with_context(ok.error(), "stroke " + std::to_string(count_ + 1)));
   }
   ++count_;
-  ink_.extend(stroke.stroke.bounds());
+  return add_text({}, stroke.stroke.bounds());
+}
+
+Result<void> SvgWriter::add_text(std::string_view strokes, const Rect& ink) {
+  text_ += strokes;
+  ink_.extend(ink);
   auto done = file_.write(text_);
   text_.clear();
   return done;
@@ -45,7 +50,7 @@ Result<void> SvgWriter::finish() {
   append_svg_tail(text_);
   if (auto ok = file_.write(text_); !ok) return ok;
   std::string head;
-  append_svg_head(head, svg_area(ink_, options_));
+  append_svg_head(head, svg_area(ink_, options_), options_.paper);
   if (auto ok = file_.overwrite(0, head); !ok) return ok;
   return file_.commit();
 }
@@ -54,7 +59,7 @@ Result<std::string> svg_text(const Sketch& sketch, const SvgOptions& options) {
   Rect ink;
   for (const SketchStroke& s : sketch) ink.extend(s.stroke.bounds());
   std::string text;
-  append_svg_head(text, svg_area(ink, options));
+  append_svg_head(text, svg_area(ink, options), options.paper);
   std::size_t number = 0;
   for (const SketchStroke& s : sketch) {
     if (auto ok = append_svg_stroke(text, s, ++number, options.tolerance_mm); !ok) {

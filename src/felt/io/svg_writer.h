@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "felt/base/result.h"
 #include "felt/geometry/rect.h"
@@ -18,6 +19,7 @@ struct SvgOptions {
   /// How far the drawn outline may be from the true one. With the rounding of coordinates it stays
   /// within 0.01 mm (R53); the model itself is written exactly.
   double tolerance_mm = 0.005;
+  Rgba paper{255, 255, 255, 0};  ///< behind the ink; alpha 0 leaves it out
 };
 
 /// Writes a sketch as SVG, stroke by stroke, in memory that does not grow with their number.
@@ -32,6 +34,10 @@ class SvgWriter {
 
   /// Appends a stroke. On error (see append_svg_stroke) nothing is written and more may follow.
   Result<void> add(const SketchStroke& stroke);
+
+  /// Appends strokes that append_svg_stroke made, with the tolerance of the options, and whose ink
+  /// lies in `ink`.
+  Result<void> add_text(std::string_view strokes, const Rect& ink);
 
   Result<void> finish();
 
