@@ -34,9 +34,11 @@ target_compile_options(felt_flags INTERFACE
   -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Wold-style-cast -Wnon-virtual-dtor
   -Wdouble-promotion
   # g++ 12 warns at -O3 about "literal" + std::string, in its own header: gcc.gnu.org/PR105651.
-  $<$<AND:$<CXX_COMPILER_ID:GNU>,$<VERSION_LESS:$<CXX_COMPILER_VERSION>,13>>:-Wno-restrict>
-  # Sanitizers confuse g++ 12's bounds analysis, so there a warning stays one.
-  $<$<AND:$<BOOL:${FELT_WERROR}>,$<NOT:$<BOOL:${FELT_SANITIZE}>>>:-Werror>)
+  $<$<AND:$<CXX_COMPILER_ID:GNU>,$<VERSION_LESS:$<CXX_COMPILER_VERSION>,13>>:-Wno-restrict>)
+# Sanitizers confuse g++ 12's bounds analysis, so there a warning stays one.
+if(FELT_WERROR AND NOT FELT_SANITIZE)
+  target_compile_options(felt_flags INTERFACE -Werror)
+endif()
 target_include_directories(felt_flags INTERFACE ${PROJECT_SOURCE_DIR}/src)
 
 if(FELT_SANITIZE STREQUAL "realtime")
