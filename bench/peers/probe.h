@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "bench/peers/allocation_count.h"
+#include "apps/cli/allocation_counter.h"
 #include "bench/peers/cpu_clock.h"
 
 namespace felt::bench {
@@ -22,11 +22,11 @@ class Probe {
   /// Runs all the work of one stroke.
   template <class Work>
   void stroke(Work&& work) {
-    const std::int64_t allocations = allocation_count();
+    const std::int64_t allocations = cli::thread_allocations();
     const std::int64_t start = thread_cpu_ns();
     work();
     total_ns_ += thread_cpu_ns() - start;
-    allocations_ += allocation_count() - allocations;
+    allocations_ += cli::thread_allocations() - allocations;
   }
 
   /// Runs one call of the peer, inside `stroke`.
