@@ -23,6 +23,32 @@ Result<void> add_line(NdjsonParser& parser, const NdjsonLine& line, std::int64_t
   return encode({std::move(record.id), *std::move(stroke)}, number, format, piece);
 }
 
+/// Reads an open input piece by piece; false when `take` returned false.
+bool read_pieces(const Input& input, Format format, Console& console,
+                 const std::function<bool(const SketchPiece&)>& take) {
+  LineReader reader(input.reader());
+  LineBatch batch;
+  NdjsonParser parser;
+  SketchPiece piece;
+  std::int64_t records = 0;
+  Result<bool> more = reader.fill(batch, kBatchBytes);
+  for (; more && *more; more = reader.fill(batch, kBatchBytes)) {
+    piece.clear();
+    for (std::size_t i = 0; i < batch.size(); ++i) {
+      const NdjsonLine line = batch.line(i);
+      const Result<void> added = add_line(parser, line, ++records, format, piece);
+      if (added) continue;
+      console.error(fmt::format("{}:{}: {}", input.name(), line.number(), added.error().message));
+    }
+    if (!piece.text.empty() && !take(piece)) return false;
+    console.progress("reading", reader.bytes_read(), input.size_bytes(), records);
+  }
+  console.end_progress();
+  if (!more) console.error(input.name() + ": " + more.error().message);
+  if (more && records == 0) console.error(input.name() + ": holds no strokes");
+  return true;
+}
+
 }  // namespace
 
 bool for_each_piece(const std::string& path, Format format, Console& console,
@@ -32,28 +58,7 @@ bool for_each_piece(const std::string& path, Format format, Console& console,
     console.error(input_name(path) + ": " + input.error().message);
     return false;
   }
-  LineReader reader(input->reader());
-  LineBatch batch;
-  NdjsonParser parser;
-  SketchPiece piece;
-  std::int64_t records = 0;
-  for (;;) {
-    const Result<bool> more = reader.fill(batch, kBatchBytes);
-    if (!more) console.error(input->name() + ": " + more.error().message);
-    if (!more || !*more) break;
-    piece.clear();
-    for (std::size_t i = 0; i < batch.size(); ++i) {
-      const NdjsonLine line = batch.line(i);
-      const Result<void> added = add_line(parser, line, ++records, format, piece);
-      if (added) continue;
-      console.error(fmt::format("{}:{}: {}", input->name(), line.number(), added.error().message));
-    }
-    if (!piece.text.empty() && !take(piece)) return false;
-    console.progress("reading", reader.bytes_read(), input->size_bytes(), records);
-  }
-  console.end_progress();
-  if (records == 0) console.error(input->name() + ": holds no strokes");
-  return true;
+  return read_pieces(*input, format, console, take);
 }
 
 }  // namespace felt::cli

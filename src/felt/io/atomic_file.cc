@@ -189,7 +189,7 @@ Result<void> AtomicFile::copy_to_target() {
   const int out =
       target_.empty() ? ::dup(STDOUT_FILENO) : ::open(target_.c_str(), O_WRONLY | O_CLOEXEC);
   if (out < 0) return error("cannot open");
-  std::array<char, kBufferBytes> chunk;
+  std::array<char, kBufferBytes> chunk{};
   Result<void> done;
   while (done) {
     const ssize_t n = ::read(fd_, chunk.data(), chunk.size());
