@@ -65,7 +65,7 @@ void add_options(CLI::App& command, FitArguments& args) {
   command
       .add_option("--shared-samples", args.shared_samples,
                   "Samples that neighbouring segments share (s of the paper; paper2002 only)")
-      ->check(CLI::Range(1, 1000))
+      ->check(CLI::Range(0, 1000))
       ->capture_default_str();
   command.add_option("--stats", args.stats, "Print what it cost and how close it is, on stdout")
       ->check(CLI::IsMember({"json"}));
