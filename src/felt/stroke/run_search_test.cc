@@ -69,7 +69,9 @@ TEST_P(SearchIn, R7OfferingSamplesOneByOneFindsTheSame) {
     for (std::size_t limit = 2; status != RunSearch::Status::kDone;) {
       const std::size_t offered = std::min(limit, window.size());
       status = search.step(window, offered, offered == window.size());
-      if (status == RunSearch::Status::kNeedSamples) limit += random.pick(1, 3);
+      if (status == RunSearch::Status::kNeedSamples) {
+        limit += static_cast<std::size_t>(random.pick(1, 3));
+      }
     }
     EXPECT_EQ(search.count(), whole.count());
     EXPECT_EQ(search.curve(), whole.curve());
