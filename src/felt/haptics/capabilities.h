@@ -1,0 +1,34 @@
+#pragma once
+
+#include <cstdint>
+
+#include "felt/geometry/vec3.h"
+
+namespace felt {
+
+/// What a device can do, in the units of the sheet frame (R55). Trivially copyable, so that the
+/// haptic thread, the force models' makers and the limiter all read the same numbers. Zero forces
+/// describe a mouse or a tablet.
+struct Capabilities {
+  int sensed_axes = 3;
+  int actuated_axes = 3;
+  double max_force_n = 0.0;         ///< nominal peak
+  double continuous_force_n = 0.0;  ///< what the motors stand for good
+  /// What we ask of it at most; 0 = no such advice (devices.md 10.2, "F clamp").
+  double advised_force_n = 0.0;
+  double max_stiffness_n_per_m = 0.0;  ///< of a wall, by the maker or by CHAI3D's table
+  double max_damping_n_s_per_m = 0.0;  ///< likewise
+  Vec3 workspace_min{-80, -60, -35};   ///< mm
+  Vec3 workspace_max{80, 60, 35};      ///< mm
+  double position_step_mm = 0.0;       ///< resolution of the position; 0 = not known
+  std::int64_t period_ns = 1'000'000;  ///< of its servo loop, 0.2..4 ms
+  int delay_ticks = 1;                 ///< ticks from reading a position to its force
+  bool senses_pressure = false;
+
+  /// True when it pushes back at all.
+  [[nodiscard]] constexpr bool has_force() const noexcept {
+    return actuated_axes > 0 && max_force_n > 0.0;
+  }
+};
+
+}  // namespace felt

@@ -1,0 +1,56 @@
+#pragma once
+
+#include <cstdint>
+
+#include "felt/haptics/capabilities.h"
+
+namespace felt {
+
+/// The numbers of the safety chain (architecture section 10, "peak force" to "late tick"). The
+/// defaults are the upper bounds: `limits_for` only ever lowers forces, and no tool sees them.
+struct SafetyLimits {
+  double peak_force_n = 3.0;
+  double continuous_force_n = 0.0;  ///< RMS over rms_window_s that starts the fade; 0 = no bound
+  double rms_window_s = 10.0;
+  double rms_fade_s = 1.0;
+  double max_damping_n_s_per_m = 0.0;  ///< what the device bears; 0 = no bound
+  double max_stiffness_n_per_m = 0.0;  ///< likewise (R55: 0.9 of its cap); 0 = no bound
+
+  double rise_n_per_ms = 0.3;
+  double engage_rise_n_per_ms = 0.01;
+  double soft_fall_n_per_ms = 0.06;  ///< to zero after a soft fault; a hard one takes one tick
+
+  double engage_below_n = 0.2;  ///< commanded force that lets the engaging start
+  int engage_ticks = 4;         ///< as many in a row
+  double engage_s = 0.5;        ///< then the ramp
+
+  double brake_from_m_per_s = 0.6;  ///< damping grows from here
+  double brake_n_s_per_m = 2.0;     ///< to this at cut_m_per_s
+  double cut_m_per_s = 1.0;         ///< force cut after cut_samples above
+  int cut_samples = 3;
+  double cut_now_m_per_s = 2.0;  ///< after a single sample above
+
+  double jump_mm_per_ms = 3.0;  ///< a sample farther away is not believed
+  double jump_hold_s = 0.002;   ///< the last force is held this long, then it is a hard fault
+
+  double silent_damp_s = 0.5;  ///< edit side silent: damping only
+  double silent_stop_s = 2.0;  ///< then zero, a soft fault
+  double silent_damping_n_s_per_m = 2.0;
+
+  double late_s = 0.005;       ///< a tick later than this re-engages softly
+  double very_late_s = 0.020;  ///< than this: zero at once, and engage again
+  int soft_faults = 3;         ///< in soft_fault_window_s become a hard one
+  double soft_fault_window_s = 10.0;
+
+  double budget_fast_n_per_m = 900.0;  ///< R56: sum of slopes per axis at up to 2 ms of loop delay
+  double budget_slow_n_per_m = 600.0;  ///< at 3 ms, and in proportion beyond
+
+  std::int64_t period_ns = 1'000'000;
+  int delay_ticks = 1;
+};
+
+/// The limits for a device: peak = min(user, advised, 0.9 nominal), continuous = 0.8 of the rating.
+/// `user_limit_n` is clamped to 0..3 N (NaN is 0).
+SafetyLimits limits_for(const Capabilities& device, double user_limit_n = 3.0) noexcept;
+
+}  // namespace felt

@@ -1,0 +1,67 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string_view>
+#include <tl/expected.hpp>
+
+#include "felt/geometry/vec3.h"
+#include "felt/haptics/capabilities.h"
+#include "felt/haptics/force.h"
+#include "felt/haptics/pen_sample.h"
+
+namespace felt {
+
+/// Why a device could not be read or written. An enumeration, because the haptic thread must not
+/// make strings; `describe` gives the sentence, drivers keep the vendor's own words for the edit
+/// side.
+enum class DeviceFault : std::uint8_t {
+  kDisconnected,
+  kNotCalibrated,
+  kForcesOff,  ///< by a button, a velocity guard, a watchdog of its own
+  kOverheated,
+  kBadData,  ///< what it said makes no sense
+  kOther,
+};
+
+/// One sentence for a person.
+std::string_view describe(DeviceFault fault) noexcept;
+
+/// A force-feedback stylus, or something that stands for one (R55): the simulated stylus, a
+/// recording, a driver.
+///
+/// read(), write() and stop() are called on the haptic thread only, once each per tick in this
+/// order, and must not block beyond the device's own transfer, allocate or throw. The frame is that
+/// of the sheet; a driver maps into it.
+class Device {
+ public:
+  Device() = default;
+  Device(const Device&) = delete;
+  Device& operator=(const Device&) = delete;
+  virtual ~Device() = default;
+
+  /// Short name for people and for `--device`.
+  [[nodiscard]] virtual std::string_view name() const noexcept = 0;
+  /// Fixed while the device is open. Any thread.
+  [[nodiscard]] virtual const Capabilities& capabilities() const noexcept = 0;
+  /// The pen now. `now_ns` is the loop's clock; a simulated device advances to it.
+  virtual tl::expected<PenSample, DeviceFault> read(std::int64_t now_ns) noexcept = 0;
+  /// Asks for a force, which holds until the next one.
+  virtual tl::expected<void, DeviceFault> write(const Force& force) noexcept = 0;
+  /// No force, at once. Must work in any state.
+  virtual void stop() noexcept = 0;
+};
+
+/// What drives a simulated hand: a mouse, a tablet or a script says where the hand wants the pen;
+/// forces then move the pen away from there.
+class HandInput {
+ public:
+  virtual ~HandInput() = default;
+
+  /// From the next read() on. `pressure` and `buttons` are passed through to the samples; without
+  /// pressure the depth in the plane decides.
+  virtual void aim(const Vec3& target_mm, std::optional<double> pressure,
+                   std::uint32_t buttons) noexcept = 0;
+};
+
+}  // namespace felt

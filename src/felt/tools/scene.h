@@ -1,0 +1,21 @@
+#pragma once
+
+#include <string>
+
+#include "felt/document/document.h"
+#include "felt/haptics/capabilities.h"
+#include "felt/haptics/material.h"
+
+namespace felt {
+
+/// What a tool sees besides the pen: the document, the sheet under the hand, the device that will
+/// push back. Constant while a sample is handled.
+struct Scene {
+  const Document& document;
+  LayerId layer;                   ///< where new ink goes
+  const SurfaceMaterial& surface;  ///< the sheet
+  const Capabilities& device;
+  Rgba color{};  ///< of new ink
+};
+
+}  // namespace felt

@@ -1,0 +1,56 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "felt/base/result.h"
+
+namespace felt {
+
+/// What an option holds: a number, a switch, or one of its choices by name.
+using OptionValue = std::variant<double, bool, std::string>;
+
+/// What kind of option it is.
+enum class OptionKind { kNumber, kSwitch, kChoice };
+
+/// One row of a tool's table of options, constexpr in its room. The desktop's panel,
+/// `--set pencil.snap_radius_mm=3`, `feltline tools` and the range tests are all made from it.
+struct OptionSpec {
+  std::string_view id;     ///< "snap_radius_mm": unique within the tool, unit in the name
+  std::string_view label;  ///< for people: "Snap radius"
+  std::string_view unit;   ///< "mm", "N", "" for none
+  OptionKind kind = OptionKind::kNumber;
+  double min = 0.0;       ///< kNumber
+  double max = 0.0;       ///< kNumber
+  double fallback = 0.0;  ///< default: the number, 0 or 1 of a switch, the index of a choice
+  std::span<const std::string_view> choices = {};  ///< kChoice
+  std::string_view help;                           ///< one sentence
+};
+
+/// The values of one table, by index, checked against it.
+class OptionValues {
+ public:
+  explicit OptionValues(std::span<const OptionSpec> table);
+
+  /// Error: no such option, the wrong kind, or out of range; the message names the option, the
+  /// value and what is allowed. Nothing changes then.
+  Result<void> set(std::string_view id, const OptionValue& value);
+  [[nodiscard]] Result<OptionValue> get(std::string_view id) const;
+
+  /// By index in the table, for the tool itself.
+  [[nodiscard]] double number(std::size_t i) const noexcept { return values_[i]; }
+  [[nodiscard]] bool is_on(std::size_t i) const noexcept { return values_[i] != 0.0; }
+  [[nodiscard]] std::size_t choice(std::size_t i) const noexcept {
+    return static_cast<std::size_t>(values_[i]);
+  }
+  [[nodiscard]] std::span<const OptionSpec> table() const noexcept { return table_; }
+
+ private:
+  std::span<const OptionSpec> table_;
+  std::vector<double> values_;
+};
+
+}  // namespace felt
