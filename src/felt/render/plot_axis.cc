@@ -1,0 +1,48 @@
+#include "felt/render/plot_axis.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+
+namespace felt {
+namespace {
+
+/// The largest nice step that still gives `count` of them over `width`.
+double nice_step(double width, int count) {
+  const double rough = width / std::max(count, 1);
+  const double power = std::pow(10.0, std::floor(std::log10(rough)));
+  for (const double factor : {1.0, 2.0, 5.0}) {
+    if (factor * power >= rough * (1.0 - 1e-9)) return factor * power;
+  }
+  return 10.0 * power;
+}
+
+bool is_useful(double low, double high) noexcept {
+  return std::isfinite(low) && std::isfinite(high) && high - low >= 1e-9 && high - low <= 1e9;
+}
+
+}  // namespace
+
+std::string PlotTicks::label(double value) const {
+  const int decimals = std::clamp(static_cast<int>(std::ceil(-std::log10(step) - 1e-9)), 0, 9);
+  if (std::abs(value) < 0.5 * step) value = 0.0;
+  std::array<char, 48> text{};
+  std::snprintf(text.data(), text.size(), "%.*f", decimals, value);
+  return text.data();
+}
+
+PlotTicks plot_ticks(double low, double high, int count) {
+  PlotTicks ticks;
+  if (!is_useful(low, high)) return ticks;
+  ticks.step = nice_step(high - low, count);
+  if (std::floor(high / ticks.step + 1e-9) - std::ceil(low / ticks.step - 1e-9) < 1.0) {
+    ticks.step = nice_step(high - low, 4 * count);  // a range between two ticks
+  }
+  const double first = std::ceil(low / ticks.step - 1e-9);
+  const double last = std::floor(high / ticks.step + 1e-9);
+  for (double i = first; i <= last; i += 1.0) ticks.values.push_back(i * ticks.step);
+  return ticks;
+}
+
+}  // namespace felt
