@@ -6,7 +6,7 @@
 #include <string_view>
 
 #include "commands.h"
-#include "felt/io/color_text.h"
+#include "felt/stroke/color_text.h"
 
 namespace felt::cli {
 namespace {

@@ -3,7 +3,7 @@
 #include <array>
 #include <cmath>
 
-#include "felt/io/color_text.h"
+#include "felt/stroke/color_text.h"
 
 namespace felt::json {
 namespace {

@@ -4,7 +4,7 @@
 #include <array>
 #include <charconv>
 
-#include "felt/io/color_text.h"
+#include "felt/stroke/color_text.h"
 
 namespace felt {
 namespace {

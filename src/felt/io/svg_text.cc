@@ -5,9 +5,9 @@
 #include <cmath>
 #include <cstdint>
 
-#include "felt/io/color_text.h"
 #include "felt/io/ndjson_writer.h"
 #include "felt/io/xml_text.h"
+#include "felt/stroke/color_text.h"
 
 namespace felt {
 namespace {

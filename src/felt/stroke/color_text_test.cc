@@ -1,4 +1,4 @@
-#include "felt/io/color_text.h"
+#include "felt/stroke/color_text.h"
 
 #include <gtest/gtest.h>
 
