@@ -1,0 +1,92 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+
+#include "felt/devices/simulated/aim_queue.h"
+#include "felt/devices/simulated/held_body.h"
+#include "felt/devices/simulated/moving_aim.h"
+#include "felt/devices/simulated/simulated_hand.h"
+#include "felt/devices/simulated/stylus_presets.h"
+#include "felt/haptics/velocity_filter.h"
+#include "felt/rt/device.h"
+
+namespace felt {
+
+/// A force-feedback stylus that exists only as its equations, in a simulated hand that goes where
+/// it is told (R18, R51, R55): what mouse and tablet users draw with, and what the tests hold.
+///
+///   SimulatedStylus stylus(*find_stylus_preset("touch"), *find_hand("typical"));
+///   stylus.aim({30, 40, -2}, {}, 0);            // any one thread: mouse, tablet or script
+///   servo.step(now_ns);                         // read() moves the body up to now, write() pushes
+///
+/// read(now) integrates from the last time to now, the force that was written last held (through a
+/// delay line of `delay_ticks` ticks, saturated at the device's maximum), in steps of at most
+/// 0.25 ms. The sample is what the sensor sees: rounded to the device's steps, velocity low-passed.
+///
+/// A device without force (mouse, tablet) has no body: the pen is where the hand aims, and write()
+/// is without effect.
+///
+/// Time: the first read() starts it. Where it stands still or runs backwards nothing moves. After a
+/// gap, at most 100 ms are simulated, so that a tick is bounded; the rest of it did not happen.
+///
+/// aim() from one thread, everything else on the haptic thread (or where no loop runs). Real-time
+/// safe. The same calls give the same bytes.
+class SimulatedStylus final : public Device, public HandInput {
+ public:
+  static constexpr int kMostDelayTicks = 7;
+
+  /// `hand`: who holds it at first; nullopt is nobody. Delays are clamped to 0..7 ticks. The pen
+  /// starts 20 mm above the middle of the workspace; the first aim puts it into place.
+  explicit SimulatedStylus(const StylusPreset& preset,
+                           const std::optional<SimulatedHand>& hand = typical_hand()) noexcept;
+
+  // Device
+  [[nodiscard]] std::string_view name() const noexcept override { return preset_.name; }
+  [[nodiscard]] const Capabilities& capabilities() const noexcept override {
+    return preset_.capabilities;
+  }
+  tl::expected<PenSample, DeviceFault> read(std::int64_t now_ns) noexcept override;
+  /// A force that is not finite is refused with kBadData, and none holds from then on.
+  tl::expected<void, DeviceFault> write(const Force& force) noexcept override;
+  void stop() noexcept override;
+
+  /// HandInput. Targets are clamped to the workspace; one that is not finite is ignored, pressure
+  /// that is NaN is none. Several aims between two reads: the newest counts, but no change of
+  /// contact (pressure, buttons, in the plane or not) is skipped.
+  void aim(const Vec3& target_mm, std::optional<double> pressure,
+           std::uint32_t buttons) noexcept override;
+
+  /// Another hand takes the stylus where it is, or (nullopt) nobody holds it any more.
+  void hold(const std::optional<SimulatedHand>& hand) noexcept { body_.hold(hand); }
+  /// Puts the pen somewhere, at rest, and the hand's aim with it.
+  void place(const Vec3& position_mm) noexcept;
+
+  /// The truth behind the sensor, for tests and measurements.
+  [[nodiscard]] const HeldBody& body() const noexcept { return body_; }
+  /// Where the hand's aim is now.
+  [[nodiscard]] Vec3 hand_aim() const noexcept { return aim_.at(now_ns_); }
+  /// The force that acted during the last read().
+  [[nodiscard]] const Force& acting_force() const noexcept { return acting_; }
+
+ private:
+  void take_aims(std::int64_t tick_ns) noexcept;
+  void move_to(std::int64_t now_ns) noexcept;
+  [[nodiscard]] Force next_force() noexcept;
+  [[nodiscard]] PenSample sense(double dt_s) noexcept;
+
+  StylusPreset preset_;
+  HeldBody body_;
+  AimQueue queue_;
+  MovingAim aim_;
+  VelocityFilter velocity_;
+  Force asked_, acting_;
+  std::array<Force, kMostDelayTicks + 1> delayed_{};  // ring: what was asked at the last reads
+  std::size_t tick_ = 0;
+  std::size_t delay_ticks_;
+  bool started_ = false;
+  std::int64_t now_ns_ = 0;
+};
+
+}  // namespace felt
