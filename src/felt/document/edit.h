@@ -1,6 +1,8 @@
 #pragma once
 
+#include <cstddef>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -20,6 +22,10 @@ struct StrokePlace {
 };
 
 /// What becomes of one stroke: made (before is null), removed (after is null), or replaced.
+///
+/// Places are absolute: `before_place` is where it stands in the document before the whole edit,
+/// `after_place` where it stands after the whole edit. So the order of the changes in an edit means
+/// nothing, and no change has to know what the others shift. EditBuilder works the places out.
 struct StrokeChange {
   StrokeId id;
   StrokePtr before;
@@ -30,14 +36,37 @@ struct StrokeChange {
   friend bool operator==(const StrokeChange&, const StrokeChange&) = default;
 };
 
+/// How the user sees a layer.
+struct LayerState {
+  std::string name;
+  bool visible = true;
+  bool locked = false;  ///< tools leave its strokes alone; undo does not
+
+  friend bool operator==(const LayerState&, const LayerState&) = default;
+};
+
+/// What becomes of one layer: made (before is empty), removed (after is empty; its strokes must be
+/// removed or moved by the same edit), renamed, hidden, locked, or moved. Indices are absolute, as
+/// places of strokes are: among the layers before and after the whole edit, 0 is the lowest.
+struct LayerChange {
+  LayerId id;
+  std::optional<LayerState> before;
+  std::optional<LayerState> after;
+  std::size_t before_index = 0;  ///< meaningful when before is there
+  std::size_t after_index = 0;   ///< meaningful when after is there
+
+  friend bool operator==(const LayerChange&, const LayerChange&) = default;
+};
+
 /// The one kind of change of a document: a label for the undo menu and what becomes of which
-/// stroke. Its inverse swaps before and after and runs backwards. One gesture is one edit.
+/// stroke or layer. One gesture is one edit.
 struct Edit {
   std::string label;  ///< "Draw", "Pull": for people
   std::vector<StrokeChange> changes;
+  std::vector<LayerChange> layers = {};
 
-  [[nodiscard]] bool empty() const noexcept { return changes.empty(); }
-  /// Undoes this edit when applied after it.
+  [[nodiscard]] bool empty() const noexcept { return changes.empty() && layers.empty(); }
+  /// Undoes this edit when applied after it: before and after swapped. Its inverse is this edit.
   [[nodiscard]] Edit inverse() const;
   friend bool operator==(const Edit&, const Edit&) = default;
 };

@@ -3,6 +3,7 @@
 #include <string>
 
 #include "felt/document/document.h"
+#include "felt/document/stroke_index.h"
 #include "felt/haptics/capabilities.h"
 #include "felt/haptics/material.h"
 
@@ -12,6 +13,7 @@ namespace felt {
 /// push back. Constant while a sample is handled.
 struct Scene {
   const Document& document;
+  const StrokeIndex& index;        ///< of this document, up to date
   LayerId layer;                   ///< where new ink goes
   const SurfaceMaterial& surface;  ///< the sheet
   const Capabilities& device;

@@ -43,6 +43,9 @@ class Tool {
   [[nodiscard]] virtual const ToolInfo& info() const noexcept = 0;
   /// Takes every sample of the device, in the air too.
   virtual ToolResult sample(const PenSample& sample, const Scene& scene) = 0;
+  /// No sample follows for now: another tool was chosen, the device is gone, the script or the
+  /// program ends. Ends the gesture as if the pen were lifted here, so that no ink is lost.
+  virtual ToolResult finish(const Scene& scene) = 0;
   /// The gesture never was. The pen must be lifted before another begins.
   virtual void cancel() = 0;
   /// What the hand should feel from now on, until asked again.

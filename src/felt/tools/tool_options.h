@@ -30,9 +30,15 @@ struct OptionSpec {
   std::string_view help;                           ///< one sentence
 };
 
+/// What the option may be, for messages and help: "it is a number from 0.3 to 20 mm".
+std::string allowed_text(const OptionSpec& spec);
+/// Its default.
+OptionValue default_value(const OptionSpec& spec);
+
 /// The values of one table, by index, checked against it.
 class OptionValues {
  public:
+  /// All at their defaults. The table must outlive this, and its defaults be within its ranges.
   explicit OptionValues(std::span<const OptionSpec> table);
 
   /// Error: no such option, the wrong kind, or out of range; the message names the option, the
@@ -48,7 +54,13 @@ class OptionValues {
   }
   [[nodiscard]] std::span<const OptionSpec> table() const noexcept { return table_; }
 
+  friend bool operator==(const OptionValues& a, const OptionValues& b) noexcept {
+    return a.table_.data() == b.table_.data() && a.values_ == b.values_;
+  }
+
  private:
+  [[nodiscard]] Result<std::size_t> find(std::string_view id) const;
+
   std::span<const OptionSpec> table_;
   std::vector<double> values_;
 };

@@ -1,0 +1,237 @@
+#include "felt/document/document.h"
+
+#include <algorithm>
+#include <iterator>
+
+#include "felt/base/check.h"
+#include "felt/document/reorder.h"
+
+namespace felt {
+namespace {
+
+std::string name_of(StrokeId id) {
+  return "stroke " + std::to_string(id.value);
+}
+std::string name_of(LayerId id) {
+  return "layer " + std::to_string(id.value);
+}
+
+tl::unexpected<Error> misfit(std::string what) {
+  return fail(ErrorCode::kInvalidArgument, std::move(what));
+}
+
+/// Error when an id changes twice, or is none. Which change would win is not for us to choose.
+template <class Change>
+Result<void> check_ids(const std::vector<Change>& changes) {
+  std::vector<decltype(Change::id)> ids;
+  ids.reserve(changes.size());
+  for (const Change& c : changes) {
+    if (!c.id) return misfit("a change without an id");
+    if (!c.before && !c.after) return misfit(name_of(c.id) + " is neither before nor after");
+    ids.push_back(c.id);
+  }
+  std::sort(ids.begin(), ids.end());
+  const auto twice = std::adjacent_find(ids.begin(), ids.end());
+  if (twice != ids.end()) return misfit(name_of(*twice) + " changes twice");
+  return {};
+}
+
+}  // namespace
+
+/// What an edit comes to, worked out and checked before anything changes.
+class Document::Plan {
+ public:
+  Plan(Document& document, const Edit& edit) : document_(document), edit_(edit) {}
+
+  /// Everything that can be wrong is found here ...
+  Result<void> prepare() {
+    return check_ids(edit_.changes)
+        .and_then([&] { return check_ids(edit_.layers); })
+        .and_then([&] { return prepare_layers(); })
+        .and_then([&] { return prepare_strokes(); })
+        .and_then([&] { return check_removed_layers(); });
+  }
+
+  /// ... so that nothing can fail here.
+  void carry_out() {
+    for (const LayerChange& c : edit_.layers) change_layer(c);
+    for (auto& [id, order] : orders_) order.apply_to(layer(id)->strokes);
+    if (!edit_.layers.empty()) arrange_layers();
+    for (const StrokeChange& c : edit_.changes) change_stroke(c);
+  }
+
+ private:
+  Layer* layer(LayerId id) { return const_cast<Layer*>(document_.layer(id)); }
+
+  Result<void> prepare_layers() {
+    Moves<LayerId> moves;
+    for (const LayerChange& c : edit_.layers) {
+      const Layer* present = document_.layer(c.id);
+      if (!c.before && present) return misfit(name_of(c.id) + " is there already");
+      if (c.before) {
+        if (!present) return misfit(name_of(c.id) + " is not there");
+        const auto& all = document_.layers_;
+        if (c.before_index >= all.size() || all[c.before_index].id != c.id) {
+          return misfit(name_of(c.id) + " does not stand at " + std::to_string(c.before_index));
+        }
+        if (present->state() != *c.before) return misfit(name_of(c.id) + " has changed since");
+        moves.remove(c.before_index);
+      }
+      if (c.after) moves.add(c.after_index, c.id);
+    }
+    std::vector<LayerId> ids;
+    for (const Layer& l : document_.layers_) ids.push_back(l.id);
+    return moves.reorder<LayerId>(ids)
+        .map([&](Reordered<LayerId> order) {
+          order.apply_to(ids);
+          layer_order_ = std::move(ids);
+        })
+        .and_then([&]() -> Result<void> {
+          if (layer_order_.empty()) return misfit("no layer would be left");
+          return {};
+        });
+  }
+
+  Result<void> prepare_strokes() {
+    std::map<LayerId, Moves<StrokeId>> moves;
+    for (const StrokeChange& c : edit_.changes) {
+      if (auto ok = check_before(c); !ok) return ok;
+      if (c.after && !is_kept(c.after_place.layer)) {
+        return misfit(name_of(c.id) + ": " + name_of(c.after_place.layer) + " is not there");
+      }
+      if (c.before && c.after && c.before_place == c.after_place) {
+        moves[c.before_place.layer].keep(c.before_place.index, c.id);
+        continue;
+      }
+      if (c.before) moves[c.before_place.layer].remove(c.before_place.index);
+      if (c.after) moves[c.after_place.layer].add(c.after_place.index, c.id);
+    }
+    for (auto& [id, m] : moves) {
+      const Layer* present = document_.layer(id);
+      const std::span<const StrokeId> old =
+          present ? std::span<const StrokeId>(present->strokes) : std::span<const StrokeId>();
+      auto order = m.reorder<StrokeId>(old);
+      if (!order) return tl::unexpected(with_context(order.error(), name_of(id) + ": "));
+      orders_.emplace(id, *std::move(order));
+    }
+    return {};
+  }
+
+  [[nodiscard]] Result<void> check_before(const StrokeChange& c) const {
+    const auto found = document_.strokes_.find(c.id);
+    const bool present = found != document_.strokes_.end();
+    if (!c.before) {
+      return present ? Result<void>(misfit(name_of(c.id) + " is there already")) : Result<void>();
+    }
+    if (!present) return misfit(name_of(c.id) + " is not there");
+    const StrokePtr& stroke = found->second.stroke;
+    if (stroke != c.before && *stroke != *c.before) {
+      return misfit(name_of(c.id) + " has changed since");
+    }
+    const Layer* l = document_.layer(c.before_place.layer);
+    if (!l || c.before_place.index >= l->strokes.size() ||
+        l->strokes[c.before_place.index] != c.id) {
+      return misfit(name_of(c.id) + " does not stand at " + std::to_string(c.before_place.index) +
+                    " of " + name_of(c.before_place.layer));
+    }
+    return {};
+  }
+
+  /// True when the layer is there after the edit.
+  [[nodiscard]] bool is_kept(LayerId id) const {
+    return std::find(layer_order_.begin(), layer_order_.end(), id) != layer_order_.end();
+  }
+
+  [[nodiscard]] Result<void> check_removed_layers() const {
+    for (const LayerChange& c : edit_.layers) {
+      if (c.after) continue;
+      const auto order = orders_.find(c.id);
+      const std::size_t left =
+          order != orders_.end() ? order->second.size : document_.layer(c.id)->strokes.size();
+      if (left > 0) {
+        return misfit(name_of(c.id) + " cannot go: " + std::to_string(left) + " strokes are in it");
+      }
+    }
+    return {};
+  }
+
+  void change_layer(const LayerChange& c) {
+    if (!c.before) document_.layers_.push_back({.id = c.id, .name = {}, .strokes = {}});
+    if (c.after) {
+      Layer* l = layer(c.id);
+      l->name = c.after->name;
+      l->visible = c.after->visible;
+      l->locked = c.after->locked;
+    }
+    document_.last_layer_id_ = std::max(document_.last_layer_id_, c.id.value);
+  }
+
+  void arrange_layers() {
+    std::vector<Layer> arranged;
+    for (LayerId id : layer_order_) arranged.push_back(std::move(*layer(id)));
+    document_.layers_ = std::move(arranged);
+  }
+
+  void change_stroke(const StrokeChange& c) {
+    if (c.after) {
+      document_.strokes_[c.id] = {c.after, c.after_place.layer};
+    } else {
+      document_.strokes_.erase(c.id);
+    }
+    document_.last_id_ = std::max(document_.last_id_, c.id.value);
+  }
+
+  Document& document_;
+  const Edit& edit_;
+  std::vector<LayerId> layer_order_;
+  std::map<LayerId, Reordered<StrokeId>> orders_;
+};
+
+Document::Document() : layers_{{.id = {1}, .name = "Ink", .strokes = {}}} {}
+
+Result<void> Document::apply(const Edit& edit) {
+  Plan plan(*this, edit);
+  if (auto ok = plan.prepare(); !ok) {
+    return tl::unexpected(with_context(ok.error(), "the edit '" + edit.label + "' does not fit: "));
+  }
+  plan.carry_out();
+  return {};
+}
+
+StrokePtr Document::find(StrokeId id) const {
+  const auto found = strokes_.find(id);
+  return found == strokes_.end() ? nullptr : found->second.stroke;
+}
+
+LayerId Document::layer_of(StrokeId id) const {
+  const auto found = strokes_.find(id);
+  FELT_CHECK(found != strokes_.end());
+  return found->second.layer;
+}
+
+StrokePlace Document::place(StrokeId id) const {
+  const LayerId in = layer_of(id);
+  const auto& strokes = layer(in)->strokes;
+  // From the top: what was drawn last is what people touch first.
+  const auto found = std::find(strokes.rbegin(), strokes.rend(), id);
+  FELT_CHECK(found != strokes.rend());
+  return {in, static_cast<std::size_t>(std::distance(found, strokes.rend())) - 1};
+}
+
+const Layer* Document::layer(LayerId id) const noexcept {
+  const auto found =
+      std::find_if(layers_.begin(), layers_.end(), [&](const Layer& l) { return l.id == id; });
+  return found == layers_.end() ? nullptr : &*found;
+}
+
+bool operator==(const Document& a, const Document& b) {
+  return a.layers_ == b.layers_ &&
+         std::equal(
+             a.strokes_.begin(), a.strokes_.end(), b.strokes_.begin(), b.strokes_.end(),
+             [](const auto& x, const auto& y) {
+               return x.first == y.first && x.second.layer == y.second.layer &&
+                      (x.second.stroke == y.second.stroke || *x.second.stroke == *y.second.stroke);
+             });
+}
+
+}  // namespace felt

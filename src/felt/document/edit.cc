@@ -1,0 +1,20 @@
+#include "felt/document/edit.h"
+
+#include <utility>
+
+namespace felt {
+
+Edit Edit::inverse() const {
+  Edit result = *this;
+  for (StrokeChange& c : result.changes) {
+    std::swap(c.before, c.after);
+    std::swap(c.before_place, c.after_place);
+  }
+  for (LayerChange& c : result.layers) {
+    std::swap(c.before, c.after);
+    std::swap(c.before_index, c.after_index);
+  }
+  return result;
+}
+
+}  // namespace felt

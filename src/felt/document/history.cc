@@ -1,0 +1,72 @@
+#include "felt/document/history.h"
+
+#include <utility>
+
+namespace felt {
+namespace {
+
+std::size_t memory_of(const StrokePtr& stroke) noexcept {
+  if (!stroke) return 0;
+  const StrokeData& d = stroke->data();
+  return sizeof(Stroke) + d.points.capacity() * sizeof(Point) +
+         d.joints.capacity() * sizeof(JointKind) + d.widths.capacity() * sizeof(WidthKnot) +
+         d.material.capacity();
+}
+
+}  // namespace
+
+std::size_t memory_of(const Edit& edit) noexcept {
+  std::size_t bytes = sizeof(Edit) + edit.label.capacity() +
+                      edit.changes.capacity() * sizeof(StrokeChange) +
+                      edit.layers.capacity() * sizeof(LayerChange);
+  for (const StrokeChange& c : edit.changes) bytes += memory_of(c.before) + memory_of(c.after);
+  for (const LayerChange& c : edit.layers) {
+    if (c.before) bytes += c.before->name.capacity();
+    if (c.after) bytes += c.after->name.capacity();
+  }
+  return bytes;
+}
+
+void History::record(Edit edit) {
+  if (edit.empty()) return;
+  while (steps_.size() > done_) {
+    bytes_ -= steps_.back().bytes;
+    steps_.pop_back();
+  }
+  const std::size_t bytes = memory_of(edit);
+  steps_.push_back({std::move(edit), bytes});
+  bytes_ += bytes;
+  ++done_;
+  while (bytes_ > limit_ && steps_.size() > 1) {
+    bytes_ -= steps_.front().bytes;
+    steps_.pop_front();
+    --done_;
+    ++forgotten_;
+  }
+}
+
+Result<Edit> History::undo(Document& document) {
+  if (!can_undo()) return fail(ErrorCode::kNotFound, "there is nothing to undo");
+  Edit back = steps_[done_ - 1].edit.inverse();
+  if (auto ok = document.apply(back); !ok) return tl::unexpected(ok.error());
+  --done_;
+  return back;
+}
+
+Result<Edit> History::redo(Document& document) {
+  if (!can_redo()) return fail(ErrorCode::kNotFound, "there is nothing to redo");
+  Edit again = steps_[done_].edit;
+  if (auto ok = document.apply(again); !ok) return tl::unexpected(ok.error());
+  ++done_;
+  return again;
+}
+
+std::string_view History::undo_label() const noexcept {
+  return can_undo() ? std::string_view(steps_[done_ - 1].edit.label) : std::string_view();
+}
+
+std::string_view History::redo_label() const noexcept {
+  return can_redo() ? std::string_view(steps_[done_].edit.label) : std::string_view();
+}
+
+}  // namespace felt

@@ -1,0 +1,97 @@
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "felt/base/result.h"
+
+namespace felt {
+
+/// The new order of a list from `from` on; below it nothing changes.
+template <class Id>
+struct Reordered {
+  std::size_t from = 0;
+  std::vector<Id> tail;
+  std::size_t size = 0;  ///< of the whole list afterwards
+
+  void apply_to(std::vector<Id>& list) const {
+    if (from == list.size() && tail.empty()) return;
+    list.resize(from);
+    list.insert(list.end(), tail.begin(), tail.end());
+  }
+};
+
+/// What leaves a list and what enters it, by absolute places: those that leave by their index
+/// before, those that enter by their index after. What stays keeps its order and fills the gaps.
+template <class Id>
+class Moves {
+ public:
+  void remove(std::size_t index_before) { removed_.push_back(index_before); }
+  void add(std::size_t index_after, Id id) { added_.push_back({index_after, id}); }
+  /// It has the same index before and after.
+  void keep(std::size_t index, Id id) { kept_.push_back({index, id}); }
+
+  /// The order that comes of it. Requires that what leaves is in the list, each index once. Error:
+  /// a place beyond the end, or taken twice. Costs only what lies above the lowest move.
+  template <class T>
+  Result<Reordered<Id>> reorder(std::span<const T> old) {
+    if (removed_.empty() && added_.empty()) {
+      return Reordered<Id>{old.size(), {}, old.size()};  // replaced where they stand
+    }
+    for (const Placed& k : kept_) {
+      removed_.push_back(k.index);
+      added_.push_back(k);
+    }
+    std::sort(removed_.begin(), removed_.end());
+    std::sort(added_.begin(), added_.end(),
+              [](const Placed& a, const Placed& b) { return a.index < b.index; });
+    const std::size_t size = old.size() - removed_.size() + added_.size();
+    for (std::size_t i = 0; i < added_.size(); ++i) {
+      const std::size_t index = added_[i].index;
+      if (index >= size || (i > 0 && added_[i - 1].index == index)) {
+        return fail(ErrorCode::kInvalidArgument,
+                    "place " + std::to_string(index) +
+                        (index >= size ? " lies beyond the end, " : " is taken twice, of ") +
+                        std::to_string(size));
+      }
+    }
+    return merge(old, size);
+  }
+
+ private:
+  struct Placed {
+    std::size_t index;
+    Id id;
+  };
+
+  Reordered<Id> merge(std::span<const Id> old, std::size_t size) const {
+    Reordered<Id> result;
+    result.from = old.size();
+    if (!removed_.empty()) result.from = std::min(result.from, removed_.front());
+    if (!added_.empty()) result.from = std::min(result.from, added_.front().index);
+    result.size = size;
+    result.tail.reserve(size - result.from);
+    auto gone = removed_.begin();
+    auto added = added_.begin();
+    std::size_t next = result.from;
+    for (std::size_t i = result.from; i < size; ++i) {
+      if (added != added_.end() && added->index == i) {
+        result.tail.push_back((added++)->id);
+        continue;
+      }
+      for (; gone != removed_.end() && *gone == next; ++gone) ++next;
+      result.tail.push_back(old[next++]);
+    }
+    return result;
+  }
+
+  std::vector<std::size_t> removed_;
+  std::vector<Placed> added_;
+  std::vector<Placed> kept_;
+};
+
+}  // namespace felt
