@@ -111,7 +111,7 @@ class Document::Plan {
       const std::span<const StrokeId> old =
           present ? std::span<const StrokeId>(present->strokes) : std::span<const StrokeId>();
       auto order = m.reorder<StrokeId>(old);
-      if (!order) return tl::unexpected(with_context(order.error(), name_of(id) + ": "));
+      if (!order) return tl::unexpected(with_context(order.error(), name_of(id)));
       orders_.emplace(id, *std::move(order));
     }
     return {};
@@ -192,7 +192,7 @@ Document::Document() : layers_{{.id = {1}, .name = "Ink", .strokes = {}}} {}
 Result<void> Document::apply(const Edit& edit) {
   Plan plan(*this, edit);
   if (auto ok = plan.prepare(); !ok) {
-    return tl::unexpected(with_context(ok.error(), "the edit '" + edit.label + "' does not fit: "));
+    return tl::unexpected(with_context(ok.error(), "the edit '" + edit.label + "' does not fit"));
   }
   plan.carry_out();
   return {};

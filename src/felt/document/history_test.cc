@@ -1,0 +1,167 @@
+#include "felt/document/history.h"
+
+#include <gtest/gtest.h>
+
+#include "felt/document/edit_builder.h"
+#include "felt/document/random_document.h"
+
+namespace felt {
+namespace {
+
+Edit draw(const Document& d, const char* label = "Draw") {
+  EditBuilder edit(d);
+  edit.add(d.layers()[0].id,
+           std::make_shared<const Stroke>(testing::straight_stroke({0, 0}, {9, 9}, 1, 2)));
+  return std::move(edit).build(label);
+}
+
+TEST(History, R52_UndoAllGivesTheEmptyDocumentAndRedoAllTheFullOne) {
+  for (std::uint64_t seed = 0; seed < 50; ++seed) {
+    SCOPED_TRACE(seed);
+    testing::RandomEdits random(seed);
+    Document d;
+    History history;
+    std::vector<Document> states{d};
+    for (int k = 0; k < 40; ++k) {
+      const Edit edit = random.next(d);
+      ASSERT_TRUE(d.apply(edit));
+      history.record(edit);
+      if (!edit.empty()) states.push_back(d);
+    }
+    ASSERT_EQ(history.undo_count(), states.size() - 1);
+    for (std::size_t k = states.size() - 1; k-- > 0;) {
+      ASSERT_TRUE(history.undo(d));
+      ASSERT_EQ(d, states[k]);
+    }
+    EXPECT_EQ(d, Document());
+    EXPECT_FALSE(history.undo(d));
+    for (std::size_t k = 1; k < states.size(); ++k) {
+      ASSERT_TRUE(history.redo(d));
+      ASSERT_EQ(d, states[k]);
+    }
+    EXPECT_FALSE(history.redo(d));
+  }
+}
+
+TEST(History, R52_ThousandRandomStepsBackAndForth) {
+  testing::RandomEdits random(7);
+  testing::RandomStroke dice(8);
+  Document d;
+  History history;
+  std::vector<Document> states{d};  // what each number of done steps must look like
+  for (int k = 0; k < 1000; ++k) {
+    const double what = dice.uniform(0, 1);
+    if (what < 0.5) {
+      const Edit edit = random.next(d);
+      ASSERT_TRUE(d.apply(edit));
+      states.resize(history.undo_count() + 1);
+      history.record(edit);
+      if (!edit.empty()) states.push_back(d);
+    } else if (what < 0.8) {
+      const bool possible = history.can_undo();
+      ASSERT_EQ(history.undo(d).has_value(), possible);
+    } else {
+      const bool possible = history.can_redo();
+      ASSERT_EQ(history.redo(d).has_value(), possible);
+    }
+    ASSERT_EQ(d, states[history.undo_count()]);
+  }
+}
+
+TEST(History, ReturnsTheEditThatItApplied) {
+  Document d;
+  History history;
+  const Edit edit = draw(d);
+  ASSERT_TRUE(d.apply(edit));
+  history.record(edit);
+  EXPECT_EQ(history.undo(d).value(), edit.inverse());
+  EXPECT_EQ(history.redo(d).value(), edit);
+}
+
+TEST(History, NamesTheSteps) {
+  Document d;
+  History history;
+  EXPECT_EQ(history.undo_label(), "");
+  for (const char* label : {"Draw", "Pull"}) {
+    const Edit edit = draw(d, label);
+    ASSERT_TRUE(d.apply(edit));
+    history.record(edit);
+  }
+  EXPECT_EQ(history.undo_label(), "Pull");
+  EXPECT_EQ(history.redo_label(), "");
+  ASSERT_TRUE(history.undo(d));
+  EXPECT_EQ(history.undo_label(), "Draw");
+  EXPECT_EQ(history.redo_label(), "Pull");
+}
+
+TEST(History, ANewStepForgetsWhatWasUndone) {
+  Document d;
+  History history;
+  for (int k = 0; k < 3; ++k) {
+    const Edit edit = draw(d);
+    ASSERT_TRUE(d.apply(edit));
+    history.record(edit);
+  }
+  ASSERT_TRUE(history.undo(d));
+  ASSERT_TRUE(history.undo(d));
+  const std::size_t bytes_of_three = history.memory_bytes();
+  const Edit edit = draw(d, "Other");
+  ASSERT_TRUE(d.apply(edit));
+  history.record(edit);
+  EXPECT_FALSE(history.can_redo());
+  EXPECT_EQ(history.undo_count(), 2u);
+  EXPECT_LT(history.memory_bytes(), bytes_of_three);
+}
+
+TEST(History, AnEmptyEditIsNoStep) {
+  History history;
+  history.record({"Nothing", {}});
+  EXPECT_FALSE(history.can_undo());
+}
+
+TEST(History, BeyondTheMemoryLimitTheOldestStepsGo) {
+  Document d;
+  const Edit first = draw(d);
+  const std::size_t one = memory_of(first);
+  EXPECT_GT(one, sizeof(Stroke));
+  History history(10 * one);
+  for (int k = 0; k < 100; ++k) {
+    const Edit edit = draw(d);
+    ASSERT_TRUE(d.apply(edit));
+    history.record(edit);
+    ASSERT_LE(history.memory_bytes(), 10 * one);
+  }
+  EXPECT_GE(history.undo_count(), 8u);
+  EXPECT_EQ(history.undo_count() + history.forgotten_count(), 100u);
+  const std::size_t steps = history.undo_count();
+  while (history.can_undo()) ASSERT_TRUE(history.undo(d));
+  EXPECT_EQ(d.stroke_count(), 100 - steps);
+}
+
+TEST(History, TheNewestStepIsKeptHoweverLarge) {
+  Document d;
+  History history(1);
+  for (int k = 0; k < 3; ++k) {
+    const Edit edit = draw(d);
+    ASSERT_TRUE(d.apply(edit));
+    history.record(edit);
+    EXPECT_EQ(history.undo_count(), 1u);
+  }
+  EXPECT_TRUE(history.undo(d));
+  EXPECT_EQ(d.stroke_count(), 2u);
+}
+
+TEST(History, ADocumentChangedBehindItsBackIsReported) {
+  Document d;
+  History history;
+  const Edit edit = draw(d);
+  ASSERT_TRUE(d.apply(edit));
+  history.record(edit);
+  ASSERT_TRUE(d.apply(edit.inverse()));
+  EXPECT_FALSE(history.undo(d));
+  EXPECT_EQ(history.undo_count(), 1u);
+  EXPECT_EQ(d, Document());
+}
+
+}  // namespace
+}  // namespace felt

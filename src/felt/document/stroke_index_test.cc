@@ -1,0 +1,130 @@
+#include "felt/document/stroke_index.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <limits>
+
+#include "felt/document/edit_builder.h"
+#include "felt/document/random_document.h"
+
+namespace felt {
+namespace {
+
+std::optional<TipHit> by_hand(const Document& d, Point q, double radius,
+                              std::span<const TipId> except) {
+  std::optional<TipHit> best;
+  for (const Layer& layer : d.layers()) {
+    if (!layer.visible) continue;
+    for (StrokeId id : layer.strokes) {
+      const Stroke& s = *d.find(id);
+      if (s.closed()) continue;
+      for (StrokeTip tip : {StrokeTip::kStart, StrokeTip::kEnd}) {
+        const TipHit hit{{id, tip}, tip_point(s, tip), distance(q, tip_point(s, tip))};
+        if (std::find(except.begin(), except.end(), hit.id) != except.end()) continue;
+        if (hit.distance_mm > radius) continue;
+        if (!best || hit.distance_mm < best->distance_mm ||
+            (hit.distance_mm == best->distance_mm && hit.id < best->id)) {
+          best = hit;
+        }
+      }
+    }
+  }
+  return best;
+}
+
+void expect_same(const std::optional<TipHit>& a, const std::optional<TipHit>& b) {
+  ASSERT_EQ(a.has_value(), b.has_value());
+  if (!a) return;
+  EXPECT_EQ(a->id, b->id);
+  EXPECT_EQ(a->point, b->point);
+  EXPECT_EQ(a->distance_mm, b->distance_mm);
+}
+
+TEST(StrokeIndex, FindsTheNearestTipAfterAnyEdits) {
+  int hits = 0;
+  for (std::uint64_t seed = 0; seed < 60; ++seed) {
+    SCOPED_TRACE(seed);
+    testing::RandomEdits edits(seed);
+    testing::RandomStroke random(seed + 1);
+    Document d;
+    StrokeIndex index(random.uniform(0.5, 20.0));
+    std::vector<Edit> done;
+    for (int k = 0; k < 30; ++k) {
+      const bool back = !done.empty() && random.chance(0.3);
+      const Edit edit = back ? done.back().inverse() : edits.next(d);
+      ASSERT_TRUE(d.apply(edit));
+      index.update(edit);
+      if (back) {
+        done.pop_back();
+      } else {
+        done.push_back(edit);
+      }
+      ASSERT_EQ(index.tip_count(), StrokeIndex(d).tip_count());
+      for (int q = 0; q < 20; ++q) {
+        const Point place{random.uniform(-5, 25), random.uniform(-5, 25)};
+        const double radius = random.uniform(0.0, 12.0);
+        std::vector<TipId> except;
+        if (const auto hit = by_hand(d, place, radius, {}); hit && random.chance(0.3)) {
+          except.push_back(hit->id);
+        }
+        const auto found = index.nearest_tip(d, place, radius, except);
+        hits += found ? 1 : 0;
+        expect_same(found, by_hand(d, place, radius, except));
+      }
+    }
+  }
+  EXPECT_GT(hits, 5000);
+}
+
+TEST(StrokeIndex, HiddenLayersAndClosedStrokesDoNotAttract) {
+  Document d;
+  EditBuilder edit(d);
+  edit.add({1}, std::make_shared<const Stroke>(testing::straight_stroke({0, 0}, {9, 0}, 1, 1)));
+  ASSERT_TRUE(d.apply(std::move(edit).build("Draw")));
+  StrokeIndex index(d);
+  EXPECT_TRUE(index.nearest_tip(d, {0, 1}, 2));
+  ASSERT_TRUE(d.apply({"Hide", {}, {{{1}, LayerState{"Ink"}, LayerState{"Ink", false}, 0, 0}}}));
+  EXPECT_FALSE(index.nearest_tip(d, {0, 1}, 2));
+}
+
+TEST(StrokeIndex, AnswersNonsenseWithNothing) {
+  Document d;
+  EditBuilder edit(d);
+  edit.add({1},
+           std::make_shared<const Stroke>(testing::straight_stroke({-1e300, 1e300}, {9, 0}, 1, 1)));
+  ASSERT_TRUE(d.apply(std::move(edit).build("Draw")));
+  const StrokeIndex index(d);
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_FALSE(index.nearest_tip(d, {nan, 0}, 8));
+  EXPECT_FALSE(index.nearest_tip(d, {0, 0}, nan));
+  EXPECT_FALSE(index.nearest_tip(d, {0, 0}, -1));
+  EXPECT_EQ(index.nearest_tip(d, {8, 0}, 1e308)->point, (Point{9, 0}));
+  EXPECT_EQ(index.nearest_tip(d, {-1e300, 1e300}, 1)->distance_mm, 0.0);
+}
+
+TEST(StrokeIndex, TheHundredThousandthStrokeCostsNoMoreThanTheFirst) {
+  Document d;
+  StrokeIndex index;
+  testing::RandomStroke random(3);
+  for (int k = 0; k < 100; ++k) {
+    EditBuilder edit(d);
+    for (int i = 0; i < 1000; ++i) {
+      const Point a{random.uniform(0, 2000), random.uniform(0, 2000)};
+      const Point b{random.uniform(0, 2000), random.uniform(0, 2000)};
+      edit.add({1}, std::make_shared<const Stroke>(testing::straight_stroke(a, b, 1, 1)));
+    }
+    const Edit done = std::move(edit).build("Draw");
+    ASSERT_TRUE(d.apply(done));
+    index.update(done);
+  }
+  EXPECT_EQ(index.tip_count(), 200000u);
+  int hits = 0;
+  for (int k = 0; k < 100000; ++k) {
+    hits += index.nearest_tip(d, {random.uniform(0, 2000), random.uniform(0, 2000)}, 8) ? 1 : 0;
+  }
+  EXPECT_GT(hits, 90000);
+}
+
+}  // namespace
+}  // namespace felt
