@@ -2,6 +2,8 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
+#include <type_traits>
 
 #include "felt/geometry/point.h"
 #include "felt/haptics/force.h"
@@ -61,6 +63,15 @@ class ForceTerms {
   std::size_t count_ = 0;
 };
 
+/// A point that follows the pen in its own way, remembered by the brick that moves it. `gesture`
+/// is the number that the tool gave its gesture: another number starts the follower afresh.
+struct Follower {
+  Point position{};  ///< mm
+  Vec velocity{};    ///< mm/s, of followers that have one
+  std::uint32_t gesture = 0;
+  bool is_set = false;
+};
+
 /// What force bricks remember from tick to tick, and what the loop tells them about this one. One
 /// per model in use; when a model takes over from another it starts with a copy of the other's
 /// memory, so that a bristle stays where it was. Constant size, trivially copyable.
@@ -73,14 +84,33 @@ struct ForceMemory {
   // Set by bricks, read by later bricks of the same model: the plane before the friction.
   double normal_force_n = 0.0;  ///< total push of the plane, this tick
   double spring_force_n = 0.0;  ///< its spring part alone: what the width is made of (R14)
+  // Set by the texture, used up by the friction after it.
+  double friction_factor = 1.0;  ///< mu(x) / mu of this tick
   // Belongs to one kind of brick each.
   Point bristle{};                     ///< where the friction's bristle is anchored, mm
   bool bristle_is_set = false;         ///< false while the pen is in the air
   double normal_speed_mm_per_s = 0.0;  ///< low-passed dz/dt of the plane brick
   double last_z_mm = 0.0;
+  std::int64_t last_z_time_ns = 0;
   bool has_last_z = false;
+  double turn_rad = 0.0;  ///< angle of a rotation about its centre, unwrapped (tether)
+  std::uint32_t turn_gesture = 0;
+  bool turn_is_set = false;
+  Follower swept;  ///< the curve point that a sweep drags along (spring)
+  Follower nib;    ///< the nib that the pen tows or that has inertia (stabiliser)
 
   ForceTerms terms;  ///< of this tick
+
+  /// Before each evaluation: this tick's time, no terms, no push of a plane yet.
+  constexpr void begin_tick(double measured_dt_s) noexcept {
+    dt_s = measured_dt_s;
+    normal_force_n = 0.0;
+    spring_force_n = 0.0;
+    friction_factor = 1.0;
+    terms.clear();
+  }
 };
+
+static_assert(std::is_trivially_copyable_v<ForceMemory>);
 
 }  // namespace felt

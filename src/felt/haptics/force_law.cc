@@ -1,0 +1,37 @@
+#include "felt/haptics/force_law.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace felt {
+
+double ForceLaw::level_n(double distance_mm) const noexcept {
+  return least_n + (most_n - least_n) * (distance_mm / (distance_mm + spread_mm));
+}
+
+double ForceLaw::force_n(double distance_mm) const noexcept {
+  if (!(distance_mm > 0.0)) return 0.0;
+  return gain * std::min(level_n(distance_mm), 1e-3 * cap_n_per_m * distance_mm);
+}
+
+double ForceLaw::potential_mj(double distance_mm) const noexcept {
+  if (!(distance_mm > 0.0)) return 0.0;
+  // Where spring and level meet: c d = a + b d/(d + D), a quadratic in d.
+  const double c = 1e-3 * cap_n_per_m;
+  const double p = c * spread_mm - most_n;
+  const double meet_mm = (-p + std::sqrt(p * p + 4.0 * c * least_n * spread_mm)) / (2.0 * c);
+  const double sprung_mm = std::min(distance_mm, meet_mm);
+  double energy = 0.5 * c * sprung_mm * sprung_mm;
+  if (distance_mm > meet_mm) {
+    energy += most_n * (distance_mm - meet_mm) -
+              (most_n - least_n) * spread_mm *
+                  std::log((distance_mm + spread_mm) / (meet_mm + spread_mm));
+  }
+  return gain * energy;
+}
+
+double ForceLaw::max_slope_n_per_m() const noexcept {
+  return gain * std::max(cap_n_per_m, 1e3 * (most_n - least_n) / spread_mm);
+}
+
+}  // namespace felt

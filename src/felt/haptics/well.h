@@ -1,0 +1,61 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <span>
+
+#include "felt/geometry/point.h"
+#include "felt/haptics/force.h"
+#include "felt/haptics/force_memory.h"
+#include "felt/haptics/pen_sample.h"
+
+namespace felt {
+
+/// The attraction of a snap target by distance (paper, eq. 11; specification 5g, E17).
+///
+///   F(d) = Fp d/d0                        d < d0
+///        = Fp                             d0 <= d <= M - w
+///        = Fp S((d - (M - w))/w)          M - w < d < M,   S(x) = 1 - 3x^2 + 2x^3
+///        = 0                              d >= M
+///
+/// Towards the target, zero and continuous at both ends, where the paper's l would jump by 0.2 N.
+/// Lengths that do not fit (d0 + w > M) are read as d0 first, then w = M - d0.
+struct WellShape {
+  double radius_mm = 8.0;  ///< M
+  double core_mm = 2.0;    ///< d0
+  double rim_mm = 2.0;     ///< w
+  double force_n = 0.6;    ///< Fp
+
+  /// F in N, 0 at d <= 0 and d >= M.
+  [[nodiscard]] double force_at_n(double distance_mm) const noexcept;
+  /// Energy that leads out of the well from the target to a distance, mJ; 3.6 mJ in all by default.
+  [[nodiscard]] double potential_mj(double distance_mm) const noexcept;
+  /// Stiffness at the target, N/m: its steepest pull back. The rim is up to 1.5 Fp/w steep the
+  /// other way (it lets go), which no delay turns into an oscillation.
+  [[nodiscard]] double core_slope_n_per_m() const noexcept;
+};
+
+/// Up to four snap targets. Their pulls add, so the force is continuous and has a potential
+/// wherever they lie; a tool that wants the nearest alone gives one (R43).
+class Wells {
+ public:
+  static constexpr std::size_t kMax = 4;
+
+  /// The first kMax of the targets.
+  Wells(std::span<const Point> targets, const WellShape& shape = {}) noexcept;
+  explicit Wells(Point target, const WellShape& shape = {}) noexcept
+      : Wells(std::span<const Point>(&target, 1), shape) {}
+  /// No target, no force.
+  Wells() noexcept = default;
+
+  Force operator()(const PenSample& sample, ForceMemory& memory) const noexcept;
+  /// Where wells overlap, slopes add: that of the nearest core, and F/d of the others.
+  [[nodiscard]] Slopes slopes() const noexcept;
+
+ private:
+  WellShape shape_;
+  std::array<Point, kMax> targets_{};
+  std::size_t count_ = 0;
+};
+
+}  // namespace felt
