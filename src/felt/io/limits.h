@@ -3,7 +3,7 @@
 #include <cstddef>
 
 /// What the readers of this layer accept. Everything above is an error that names its place;
-/// nothing is clamped in silence. docs/formats/ndjson.md tells users the same numbers.
+/// nothing is clamped in silence. docs/formats/ndjson.md and events.md tell users the same numbers.
 namespace felt::limits {
 
 /// Longest line, terminator not counted. A longer one is skipped without being kept in memory.
@@ -23,6 +23,10 @@ inline constexpr double kMaxSketchNumber = 1e10;
 /// Largest magnitude of a time in ms, so that it fits int64 nanoseconds. Larger than
 /// kMaxCoordinate because recorders write milliseconds since 1970 (1.8e12).
 inline constexpr double kMaxTimeMs = 9e12;
+
+/// Latest time of an event in ms since the session began: 11 days, which a double of milliseconds
+/// holds to the nanosecond.
+inline constexpr double kMaxEventTimeMs = 1e9;
 
 /// Longest stroke id or material name, in bytes after unescaping.
 inline constexpr std::size_t kMaxNameBytes = 4096;

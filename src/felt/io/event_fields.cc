@@ -1,0 +1,156 @@
+#include "felt/io/event_fields.h"
+
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace felt::json {
+namespace {
+
+constexpr NumberLimit kEventTimeLimit = {limits::kMaxEventTimeMs, "1e9"};
+
+/// A number at `key`, into `out`.
+Result<void> parse_number(Value& value, const char* key, NumberLimit limit, double& out) {
+  const std::string_view token = token_of(value);
+  if (read_number(value, limit, out)) return {};
+  return tl::unexpected(with_context(number_error(token, limit), key));
+}
+
+template <double Vec3::*Axis>
+Result<void> parse_axis(Value& value, const char* key, EventFields& out) {
+  return parse_number(value, key, kCoordinateLimit, out.position.*Axis);
+}
+
+Result<void> parse_time(Value& value, EventFields& out) {
+  double ms = 0.0;
+  if (Result<void> read = parse_number(value, "t_ms", kEventTimeLimit, ms); !read) return read;
+  if (ms < 0.0) return bad("t_ms: is before the start of the session, which is 0");
+  out.time_ns = std::llround(ms * 1e6);
+  return {};
+}
+
+Result<void> parse_pressure(Value& value, EventFields& out) {
+  if (token_of(value) == "null") return {};
+  double pressure = 0.0;
+  if (Result<void> read = parse_number(value, "pressure", kCoordinateLimit, pressure); !read) {
+    return read;
+  }
+  // Drivers overshoot their own range by a little; a pressure has no meaning outside 0..1.
+  out.pressure = std::fmin(std::fmax(pressure, 0.0), 1.0);
+  return {};
+}
+
+Result<void> parse_buttons(Value& value, EventFields& out) {
+  const std::string_view token = token_of(value);
+  std::uint64_t bits = 0;
+  if (token.size() > limits::kMaxNumberChars || value.get_uint64().get(bits) ||
+      bits > std::numeric_limits<std::uint32_t>::max()) {
+    return bad("buttons: " + excerpt(token) + " is not a whole number from 0 to 4294967295");
+  }
+  out.buttons = static_cast<std::uint32_t>(bits);
+  return {};
+}
+
+Result<void> parse_text(Value& value, const char* key, std::string& out) {
+  Result<std::string> text = read_name(value);
+  if (!text) return tl::unexpected(with_context(text.error(), key));
+  if (text->empty()) return bad(std::string(key) + ": is empty");
+  if (text->find('\0') != std::string::npos) return bad(std::string(key) + ": holds a NUL");
+  out = std::move(*text);
+  return {};
+}
+
+Result<void> parse_option_value(Value& value, EventFields& out) {
+  const std::string_view token = token_of(value);
+  if (!token.empty() && token[0] == '"') {
+    Result<std::string> text = read_name(value);
+    if (!text) return tl::unexpected(with_context(text.error(), "value"));
+    out.value = std::move(*text);
+    return {};
+  }
+  if (token == "true" || token == "false") {
+    const Result<bool> is_on = read_bool(value);
+    if (!is_on) return tl::unexpected(with_context(is_on.error(), "value"));
+    out.value = *is_on;
+    return {};
+  }
+  double number = 0.0;
+  if (!read_number(value, kCoordinateLimit, number)) {
+    const Error error = number_error(token, kCoordinateLimit);
+    if (error.code == ErrorCode::kLimitExceeded)
+      return tl::unexpected(with_context(error, "value"));
+    return bad("value: " + excerpt(token) + " is not a number, a string, true or false");
+  }
+  out.value = number;
+  return {};
+}
+
+using EventField = Field<EventFields>;
+
+/// Read before the others, to know which they are.
+constexpr EventField kEvent = {"event", true, [](Value& v, EventFields&) -> Result<void> {
+                                 const Result<EventName> name = parse_event_name(v);
+                                 if (!name) return tl::unexpected(name.error());
+                                 return {};
+                               }};
+constexpr EventField kTime = {"t_ms", true, parse_time};
+constexpr EventField kId = {"id", true,
+                            [](Value& v, EventFields& e) { return parse_text(v, "id", e.id); }};
+
+constexpr std::array kPlainFields = {kEvent, kTime};
+constexpr std::array kToolFields = {kEvent, kTime, kId};
+constexpr std::array kOptionFields = {kEvent, kTime, kId,
+                                      EventField{"value", true, parse_option_value}};
+constexpr std::array kImportFields = {kEvent, kTime,
+                                      EventField{"path", true, [](Value& v, EventFields& e) {
+                                                   return parse_text(v, "path", e.path);
+                                                 }}};
+constexpr std::array kPoseFields = {
+    kEvent,
+    kTime,
+    EventField{"x", true, [](Value& v, EventFields& e) { return parse_axis<&Vec3::x>(v, "x", e); }},
+    EventField{"y", true, [](Value& v, EventFields& e) { return parse_axis<&Vec3::y>(v, "y", e); }},
+    EventField{"z", false,
+               [](Value& v, EventFields& e) {
+                 e.has_z = true;
+                 return parse_axis<&Vec3::z>(v, "z", e);
+               }},
+    EventField{"pressure", false, parse_pressure},
+    EventField{"buttons", false, parse_buttons},
+};
+
+struct NamedEvent {
+  std::string_view text;
+  EventName name;
+  std::span<const EventField> fields;
+};
+constexpr NamedEvent kEvents[] = {
+    {"tool", EventName::kTool, kToolFields},      {"option", EventName::kOption, kOptionFields},
+    {"pen", EventName::kPen, kPoseFields},        {"hand", EventName::kHand, kPoseFields},
+    {"undo", EventName::kUndo, kPlainFields},     {"redo", EventName::kRedo, kPlainFields},
+    {"cancel", EventName::kCancel, kPlainFields}, {"import", EventName::kImport, kImportFields},
+};
+
+}  // namespace
+
+Result<EventName> parse_event_name(Value& value) {
+  const std::string_view token = token_of(value);
+  std::string_view text;
+  if (const auto error = value.get_string().get(text)) {
+    if (error == simdjson::INCORRECT_TYPE) {
+      return bad("event: " + excerpt(token) + " is not a string");
+    }
+    return tl::unexpected(with_context(syntax_error(error), "event"));
+  }
+  for (const NamedEvent& event : kEvents) {
+    if (event.text == text) return event.name;
+  }
+  return bad("event: \"" + excerpt(text) +
+             "\" is not one of tool, option, pen, hand, undo, redo, cancel, import");
+}
+
+std::span<const Field<EventFields>> fields_of(EventName name) noexcept {
+  return kEvents[static_cast<std::size_t>(name)].fields;
+}
+
+}  // namespace felt::json

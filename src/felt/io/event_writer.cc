@@ -1,0 +1,79 @@
+#include "felt/io/event_writer.h"
+
+#include <string_view>
+
+#include "felt/io/ndjson_writer.h"
+
+namespace felt {
+namespace {
+
+void append_key_number(std::string& out, std::string_view key, double number) {
+  out += ",\"";
+  out += key;
+  out += "\":";
+  append_number(out, number);
+}
+
+void append_key_string(std::string& out, std::string_view key, std::string_view text) {
+  out += ",\"";
+  out += key;
+  out += "\":";
+  append_json_string(out, text);
+}
+
+void append_pose(std::string& out, const Vec3& at, const std::optional<double>& pressure,
+                 std::uint32_t buttons) {
+  append_key_number(out, "x", at.x);
+  append_key_number(out, "y", at.y);
+  append_key_number(out, "z", at.z);
+  if (pressure) append_key_number(out, "pressure", *pressure);
+  if (buttons != 0) append_key_number(out, "buttons", buttons);
+}
+
+/// Appends the kind of an event and its own keys.
+struct AppendWhat {
+  std::string& out;
+
+  void kind(std::string_view name) const { append_key_string(out, "event", name); }
+
+  void operator()(const SelectTool& e) const {
+    kind("tool");
+    append_key_string(out, "id", e.id);
+  }
+  void operator()(const SetOption& e) const {
+    kind("option");
+    append_key_string(out, "id", e.id);
+    std::visit([this](const auto& value) { option_value(value); }, e.value);
+  }
+  void operator()(const PenEvent& e) const {
+    kind("pen");
+    append_pose(out, e.position, e.pressure, e.buttons);
+  }
+  void operator()(const HandEvent& e) const {
+    kind("hand");
+    append_pose(out, e.target, e.pressure, e.buttons);
+  }
+  void operator()(const UndoEvent&) const { kind("undo"); }
+  void operator()(const RedoEvent&) const { kind("redo"); }
+  void operator()(const CancelEvent&) const { kind("cancel"); }
+  void operator()(const ImportEvent& e) const {
+    kind("import");
+    append_key_string(out, "path", e.path);
+  }
+
+ private:
+  void option_value(double number) const { append_key_number(out, "value", number); }
+  void option_value(bool is_on) const { out += is_on ? ",\"value\":true" : ",\"value\":false"; }
+  void option_value(const std::string& text) const { append_key_string(out, "value", text); }
+};
+
+}  // namespace
+
+void append_event_line(std::string& out, const Event& event) {
+  out += "{\"t_ms\":";
+  append_number(out, static_cast<double>(event.time_ns) / 1e6);
+  std::visit(AppendWhat{out}, event.what);
+  out += "}\n";
+}
+
+}  // namespace felt

@@ -1,0 +1,87 @@
+/// Any bytes as an event script: the reader never crashes, and the events that it accepts keep its
+/// promises and survive being written and read again.
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+#include "felt/base/check.h"
+#include "felt/io/event_reader.h"
+#include "felt/io/event_writer.h"
+
+namespace felt {
+namespace {
+
+void check_number(double number) {
+  FELT_CHECK(std::fabs(number) <= limits::kMaxCoordinate);
+}
+
+void check_pose(const Vec3& at, const std::optional<double>& pressure) {
+  check_number(at.x);
+  check_number(at.y);
+  check_number(at.z);
+  FELT_CHECK(!pressure || (*pressure >= 0.0 && *pressure <= 1.0));
+}
+
+void check_text(const std::string& text) {
+  FELT_CHECK(!text.empty() && text.size() <= limits::kMaxNameBytes);
+  FELT_CHECK(text.find('\0') == std::string::npos);
+}
+
+struct CheckWhat {
+  void operator()(const SelectTool& e) const { check_text(e.id); }
+  void operator()(const SetOption& e) const {
+    check_text(e.id);
+    if (const double* number = std::get_if<double>(&e.value)) check_number(*number);
+    if (const auto* text = std::get_if<std::string>(&e.value)) {
+      FELT_CHECK(text->size() <= limits::kMaxNameBytes);
+    }
+  }
+  void operator()(const PenEvent& e) const { check_pose(e.position, e.pressure); }
+  void operator()(const HandEvent& e) const { check_pose(e.target, e.pressure); }
+  void operator()(const UndoEvent&) const {}
+  void operator()(const RedoEvent&) const {}
+  void operator()(const CancelEvent&) const {}
+  void operator()(const ImportEvent& e) const { check_text(e.path); }
+};
+
+void check_round_trip(const Event& event) {
+  std::string text, again;
+  append_event_line(text, event);
+  const Result<std::vector<Event>> read = read_events("again", read_text(text));
+  FELT_CHECK(read.has_value() && read->size() == 1 && read->front() == event);
+  append_event_line(again, read->front());
+  FELT_CHECK(text == again);
+}
+
+/// Every line by itself, as a reader that goes on after errors sees them.
+void check_lines(std::string_view text) {
+  constexpr std::size_t kMaxLine = 2000;  // so that the limit is within the fuzzer's reach
+  LineReader lines(read_text(text), kMaxLine);
+  LineBatch batch;
+  EventReader reader;
+  std::int64_t last_ns = 0;
+  while (lines.fill(batch, 512).value_or(false)) {
+    for (std::size_t i = 0; i < batch.size(); ++i) {
+      Event event;
+      RawStroke stroke;
+      const Result<ScriptLineKind> kind = reader.read(batch.line(i), event, stroke);
+      FELT_CHECK(kind || !kind.error().message.empty());
+      if (kind != ScriptLineKind::kEvent) continue;
+      FELT_CHECK(event.time_ns >= last_ns);
+      last_ns = event.time_ns;
+      std::visit(CheckWhat{}, event.what);
+      check_round_trip(event);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace felt
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  felt::check_lines({reinterpret_cast<const char*>(data), size});
+  return 0;
+}
