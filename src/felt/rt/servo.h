@@ -1,21 +1,24 @@
 #pragma once
 
 #include <atomic>
+#include <cstddef>
 #include <cstdint>
 
+#include "felt/haptics/force_memory.h"
 #include "felt/haptics/force_model.h"
 #include "felt/haptics/safety_chain.h"
 #include "felt/rt/device.h"
 #include "felt/rt/latest_value.h"
 #include "felt/rt/loop_stats.h"
 #include "felt/rt/spsc_ring.h"
+#include "felt/rt/thread_roles.h"
 
 namespace felt {
 
 /// Everything about one tick of the haptic loop: what `--forces` writes and the force panel plots.
 struct TickReport {
-  PenSample sample;  ///< as read; the last good one where reading failed
-  bool sample_ok = false;
+  PenSample sample;        ///< as read; the last good one where reading failed
+  bool sample_ok = false;  ///< it was read, and the safety chain believes it
   double dt_s = 0.0;
   Force asked;       ///< sum of the model's terms after the cross-fade
   Force sent;        ///< after the safety chain
@@ -24,18 +27,31 @@ struct TickReport {
 };
 
 struct ServoOptions {
-  /// Loop period, 0.2..4 ms (R50).
+  /// Loop period, 0.2..4 ms (R50). Clamped.
   std::int64_t period_ns = 1'000'000;
-  /// Cross-fade between models of different fade_id (architecture section 10).
+  /// Cross-fade between models of different fade_id (architecture section 10). Clamped to 0..1 s.
   double cross_fade_s = 0.020;
+  /// limits_for(the device). Their period is set to the one above.
   SafetyLimits limits;
 };
 
 /// The body of the haptic loop (architecture section 4): read, evaluate, limit, write, hand over.
 ///
 /// step(now) is called by a real-time thread (`RealtimeThread`), by a vendor's servo callback, or
-/// with a virtual clock by replay and tests; it neither knows nor cares. step() is real-time safe:
-/// no allocation, lock, I/O or exception.
+/// with a virtual clock by replay and tests (`VirtualClock`); it neither knows nor cares. step() is
+/// real-time safe: no allocation, lock, I/O or exception, and denormals are zero within.
+///
+/// A vendor's callback needs nothing but this, on the one thread that the vendor calls it from:
+///
+///   Status servo_callback(void* data) {              // at the device's own rate
+///     auto& loop = *static_cast<Loop*>(data);
+///     loop.servo.step(loop.clock.now_ns());          // monotonic, 0 when the session began
+///     return kCallAgain;
+///   }
+///
+/// and Servo::stop() once the vendor's scheduler has stopped. Which threads may call what is
+/// checked by clang (thread_roles.h). The object is large (tens of KiB) and lives on the heap as a
+/// rule.
 class Servo {
  public:
   static constexpr std::size_t kRingSamples = 16384;  ///< 16 s at 1 kHz
@@ -45,30 +61,72 @@ class Servo {
   Servo(Device& device, const ServoOptions& options);
 
   /// One tick. Haptic thread.
-  const TickReport& step(std::int64_t now_ns) noexcept;
+  const TickReport& step(std::int64_t now_ns) noexcept FELT_NONBLOCKING FELT_NOT_EDIT;
+  /// The end of the loop: forces off, in the device too. Haptic thread, or when no thread runs; a
+  /// servo can be stepped and armed again afterwards.
+  void stop() noexcept FELT_NOT_EDIT;
 
   // Edit thread.
-  /// From the next tick on. Wait-free.
-  void publish(const ForceModel& model) noexcept;
+  /// From the next tick on; one that changes the feel (another fade_id) while two others are still
+  /// being cross-faded waits for the end of that, 20 ms at most. Wait-free.
+  void publish(const ForceModel& model) noexcept FELT_NOT_HAPTIC;
   /// "I am alive": call at least every 100 ms with the loop's clock.
-  void heartbeat(std::int64_t now_ns) noexcept;
+  void heartbeat(std::int64_t now_ns) noexcept FELT_NOT_HAPTIC;
   /// The user allows forces. Any thread.
   void arm() noexcept;
-  /// The user's force-off key. Any thread; takes effect on the next tick.
+  /// The user's force-off key. Any thread; takes effect on the next tick, and is never lost: an
+  /// arm() after it engages from zero.
   void disarm() noexcept;
-  /// Samples in order, all of them, for the session and for the saver.
-  [[nodiscard]] Ring& for_edit() noexcept { return edit_ring_; }
-  [[nodiscard]] Ring& for_saver() noexcept { return saver_ring_; }
-  /// The newest tick, for display. Edit thread.
-  [[nodiscard]] const TickReport& latest() noexcept;
+  /// Samples in order, all of them that are believed, for the session and for the saver. A device
+  /// without forces is always believed (a mouse may jump), as long as it says finite numbers.
+  [[nodiscard]] Ring& for_edit() noexcept FELT_NOT_HAPTIC { return edit_ring_; }
+  [[nodiscard]] Ring& for_saver() noexcept FELT_NOT_HAPTIC { return saver_ring_; }
+  /// The newest tick, for display; valid until the next call. Edit thread.
+  [[nodiscard]] const TickReport& latest() noexcept FELT_NOT_HAPTIC;
 
-  /// Haptic thread, or when no thread runs.
+  /// When step() was called. Haptic thread, or when no thread runs.
   [[nodiscard]] const LoopStats& stats() const noexcept { return stats_; }
+  /// As clamped. Any thread.
+  [[nodiscard]] const ServoOptions& options() const noexcept { return options_; }
 
  private:
+  static constexpr std::int64_t kNever = INT64_MIN;
+
+  void take_orders() noexcept FELT_HAPTIC;
+  void take_model() noexcept FELT_HAPTIC;
+  Force evaluate(const PenSample& sample) noexcept FELT_HAPTIC;
+  Force force_of(const ForceModel& model, const PenSample& sample, const StiffnessScale& scale,
+                 ForceMemory& memory) const noexcept FELT_HAPTIC;
+  void sense_and_act(std::int64_t now_ns) noexcept FELT_HAPTIC;
+  void hand_over() noexcept FELT_HAPTIC;
+
+  Device& device_;
+  ServoOptions options_;
+  bool has_force_;
+
+  // Edit side to haptic thread.
+  LatestValue<ForceModel> models_;
+  std::atomic<std::int64_t> heartbeat_ns_{kNever};
+  std::atomic<bool> arm_asked_{false};
+  std::atomic<bool> disarm_asked_{false};
+
+  // The haptic thread's own.
+  SafetyChain chain_;
+  ForceModel current_;
+  ForceMemory memory_;
+  ForceModel outgoing_;  // while fade_ < 1
+  ForceMemory outgoing_memory_;
+  double fade_ = 1.0;         // weight of current_
+  bool model_waits_ = false;  // models_.get() has not been taken over yet
+  std::int64_t heard_ns_ = kNever;
+  std::int64_t last_tick_ns_ = kNever;
+  TickReport report_;
+  LoopStats stats_;
+
+  // Haptic thread to edit side and saver.
+  LatestValue<TickReport> reports_;
   Ring edit_ring_;
   Ring saver_ring_;
-  LoopStats stats_;
 };
 
 }  // namespace felt

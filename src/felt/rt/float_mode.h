@@ -1,0 +1,55 @@
+#pragma once
+
+#if defined(__SSE2__)
+#include <immintrin.h>
+#elif defined(__aarch64__)
+#include <cstdint>
+#endif
+
+namespace felt {
+
+/// Denormals are zero within this block, and the thread's mode comes back after it. A bristle or a
+/// low-pass that decays below 1e-308 would otherwise make each operation a hundred times slower.
+/// Servo::step is such a block, so that every way of running it computes the same numbers. Where
+/// the processor is neither x86-64 nor AArch64 nothing happens.
+class FlushDenormals {
+ public:
+  FlushDenormals() noexcept : saved_(get()) { set(saved_ | kBits); }
+  ~FlushDenormals() noexcept { set(saved_); }
+  FlushDenormals(const FlushDenormals&) = delete;
+  FlushDenormals& operator=(const FlushDenormals&) = delete;
+
+ private:
+#if defined(__SSE2__)
+  using Mode = unsigned int;
+  static constexpr Mode kBits = 0x8040;  // FTZ: results, DAZ: operands
+  static Mode get() noexcept {
+    return _mm_getcsr();
+  }
+  static void set(Mode mode) noexcept {
+    _mm_setcsr(mode);
+  }
+#elif defined(__aarch64__)
+  using Mode = std::uint64_t;
+  static constexpr Mode kBits = Mode{1} << 24;  // FZ
+  static Mode get() noexcept {
+    Mode mode = 0;
+    asm volatile("mrs %0, fpcr" : "=r"(mode));
+    return mode;
+  }
+  static void set(Mode mode) noexcept {
+    asm volatile("msr fpcr, %0" : : "r"(mode));
+  }
+#else
+  using Mode = int;
+  static constexpr Mode kBits = 0;
+  static Mode get() noexcept {
+    return 0;
+  }
+  static void set(Mode) noexcept {}
+#endif
+
+  Mode saved_;
+};
+
+}  // namespace felt

@@ -1,0 +1,60 @@
+#pragma once
+
+#include <array>
+#include <atomic>
+#include <cstdint>
+#include <type_traits>
+
+namespace felt {
+
+/// The newest value from one publishing thread to one reading thread: what was not read in time is
+/// replaced, never queued. Both sides are wait-free: a triple buffer, in which the publisher owns
+/// one slot, the reader another, and the third changes hands by one atomic exchange. The reader
+/// never sees half a value, and never one older than it saw before.
+///
+/// A seqlock would need one copy less, but its reader starts again when the writer comes between;
+/// here one of the readers is the haptic thread.
+template <class T>
+class LatestValue {
+  static_assert(std::is_trivially_copyable_v<T>);
+
+ public:
+  LatestValue() = default;
+  explicit LatestValue(const T& value) : slots_{value, value, value} {}
+  LatestValue(const LatestValue&) = delete;
+  LatestValue& operator=(const LatestValue&) = delete;
+
+  /// Publisher: from the reader's next update() on.
+  void publish(const T& value) noexcept {
+    slots_[writing_].value = value;
+    const std::uint8_t old =
+        shared_.exchange(static_cast<std::uint8_t>(writing_ | kFresh), std::memory_order_acq_rel);
+    writing_ = old & kIndex;
+  }
+
+  /// Reader: takes the newest value; false when get() is it already.
+  bool update() noexcept {
+    if ((shared_.load(std::memory_order_relaxed) & kFresh) == 0) return false;
+    reading_ = shared_.exchange(reading_, std::memory_order_acq_rel) & kIndex;
+    return true;
+  }
+
+  /// Reader: the value of the last update(); valid, and unchanged, until the next.
+  [[nodiscard]] const T& get() const noexcept { return slots_[reading_].value; }
+
+ private:
+  static constexpr std::uint8_t kIndex = 3;
+  static constexpr std::uint8_t kFresh = 4;  // published since the reader's last update
+  static constexpr std::size_t kCacheLine = 64;
+
+  struct alignas(kCacheLine) Slot {
+    T value{};
+  };
+
+  std::array<Slot, 3> slots_{};
+  alignas(kCacheLine) std::atomic<std::uint8_t> shared_{1};
+  alignas(kCacheLine) std::uint8_t writing_ = 0;  // publisher's
+  alignas(kCacheLine) std::uint8_t reading_ = 2;  // reader's
+};
+
+}  // namespace felt

@@ -1,0 +1,41 @@
+#pragma once
+
+#include "felt/rt/thread_roles.h"
+
+#ifdef FELT_RTSAN
+extern "C" {
+void __rtsan_realtime_enter();
+void __rtsan_realtime_exit();
+}
+#endif
+
+namespace felt {
+
+/// How many RealtimeScopes this thread is in. The interposer of tests/rt reads it. Its model is
+/// initial-exec, so that reading it calls nothing, not even where the library is in a plug-in.
+#if defined(__GNUC__)
+__attribute__((tls_model("initial-exec")))
+#endif
+inline constinit thread_local int realtime_depth = 0;
+
+/// Marks the block in which nothing may block: one tick of the haptic loop. Costs two additions.
+/// With FELT_RTSAN (preset rtsan) RealtimeSanitizer watches the block; in tests/rt an interposer.
+class FELT_ROLE_ATTRIBUTE(scoped_lockable) RealtimeScope {
+ public:
+  RealtimeScope() noexcept FELT_ROLE_ATTRIBUTE(exclusive_lock_function(haptic_role)) {
+    ++realtime_depth;
+#ifdef FELT_RTSAN
+    __rtsan_realtime_enter();
+#endif
+  }
+  ~RealtimeScope() noexcept FELT_ROLE_ATTRIBUTE(unlock_function()) {
+#ifdef FELT_RTSAN
+    __rtsan_realtime_exit();
+#endif
+    --realtime_depth;
+  }
+  RealtimeScope(const RealtimeScope&) = delete;
+  RealtimeScope& operator=(const RealtimeScope&) = delete;
+};
+
+}  // namespace felt

@@ -1,0 +1,135 @@
+// The tick. Everything here runs on the haptic thread; tests/rt looks at this object's symbols.
+#include "felt/rt/servo.h"
+
+#include <algorithm>
+
+#include "felt/rt/float_mode.h"
+#include "felt/rt/realtime_scope.h"
+
+namespace felt {
+namespace {
+
+Slopes scaled(double s, const Slopes& a) noexcept {
+  return {s * a.normal_n_per_m, s * a.friction_n_per_m, s * a.lateral_n_per_m};
+}
+
+bool is_finite(const PenSample& sample) noexcept {
+  const auto finite = [](const Vec3& v) {
+    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+  };
+  return finite(sample.position) && finite(sample.velocity) &&
+         std::isfinite(sample.pressure.value_or(0.0));
+}
+
+}  // namespace
+
+const TickReport& Servo::step(std::int64_t now_ns) noexcept FELT_NONBLOCKING {
+  const RealtimeScope scope;
+  const FlushDenormals flush;
+  take_orders();
+  const std::int64_t period_ns = options_.period_ns;
+  const std::int64_t interval_ns = last_tick_ns_ == kNever ? period_ns : now_ns - last_tick_ns_;
+  last_tick_ns_ = now_ns;
+  stats_.tick(now_ns, interval_ns - period_ns, period_ns);
+  report_.dt_s = chain_.begin(now_ns);
+  sense_and_act(now_ns);
+  report_.safety = chain_.report();
+  hand_over();
+  return report_;
+}
+
+void Servo::stop() noexcept {
+  disarm_asked_.store(false, std::memory_order_relaxed);
+  chain_.disarm();
+  if (!device_.write(Force{})) chain_.device_failed();
+  device_.stop();
+  report_.asked = {};
+  report_.sent = {};
+  report_.safety = chain_.report();
+  reports_.publish(report_);
+}
+
+void Servo::take_orders() noexcept {
+  // "Off" first, so that off and on again between two ticks engages anew.
+  if (disarm_asked_.exchange(false, std::memory_order_acquire)) chain_.disarm();
+  if (arm_asked_.exchange(false, std::memory_order_acquire)) chain_.arm();
+  const std::int64_t heard_ns = heartbeat_ns_.load(std::memory_order_acquire);
+  if (heard_ns != heard_ns_) {
+    heard_ns_ = heard_ns;
+    chain_.heartbeat(heard_ns);
+  }
+}
+
+void Servo::sense_and_act(std::int64_t now_ns) noexcept {
+  const auto sample = device_.read(now_ns);
+  report_.sample_ok = false;
+  report_.asked = {};
+  report_.sent = {};
+  report_.terms.clear();
+  if (!sample) {
+    chain_.device_failed();
+    static_cast<void>(device_.write(Force{}));  // it has failed already
+    return;
+  }
+  report_.sample = *sample;
+  report_.sample_ok = chain_.admit(*sample);
+  if (report_.sample_ok) report_.asked = evaluate(*sample);
+  report_.sent = chain_.limit(report_.asked, *sample);
+  if (!device_.write(report_.sent)) {
+    chain_.device_failed();
+    device_.stop();
+    report_.sent = {};
+  }
+  if (report_.sample_ok || (!has_force_ && is_finite(*sample))) {
+    edit_ring_.push(*sample);
+    saver_ring_.push(*sample);
+  }
+}
+
+void Servo::take_model() noexcept {
+  model_waits_ = models_.update() || model_waits_;
+  if (!model_waits_) return;
+  const ForceModel& next = models_.get();
+  if (next.fade_id() != current_.fade_id()) {
+    // Only two models are ever evaluated. A third waits until the first has faded out: the force
+    // stays continuous, and the tick bounded.
+    if (fade_ < 1.0) return;
+    outgoing_ = current_;
+    outgoing_memory_ = memory_;
+    fade_ = options_.cross_fade_s > 0.0 ? 0.0 : 1.0;
+  }
+  current_ = next;
+  model_waits_ = false;
+}
+
+Force Servo::evaluate(const PenSample& sample) noexcept {
+  if (fade_ < 1.0) fade_ = std::min(1.0, fade_ + report_.dt_s / options_.cross_fade_s);
+  take_model();  // after the weight has moved: a fade starts with the old force alone
+  const bool fading = fade_ < 1.0;
+  const Slopes slopes =
+      fading ? scaled(fade_, current_.slopes()) + scaled(1.0 - fade_, outgoing_.slopes())
+             : current_.slopes();
+  const StiffnessScale scale = chain_.budget(slopes);
+  const Force force = force_of(current_, sample, scale, memory_);
+  report_.terms = memory_.terms;
+  if (!fading) return force;
+  return fade_ * force + (1.0 - fade_) * force_of(outgoing_, sample, scale, outgoing_memory_);
+}
+
+Force Servo::force_of(const ForceModel& model, const PenSample& sample, const StiffnessScale& scale,
+                      ForceMemory& memory) const noexcept {
+  memory.dt_s = report_.dt_s;
+  memory.period_s = 1e-9 * static_cast<double>(options_.period_ns);
+  memory.scale = scale;
+  memory.material_cap_n_per_m = options_.limits.max_stiffness_n_per_m;
+  memory.normal_force_n = 0.0;
+  memory.spring_force_n = 0.0;
+  memory.terms.clear();
+  return model(sample, memory);
+}
+
+void Servo::hand_over() noexcept {
+  reports_.publish(report_);
+}
+
+}  // namespace felt

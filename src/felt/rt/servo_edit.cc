@@ -1,0 +1,49 @@
+// The edit side of the servo, apart from the tick so that the tick's object shows what it calls.
+#include <algorithm>
+#include <cmath>
+
+#include "felt/rt/servo.h"
+
+namespace felt {
+namespace {
+
+ServoOptions clamped(ServoOptions options) {
+  options.period_ns = std::clamp<std::int64_t>(options.period_ns, 200'000, 4'000'000);
+  const double fade_s = options.cross_fade_s;
+  options.cross_fade_s =
+      std::isfinite(fade_s) ? std::clamp(fade_s, 0.0, 1.0) : ServoOptions{}.cross_fade_s;
+  options.limits.period_ns = options.period_ns;
+  return options;
+}
+
+}  // namespace
+
+Servo::Servo(Device& device, const ServoOptions& options)
+    : device_(device),
+      options_(clamped(options)),
+      has_force_(device.capabilities().has_force()),
+      chain_(options_.limits) {}
+
+void Servo::publish(const ForceModel& model) noexcept {
+  models_.publish(model);
+}
+
+void Servo::heartbeat(std::int64_t now_ns) noexcept {
+  heartbeat_ns_.store(now_ns, std::memory_order_release);
+}
+
+void Servo::arm() noexcept {
+  arm_asked_.store(true, std::memory_order_release);
+}
+
+void Servo::disarm() noexcept {
+  arm_asked_.store(false, std::memory_order_release);
+  disarm_asked_.store(true, std::memory_order_release);
+}
+
+const TickReport& Servo::latest() noexcept {
+  reports_.update();
+  return reports_.get();
+}
+
+}  // namespace felt

@@ -1,0 +1,85 @@
+#pragma once
+
+#include <algorithm>
+#include <atomic>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <type_traits>
+
+namespace felt {
+
+/// A queue from one producing thread to one consuming thread: everything arrives, in order. Both
+/// sides are wait-free. When the consumer falls N elements behind, new ones are dropped and
+/// counted; the producer never waits for it. N is a power of two.
+///
+/// All memory is taken and touched by the constructor, so that a push costs neither an allocation
+/// nor a page fault.
+///
+/// Why not the packaged one (moodycamel's ReaderWriterQueue): it orders by stand-alone fences,
+/// which the ThreadSanitizer of g++ does not model, so the proof of this hand-over would be worth
+/// nothing; it counts no overflow; and every user of the installed headers would need its package.
+/// What is left to write is below.
+template <class T, std::size_t N>
+class SpscRing {
+  static_assert(std::is_trivially_copyable_v<T>);
+  static_assert(N > 1 && (N & (N - 1)) == 0, "a power of two");
+
+ public:
+  SpscRing() : slots_(new T[N]()) {}
+  SpscRing(const SpscRing&) = delete;
+  SpscRing& operator=(const SpscRing&) = delete;
+
+  static constexpr std::size_t capacity() noexcept { return N; }
+
+  /// Producer. False, and one more dropped, when the ring is full.
+  bool push(const T& value) noexcept {
+    const std::size_t tail = tail_.load(std::memory_order_relaxed);
+    if (tail - head_seen_ == N) {
+      head_seen_ = head_.load(std::memory_order_acquire);
+      if (tail - head_seen_ == N) {
+        dropped_.store(dropped_.load(std::memory_order_relaxed) + 1, std::memory_order_relaxed);
+        return false;
+      }
+    }
+    slots_[tail & (N - 1)] = value;
+    tail_.store(tail + 1, std::memory_order_release);
+    return true;
+  }
+
+  /// Consumer. False when there is nothing.
+  bool pop(T& value) noexcept { return pop(std::span<T>(&value, 1)) == 1; }
+
+  /// Consumer. Fills `out` from its front with the oldest elements; how many there were.
+  std::size_t pop(std::span<T> out) noexcept {
+    const std::size_t head = head_.load(std::memory_order_relaxed);
+    const std::size_t count = std::min(tail_.load(std::memory_order_acquire) - head, out.size());
+    for (std::size_t i = 0; i < count; ++i) out[i] = slots_[(head + i) & (N - 1)];
+    head_.store(head + count, std::memory_order_release);
+    return count;
+  }
+
+  /// How many wait. Exact on the consumer's thread for what it can pop at least; elsewhere a
+  /// glance.
+  [[nodiscard]] std::size_t size() const noexcept {
+    const std::size_t head = head_.load(std::memory_order_acquire);
+    return std::min(tail_.load(std::memory_order_acquire) - head, N);
+  }
+
+  /// How many were lost because the consumer was too slow. Any thread.
+  [[nodiscard]] std::uint64_t dropped() const noexcept {
+    return dropped_.load(std::memory_order_relaxed);
+  }
+
+ private:
+  static constexpr std::size_t kCacheLine = 64;  // neither side's counter slows the other's
+
+  std::unique_ptr<T[]> slots_;
+  alignas(kCacheLine) std::atomic<std::size_t> tail_{0};  // written by the producer
+  std::size_t head_seen_ = 0;                             // its last look at head_
+  std::atomic<std::uint64_t> dropped_{0};
+  alignas(kCacheLine) std::atomic<std::size_t> head_{0};  // written by the consumer
+};
+
+}  // namespace felt
