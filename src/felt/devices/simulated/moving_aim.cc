@@ -13,11 +13,16 @@ void MovingAim::set(const Aim& aim, std::int64_t now_ns, std::int64_t least_ns) 
     return;
   }
   const std::int64_t since_last_ns = now_ns - start_ns_;
-  const std::int64_t takes_ns =
-      std::clamp(since_last_ns, std::min(least_ns, kLongestNs), kLongestNs);
+  std::int64_t takes_ns = std::clamp(since_last_ns, std::min(least_ns, kLongestNs), kLongestNs);
   from_mm_ = at(now_ns);
   shown_ = to_;
+  owes_one_ = !newest_is_shown_;
+  newest_is_shown_ = false;
   to_ = aim;
+  if (top_speed_mm_per_s_ > 0.0) {
+    const double at_top_speed_s = norm(to_.target_mm - from_mm_) / top_speed_mm_per_s_;
+    takes_ns = std::max(takes_ns, static_cast<std::int64_t>(1e9 * at_top_speed_s));
+  }
   start_ns_ = now_ns;
   end_ns_ = now_ns + takes_ns;
 }
@@ -30,7 +35,12 @@ Vec3 MovingAim::at(std::int64_t time_ns) const noexcept {
 }
 
 const Aim& MovingAim::shown(std::int64_t time_ns) noexcept {
-  if (time_ns >= end_ns_) shown_ = to_;
+  if (owes_one_) {
+    owes_one_ = false;
+  } else if (time_ns >= end_ns_) {
+    shown_ = to_;
+    newest_is_shown_ = true;
+  }
   return shown_;
 }
 

@@ -11,13 +11,22 @@ namespace felt {
 /// passed since the last one was given, at most 10 ms. So it stands in no staircase, which the hand
 /// would feel and the safety chain take for jumps.
 ///
+/// A hand that has mass does not leap either: 500 mm/s at most, which is faster than writing
+/// (reliability section 3.3) and slower than what the safety chain brakes.
+///
 /// Pressure and buttons change when it arrives, so that a pen that is put down draws from there and
 /// not from where it came; or with the next aim, where that comes first: nothing is lost.
+/// Whoever asks after each set() sees what every aim said.
 class MovingAim {
  public:
   static constexpr std::int64_t kLongestNs = 10'000'000;
+  static constexpr double kHandSpeedMmPerS = 500.0;
 
-  /// From now on. The first one is there at once.
+  /// 0: as fast as it is told.
+  explicit MovingAim(double top_speed_mm_per_s = kHandSpeedMmPerS) noexcept
+      : top_speed_mm_per_s_(top_speed_mm_per_s) {}
+
+  /// From now on; `least_ns` is the time until the loop asks next. The first one is there at once.
   void set(const Aim& aim, std::int64_t now_ns, std::int64_t least_ns) noexcept;
   /// The clock was set back to this: it has arrived.
   void restart(std::int64_t now_ns) noexcept { start_ns_ = end_ns_ = now_ns; }
@@ -29,7 +38,10 @@ class MovingAim {
   [[nodiscard]] const Aim& newest() const noexcept { return to_; }
 
  private:
+  double top_speed_mm_per_s_;
   bool is_set_ = false;
+  bool newest_is_shown_ = false;  // someone has seen what the newest aim said
+  bool owes_one_ = false;         // shown_ has not been seen yet
   Vec3 from_mm_;
   Aim to_, shown_;
   std::int64_t start_ns_ = 0, end_ns_ = 0;

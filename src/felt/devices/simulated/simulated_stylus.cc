@@ -9,6 +9,12 @@ namespace {
 constexpr std::int64_t kStepNs = 250'000;
 constexpr std::int64_t kLongestNs = 100'000'000;
 constexpr double kStartHeightMm = 20.0;
+constexpr double kAimBeyondMm = 100.0;
+
+// The aim of a device that has a body is that of a hand, which takes its time.
+MovingAim aim_for(const Capabilities& device) noexcept {
+  return MovingAim(device.has_force() ? MovingAim::kHandSpeedMmPerS : 0.0);
+}
 
 Vec3 clamped(const Vec3& p, const Vec3& low, const Vec3& high) noexcept {
   return {std::clamp(p.x, low.x, high.x), std::clamp(p.y, low.y, high.y),
@@ -37,6 +43,7 @@ SimulatedStylus::SimulatedStylus(const StylusPreset& preset,
                                  const std::optional<SimulatedHand>& hand) noexcept
     : preset_(preset),
       body_(preset.mechanics, preset.capabilities.workspace_min, preset.capabilities.workspace_max),
+      aim_(aim_for(preset.capabilities)),
       delay_ticks_(static_cast<std::size_t>(
           std::clamp(preset.capabilities.delay_ticks, 0, kMostDelayTicks))) {
   preset_.capabilities.delay_ticks = static_cast<int>(delay_ticks_);
@@ -52,13 +59,15 @@ void SimulatedStylus::aim(const Vec3& target_mm, std::optional<double> pressure,
         std::isnan(*pressure) ? std::nullopt : std::optional(std::clamp(*pressure, 0.0, 1.0));
   }
   const Capabilities& device = preset_.capabilities;
-  queue_.push({clamped(target_mm, device.workspace_min, device.workspace_max), pressure, buttons});
+  constexpr Vec3 kBeyond{kAimBeyondMm, kAimBeyondMm, kAimBeyondMm};
+  queue_.push({clamped(target_mm, device.workspace_min - kBeyond, device.workspace_max + kBeyond),
+               pressure, buttons});
 }
 
 void SimulatedStylus::place(const Vec3& position_mm) noexcept {
   body_.place(position_mm);
   velocity_.reset();
-  aim_ = {};
+  aim_ = aim_for(preset_.capabilities);
   aim_.set({.target_mm = body_.position()}, now_ns_, 0);
 }
 

@@ -52,9 +52,10 @@ class SimulatedStylus final : public Device, public HandInput {
   tl::expected<void, DeviceFault> write(const Force& force) noexcept override;
   void stop() noexcept override;
 
-  /// HandInput. Targets are clamped to the workspace; one that is not finite is ignored, pressure
-  /// that is NaN is none. Several aims between two reads: the newest counts, but no change of
-  /// contact (pressure, buttons, in the plane or not) is skipped.
+  /// HandInput. A hand that presses aims below what it touches; targets may lie up to 100 mm
+  /// outside the workspace, which the pen itself does not leave, and are clamped to that. One that
+  /// is not finite is ignored, pressure that is NaN is none. Several aims between two reads: the
+  /// newest counts, but no change of contact (pressure, buttons, in the plane or not) is skipped.
   void aim(const Vec3& target_mm, std::optional<double> pressure,
            std::uint32_t buttons) noexcept override;
 

@@ -1,0 +1,285 @@
+#include "felt/devices/simulated/hand_script.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "felt/devices/simulated/hand_path.h"
+
+namespace felt {
+namespace {
+
+constexpr double kTopSpeed = 500.0;         // mm/s on the sheet
+constexpr double kAirSpeed = 250.0;         // mm/s on average, in the air
+constexpr double kPauseS = 1.0;             // longest rest within a stroke
+constexpr double kTravelS = 0.12;           // shortest way in the air
+constexpr double kLandS = 0.15;             // from hovering to the first pressure
+constexpr double kLiftS = 0.12;             // and back
+constexpr double kSettleS = 0.03;           // before the pen moves off, and before it lifts
+constexpr double kShortestS = 0.06;         // of a stroke: a dot
+constexpr double kLookS = 0.008;            // over which speed and its change are planned
+constexpr double kFrictionFromSpeed = 5.0;  // mm/s: slower, and it counts less
+constexpr double kLeastPressure = 1e-3;     // that still counts as contact
+constexpr double kDenseMm = 0.05;           // what `pace` expects
+constexpr double kLargestMm = 1e4;          // points farther away are no points of a sheet
+
+double press_n(const HandScriptOptions& options, double pressure) noexcept {
+  return options.light_n + std::clamp(pressure, 0.0, 1.0) * (options.full_n - options.light_n);
+}
+
+// A stroke as the hand draws it: every field finite, times from 0 on, never backwards.
+struct Knot {
+  Point position;
+  double pressure = 0.5;
+  double t_s = 0.0;
+};
+
+bool is_usable(const RecordedPoint& p) {
+  return is_finite(p.position) && std::fabs(p.position.x) <= kLargestMm &&
+         std::fabs(p.position.y) <= kLargestMm;
+}
+
+// Where an unhurried hand would be when, at each of the knots.
+void give_pace(std::vector<Knot>& knots) {
+  std::vector<Point> dense;
+  std::vector<std::size_t> place;
+  for (std::size_t i = 0; i < knots.size(); ++i) {
+    const Point to = knots[i].position, from = i > 0 ? knots[i - 1].position : to;
+    const auto parts = static_cast<std::size_t>(std::ceil(distance(from, to) / kDenseMm));
+    for (std::size_t k = 1; k < parts; ++k) {
+      dense.push_back(lerp(from, to, static_cast<double>(k) / static_cast<double>(parts)));
+    }
+    dense.push_back(to);
+    place.push_back(dense.size() - 1);
+  }
+  const std::vector<TimedPoint> timed = pace(dense, 1.0);
+  for (std::size_t i = 0; i < knots.size(); ++i) knots[i].t_s = timed[place[i]].t_s;
+}
+
+std::vector<Knot> knots_of(const RecordedPath& path, double absent_pressure) {
+  std::vector<Knot> knots;
+  bool timed = true;
+  std::optional<std::int64_t> last_ns;
+  double t_s = 0.0;
+  for (const RecordedPoint& p : path) {
+    if (!is_usable(p)) continue;
+    timed = timed && p.time_ns && (!last_ns || *p.time_ns >= *last_ns);
+    if (timed && last_ns) {
+      // In double: the difference of two hostile times does not fit into 64 bits.
+      const double dt_s = 1e-9 * (static_cast<double>(*p.time_ns) - static_cast<double>(*last_ns));
+      t_s += std::clamp(dt_s, distance(knots.back().position, p.position) / kTopSpeed,
+                        std::max(kPauseS, distance(knots.back().position, p.position) / kTopSpeed));
+    }
+    const double pressure =
+        p.pressure && std::isfinite(*p.pressure) ? *p.pressure : absent_pressure;
+    knots.push_back({p.position, std::clamp(pressure, 0.0, 1.0), t_s});
+    last_ns = p.time_ns;
+  }
+  const bool stands_still = knots.size() > 1 && knots.back().t_s <= 0.0;
+  if (!timed || stands_still) give_pace(knots);
+  return knots;
+}
+
+// Reads a stroke at growing times.
+class KnotReader {
+ public:
+  explicit KnotReader(const std::vector<Knot>& knots) : knots_(knots) {}
+
+  Knot at(double t_s) {
+    while (next_ + 1 < knots_.size() && knots_[next_].t_s < t_s) ++next_;
+    const Knot& b = knots_[next_];
+    const Knot& a = knots_[next_ > 0 ? next_ - 1 : 0];
+    const double span = b.t_s - a.t_s;
+    const double part = span > 0.0 ? std::clamp((t_s - a.t_s) / span, 0.0, 1.0) : 1.0;
+    return {lerp(a.position, b.position, part), a.pressure + part * (b.pressure - a.pressure), t_s};
+  }
+
+ private:
+  const std::vector<Knot>& knots_;
+  std::size_t next_ = 0;
+};
+
+// Where the pen is to be, and how hard it presses there.
+struct PenPlan {
+  Vec3 pen;
+  double pressure = 0.0;  // 0 in the air
+};
+
+// Plans the pen's way through all strokes, one place an interval.
+class PenPlanner {
+ public:
+  explicit PenPlanner(const HandScriptOptions& options)
+      : options_(options), interval_s_(1e-9 * static_cast<double>(options.interval_ns)) {}
+
+  void draw(const std::vector<Knot>& knots) {
+    const Knot first = knots.front(), last = knots.back();
+    travel_above(first.position);
+    glide(pressed(first), kLandS, 0.0);
+    glide(pressed(first), kSettleS, first.pressure);
+    KnotReader reader(knots);
+    for (double t_s = interval_s_; t_s < last.t_s; t_s += interval_s_) {
+      const Knot knot = reader.at(t_s);
+      plan_.push_back({pressed(knot), contact_pressure(knot.pressure)});
+    }
+    glide(pressed(last), std::max(kSettleS, kShortestS - last.t_s), last.pressure);
+    glide({last.position.x, last.position.y, options_.hover_mm}, kLiftS, 0.0);
+  }
+
+  [[nodiscard]] const std::vector<PenPlan>& plan() const { return plan_; }
+
+ private:
+  static double contact_pressure(double pressure) { return std::max(pressure, kLeastPressure); }
+
+  [[nodiscard]] Vec3 pressed(const Knot& knot) const {
+    const double depth_mm = options_.contact == ContactBy::kPressure
+                                ? 0.0
+                                : 1e3 * press_n(options_, knot.pressure) / options_.plane_n_per_m;
+    return {knot.position.x, knot.position.y, -depth_mm};
+  }
+
+  // Minimum jerk to there; pressure 0 is in the air.
+  void glide(const Vec3& to, double duration_s, double pressure) {
+    const Vec3 from = plan_.back().pen;
+    const double steps = std::max(1.0, std::ceil(duration_s / interval_s_));
+    for (double i = 1.0; i <= steps; ++i) {
+      const double t = i / steps;
+      const bool in_air = pressure == 0.0 && to.z >= 0.0;
+      plan_.push_back({lerp(from, to, t * t * t * (10.0 + t * (6.0 * t - 15.0))),
+                       in_air || to != from ? 0.0 : contact_pressure(pressure)});
+    }
+  }
+
+  void travel_above(Point start) {
+    const Vec3 above{start.x, start.y, options_.hover_mm};
+    if (plan_.empty()) {
+      plan_.push_back({above, 0.0});
+      glide(above, options_.lead_in_s, 0.0);
+    } else {
+      glide(above, kTravelS + norm(above - plan_.back().pen) / kAirSpeed, 0.0);
+    }
+  }
+
+  const HandScriptOptions& options_;
+  double interval_s_;
+  std::vector<PenPlan> plan_;
+};
+
+// The aims that take a pen along a plan: the pen and its hand are a known mass on a known spring
+// and damper, against known forces, so the hand aims ahead by what these will take:
+//   b e' + k e = m x'' - F      e = aim - pen.
+class AimMaker {
+ public:
+  AimMaker(const HandScriptOptions& options, const std::vector<PenPlan>& plan)
+      : options_(options),
+        plan_(plan),
+        interval_s_(1e-9 * static_cast<double>(options.interval_ns)),
+        look_(std::max<std::ptrdiff_t>(1, std::llround(kLookS / interval_s_))) {}
+
+  std::vector<TimedAim> make() {
+    std::vector<TimedAim> aims;
+    Vec3 ahead;
+    const double delay_s = options_.hand.damping_n_s_per_m / options_.hand.stiffness_n_per_m;
+    for (std::size_t i = 0; i < plan_.size(); ++i) {
+      TimedAim aim{.time_ns = options_.interval_ns * static_cast<std::int64_t>(i),
+                   .target_mm = plan_[i].pen};
+      if (options_.contact == ContactBy::kPressure) {
+        aim.pressure = plan_[i].pressure;
+      } else {
+        const Vec3 wanted = (1e3 / options_.hand.stiffness_n_per_m) * push_needed(i);
+        ahead += (interval_s_ / (delay_s + interval_s_)) * (wanted - ahead);
+        aim.target_mm += ahead;
+      }
+      aims.push_back(aim);
+    }
+    return aims;
+  }
+
+ private:
+  [[nodiscard]] const Vec3& pen(std::ptrdiff_t i) const {
+    const auto last = static_cast<std::ptrdiff_t>(plan_.size()) - 1;
+    return plan_[static_cast<std::size_t>(std::clamp<std::ptrdiff_t>(i, 0, last))].pen;
+  }
+
+  // What the hand must push with, in N, for the pen to be where it is planned.
+  [[nodiscard]] Vec3 push_needed(std::size_t index) const {
+    const auto i = static_cast<std::ptrdiff_t>(index);
+    const double look_s = interval_s_ * static_cast<double>(look_);
+    const Vec3 velocity = (0.5 / look_s) * (pen(i + look_) - pen(i - look_));
+    const Vec3 acceleration =
+        (1.0 / (look_s * look_s)) * (pen(i + look_) + pen(i - look_) - 2.0 * pen(i));
+    const double mass_kg = options_.device_mass_kg + options_.hand.mass_kg;
+    Vec3 push = 1e-3 * mass_kg * acceleration;
+    const Vec3 way = (1.0 / (norm(velocity) + kFrictionFromSpeed)) * velocity;
+    push += options_.device_friction_n * way;
+    const double depth_mm = std::max(0.0, -pen(i).z);
+    if (depth_mm > 0.0) {
+      const double plane_n = 1e-3 * options_.plane_n_per_m * depth_mm;
+      push += options_.friction * plane_n * Vec3{way.x, way.y, 0.0};
+      // A pen that sticks must stick pressed: friction may hold it as much as help it.
+      push.z -= plane_n + options_.device_friction_n * (1.0 + std::min(way.z, 0.0));
+    }
+    return push;
+  }
+
+  const HandScriptOptions& options_;
+  const std::vector<PenPlan>& plan_;
+  double interval_s_;
+  std::ptrdiff_t look_;
+};
+
+std::vector<TimedAim> aims_for(const HandScriptOptions& options, const PenPlanner& planner) {
+  return AimMaker(options, planner.plan()).make();
+}
+
+}  // namespace
+
+HandScriptOptions script_options_for(const StylusPreset& device,
+                                     const SimulatedHand& hand) noexcept {
+  const Capabilities& can = device.capabilities;
+  HandScriptOptions options{.hand = hand};
+  options.interval_ns = can.period_ns;
+  if (!can.has_force()) {
+    options.contact = ContactBy::kPressure;
+    return options;
+  }
+  if (can.max_stiffness_n_per_m > 0.0) {
+    options.plane_n_per_m = std::min(options.plane_n_per_m, 0.9 * can.max_stiffness_n_per_m);
+  }
+  if (can.continuous_force_n > 0.0) {
+    options.full_n = std::min(options.full_n, 1.2 * can.continuous_force_n);
+  }
+  options.device_mass_kg = device.mechanics.mass_kg;
+  options.device_friction_n = device.mechanics.friction_n;
+  return options;
+}
+
+double aim_depth_mm(const HandScriptOptions& options, double pressure) noexcept {
+  const double press = press_n(options, pressure);
+  return 1e3 * (press / options.plane_n_per_m +
+                (press + options.device_friction_n) / options.hand.stiffness_n_per_m);
+}
+
+std::vector<TimedAim> script_hand(std::span<const RecordedPath> strokes,
+                                  const HandScriptOptions& options) {
+  PenPlanner planner(options);
+  for (const RecordedPath& path : strokes) {
+    const std::vector<Knot> knots = knots_of(path, options.absent_pressure);
+    if (!knots.empty()) planner.draw(knots);
+  }
+  return aims_for(options, planner);
+}
+
+std::vector<TimedAim> script_hand(std::span<const Gesture> gestures, const HandOptions& writing,
+                                  const HandScriptOptions& options) {
+  WritingHand hand(writing);
+  std::vector<RecordedPath> strokes;
+  for (const Gesture& gesture : gestures) {
+    RecordedPath path;
+    for (const HandSample& s : hand.draw(gesture)) {
+      path.push_back({s.position, s.pressure, s.time_ns});
+    }
+    strokes.push_back(std::move(path));
+  }
+  return script_hand(strokes, options);
+}
+
+}  // namespace felt

@@ -1,0 +1,81 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "felt/devices/simulated/simulated_hand.h"
+#include "felt/devices/simulated/stylus_presets.h"
+#include "felt/devices/simulated/writing_hand.h"
+#include "felt/geometry/vec3.h"
+
+namespace felt {
+
+/// One point of a stroke that a hand is to draw again. Pressure is 0..1.
+struct RecordedPoint {
+  Point position;
+  std::optional<double> pressure{};
+  std::optional<std::int64_t> time_ns{};
+};
+using RecordedPath = std::vector<RecordedPoint>;
+
+/// What the hand is told at one time: arguments for HandInput::aim.
+struct TimedAim {
+  std::int64_t time_ns = 0;
+  Vec3 target_mm;
+  std::optional<double> pressure{};
+
+  friend constexpr bool operator==(const TimedAim&, const TimedAim&) noexcept = default;
+};
+
+/// What makes ink on the device that the script is for.
+enum class ContactBy : std::uint8_t {
+  kDepth,     ///< it pushes back: the hand presses the pen into the plane
+  kPressure,  ///< it senses pressure: the pen stays on the plane, z = 0
+};
+
+struct HandScriptOptions {
+  SimulatedHand hand = typical_hand();
+  ContactBy contact = ContactBy::kDepth;
+  std::int64_t interval_ns = 1'000'000;  ///< between aims
+  double plane_n_per_m = 500.0;          ///< stiffness of the plane that it will press on
+  double light_n = 0.1;                  ///< force for pressure 0 (F0 of specification 5b)
+  double full_n = 2.0;                   ///< force for pressure 1 (F1)
+  double absent_pressure = 0.5;
+  /// What a practised hand knows of what it moves, and aims ahead by: the friction mu of the pen on
+  /// the sheet, mass and Coulomb friction of the device.
+  double friction = 0.25;
+  double device_mass_kg = 0.05;
+  double device_friction_n = 0.0;
+  double hover_mm = 4.0;
+  double lead_in_s = 0.7;  ///< hovering before the first stroke: forces engage (safety_limits.h)
+};
+
+/// The options for drawing on a paper-like plane with this device: stiffness min(500 N/m, 0.9 of
+/// what it bears), full pressure at min(2 N, 1.2 times its continuous force) (architecture section
+/// 10).
+HandScriptOptions script_options_for(const StylusPreset& device,
+                                     const SimulatedHand& hand) noexcept;
+
+/// How deep in the plane a hand must aim so that its spring and the plane's balance at the force
+/// that this pressure means, F = F0 + p (F1 - F0):  aim depth = F/K + (F + friction)/k.
+double aim_depth_mm(const HandScriptOptions& options, double pressure) noexcept;
+
+/// The aims that make a hand draw these strokes, one every interval from time 0 on: it hovers above
+/// the start, lands, presses, draws at the recorded pace, waits a moment, lifts, moves on. Ways in
+/// the air are minimum-jerk, s = 10 t^3 - 15 t^4 + 6 t^5 (Flash, Hogan, J Neurosci 5, 1985), at
+/// 250 mm/s on average at most. A hand knows what it holds: the aim runs ahead of the planned pen
+/// by what mass, plane and friction will take, so that the pen, not the aim, follows the strokes.
+///
+/// No stroke is lost: a dot presses for 60 ms at least. Points that are not finite are left out.
+/// Strokes without times, or whose times do not grow, get the pace of an unhurried hand
+/// (hand_path.h); no pace is above 500 mm/s, no pause longer than 1 s.
+std::vector<TimedAim> script_hand(std::span<const RecordedPath> strokes,
+                                  const HandScriptOptions& options);
+
+/// The same for what a WritingHand draws, tremor and all.
+std::vector<TimedAim> script_hand(std::span<const Gesture> gestures, const HandOptions& writing,
+                                  const HandScriptOptions& options);
+
+}  // namespace felt

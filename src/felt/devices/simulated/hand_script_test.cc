@@ -1,0 +1,169 @@
+#include "felt/devices/simulated/hand_script.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <gtest/gtest.h>
+
+#include "felt/devices/simulated/drawings.h"
+#include "felt/devices/simulated/simulated_stylus.h"
+
+namespace felt {
+namespace {
+
+struct Drawn {
+  int strokes = 0;
+  double worst_mm = 0.0;      // distance of an inked sample from the wanted lines
+  double most_speed = 0.0;    // mm/s
+  double most_press_n = 0.0;  // of the plane's spring
+  double most_hover_press_n = 0.0;
+};
+
+double distance_to(const std::vector<RecordedPath>& lines, Point p) {
+  double best = 1e9;
+  for (const RecordedPath& line : lines) {
+    for (const RecordedPoint& q : line) best = std::min(best, distance(p, q.position));
+  }
+  return best;
+}
+
+// Plays a script into a stylus with a plane under it. Short lifts below 3 ms do not end a stroke.
+Drawn play(const std::vector<TimedAim>& script, const StylusPreset& device,
+           const HandScriptOptions& options, const std::vector<RecordedPath>& lines) {
+  SimulatedStylus stylus(device, options.hand);
+  Drawn drawn;
+  int lifted = 99;
+  for (const TimedAim& aim : script) {
+    stylus.aim(aim.target_mm, aim.pressure, 0);
+    const PenSample s = stylus.read(aim.time_ns).value();
+    const double spring_n = 1e-3 * options.plane_n_per_m * depth_mm(s);
+    const double push_n = spring_n > 0.0 ? std::max(spring_n - 2e-3 * s.velocity.z, 0.0) : 0.0;
+    EXPECT_TRUE(stylus.write({0, 0, push_n}).has_value());
+    drawn.most_speed = std::max(drawn.most_speed, norm(stylus.body().velocity()));
+    drawn.most_press_n = std::max(drawn.most_press_n, spring_n);
+    if (in_contact(s)) {
+      drawn.strokes += lifted >= 3 ? 1 : 0;
+      lifted = 0;
+      if (aim.time_ns % 5'000'000 == 0) {
+        drawn.worst_mm = std::max(drawn.worst_mm, distance_to(lines, on_sheet(s.position)));
+      }
+    } else {
+      ++lifted;
+    }
+  }
+  return drawn;
+}
+
+std::vector<RecordedPath> recorded(std::span<const Gesture> gestures, const HandOptions& how) {
+  WritingHand hand(how);
+  std::vector<RecordedPath> paths;
+  for (const Gesture& g : gestures) {
+    RecordedPath path;
+    for (const HandSample& s : hand.draw(g)) path.push_back({s.position, s.pressure, s.time_ns});
+    paths.push_back(path);
+  }
+  return paths;
+}
+
+// Every stroke of a page, dots included, becomes exactly one contact, with every device and hand.
+TEST(HandScript, LosesNoStroke) {
+  std::vector<Gesture> gestures = cursive("hello", {10, 30}, 6.0);
+  gestures.push_back({.via = {{20, 60}}});
+  gestures.push_back({.via = {{23, 60}}, .pressure = 0.05});
+  gestures.push_back(zigzag({30, 60}, {5, 8}, 4));
+  const auto lines = recorded(gestures, {.seed = 4});
+  for (const char* name : {"worst", "touch", "premium", "inverse3", "omega", "mouse", "tablet"}) {
+    const StylusPreset& device = *find_stylus_preset(name);
+    for (const SimulatedHand& hand : simulated_hands()) {
+      HandScriptOptions options = script_options_for(device, hand);
+      options.friction = 0.0;  // this plane has none
+      const Drawn drawn = play(script_hand(lines, options), device, options, lines);
+      EXPECT_EQ(drawn.strokes, static_cast<int>(lines.size())) << name << ", " << hand.name;
+      EXPECT_LT(drawn.most_speed, 600.0) << name << ", " << hand.name;
+    }
+  }
+}
+
+// The hand draws what was meant: with a typical hand within a millimetre, on the tablet exactly.
+TEST(HandScript, DrawsWhatWasMeant) {
+  const std::vector<Gesture> gestures{straight_line({10, 10}, {60, 12}), loops({20, 40}, 6, 3, 4)};
+  const auto lines = recorded(gestures, {.interval_ns = 1'000'000, .seed = 2});
+  const auto worst = [&](const char* device_name, const char* hand_name) {
+    const StylusPreset& device = *find_stylus_preset(device_name);
+    HandScriptOptions options = script_options_for(device, *find_hand(hand_name));
+    options.friction = 0.0;
+    return play(script_hand(lines, options), device, options, lines).worst_mm;
+  };
+  EXPECT_LT(worst("tablet", "typical"), 0.1);
+  EXPECT_LT(worst("worst", "firm"), 0.5);
+  EXPECT_LT(worst("premium", "typical"), 1.0);
+  EXPECT_LT(worst("touch", "typical"), 1.5);
+}
+
+// In the middle of a steady line the plane pushes with F0 + p (F1 - F0).
+TEST(HandScript, PressesAsHardAsThePressureSays) {
+  for (const SimulatedHand& hand : simulated_hands()) {
+    const StylusPreset& device = *find_stylus_preset("worst");
+    const HandScriptOptions options = script_options_for(device, hand);
+    for (const double p : {0.0, 0.3, 1.0}) {
+      RecordedPath line;
+      for (int i = 0; i <= 300; ++i) {
+        line.push_back({{10.0 + 0.1 * i, 20.0}, p, std::int64_t{10'000'000} * i});
+      }
+      const auto script = script_hand(std::vector<RecordedPath>{line}, options);
+      const Drawn drawn = play(script, device, options, {line});
+      const double wanted_n = options.light_n + p * (options.full_n - options.light_n);
+      EXPECT_GT(drawn.most_press_n, 0.9 * wanted_n) << hand.name << ", p " << p;
+      EXPECT_LT(drawn.most_press_n, 1.25 * wanted_n + 0.1) << hand.name << ", p " << p;
+    }
+  }
+}
+
+TEST(HandScript, TimesAreEvenAndWaysInTheAirAreSmooth) {
+  const auto gestures = random_gestures(17, 20);
+  const HandScriptOptions options;
+  const auto script = script_hand(gestures, {}, options);
+  ASSERT_GT(script.size(), 1000u);
+  for (std::size_t i = 0; i < script.size(); ++i) {
+    ASSERT_EQ(script[i].time_ns, static_cast<std::int64_t>(i) * 1'000'000);
+    ASSERT_TRUE(is_finite(script[i].target_mm));
+    if (i == 0 || script[i].target_mm.z < 0.0) continue;
+    ASSERT_LT(norm(script[i].target_mm - script[i - 1].target_mm), 0.6);  // mm/ms
+  }
+}
+
+TEST(HandScript, GivesStrokesWithoutTimesAPace) {
+  RecordedPath line;
+  for (int i = 0; i <= 50; ++i) line.push_back({{10.0 + i, 20.0}, 0.5, std::nullopt});
+  const auto script = script_hand(std::vector<RecordedPath>{line}, {});
+  const double total_s = 1e-9 * static_cast<double>(script.back().time_ns);
+  EXPECT_GT(total_s, 0.4);
+  EXPECT_LT(total_s, 3.0);
+  RecordedPath stuck = line;
+  for (RecordedPoint& p : stuck) p.time_ns = 0;
+  EXPECT_GT(script_hand(std::vector<RecordedPath>{stuck}, {}).size(), 400u);
+  RecordedPath backwards = line;
+  for (std::size_t i = 0; i < backwards.size(); ++i) {
+    backwards[i].time_ns = -static_cast<std::int64_t>(i);
+  }
+  EXPECT_GT(script_hand(std::vector<RecordedPath>{backwards}, {}).size(), 400u);
+}
+
+TEST(HandScript, SurvivesHostileRecordings) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const std::int64_t least = std::numeric_limits<std::int64_t>::min();
+  const std::int64_t most = std::numeric_limits<std::int64_t>::max();
+  const std::vector<RecordedPath> paths{
+      {},
+      {{{nan, 1}, 0.5, 0}},
+      {{{1, 1}, nan, least}, {{2, 1}, 1e9, most}},
+      {{{1, 1}, -3.0, 0}, {{nan, nan}, 0.5, 1}, {{1e300, 0}, 0.5, 2}, {{4, 1}, 0.5, 3}},
+  };
+  for (const TimedAim& aim : script_hand(paths, {})) ASSERT_TRUE(is_finite(aim.target_mm));
+  EXPECT_TRUE(script_hand(std::vector<RecordedPath>{}, {}).empty());
+  EXPECT_TRUE(script_hand(std::vector<RecordedPath>(3), {}).empty());
+}
+
+}  // namespace
+}  // namespace felt

@@ -1,0 +1,50 @@
+#include "felt/devices/simulated/pointer_hand.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace felt {
+namespace {
+
+constexpr double kSpeedTimeS = 0.05;
+constexpr double kFastMmPerS = 300.0;
+constexpr double kSlowPressure = 0.8, kFastPressure = 0.2;
+constexpr double kLeastPressure = 1e-3;  // of a pen that touches
+
+}  // namespace
+
+double PointerHand::pressure_of(const PointerEvent& event) noexcept {
+  if (last_) {
+    // In double: the difference of two hostile times does not fit into 64 bits.
+    const double dt_s =
+        1e-9 * (static_cast<double>(event.time_ns) - static_cast<double>(last_->time_ns));
+    if (dt_s > 0.0) {
+      speed_mm_per_s_ += (distance(event.position, last_->position) - dt_s * speed_mm_per_s_) /
+                         (kSpeedTimeS + dt_s);
+    }
+  }
+  if (!event.touching) return 0.0;
+  if (event.pressure && !std::isnan(*event.pressure)) {
+    return std::clamp(*event.pressure, kLeastPressure, 1.0);
+  }
+  if (mouse_ == MousePressure::kConstant) return options_.absent_pressure;
+  const double part = std::min(speed_mm_per_s_ / kFastMmPerS, 1.0);
+  return kSlowPressure + part * (kFastPressure - kSlowPressure);
+}
+
+void PointerHand::point(const PointerEvent& event) noexcept {
+  if (!is_finite(event.position)) return;
+  pressure_ = pressure_of(event);
+  last_ = event;
+  const Point p = event.position;
+  const double height_mm = event.touching ? 0.0 : options_.hover_mm;
+  if (options_.contact == ContactBy::kPressure) {
+    hand_.aim({p.x, p.y, height_mm}, pressure_, event.buttons);
+  } else if (event.touching) {
+    hand_.aim({p.x, p.y, -aim_depth_mm(options_, pressure_)}, std::nullopt, event.buttons);
+  } else {
+    hand_.aim({p.x, p.y, height_mm}, std::nullopt, event.buttons);
+  }
+}
+
+}  // namespace felt

@@ -1,0 +1,95 @@
+#include "felt/devices/simulated/pointer_hand.h"
+
+#include <algorithm>
+#include <limits>
+
+#include <gtest/gtest.h>
+
+#include "felt/devices/simulated/simulated_stylus.h"
+
+namespace felt {
+namespace {
+
+constexpr std::int64_t kMs = 1'000'000;
+
+// Holds the pen down for 1.5 s on a plane of K n/m and returns the plane's spring force.
+double pressed_force_n(const StylusPreset& device, const SimulatedHand& hand,
+                       const HandScriptOptions& options, PointerEvent event) {
+  SimulatedStylus stylus(device, hand);
+  PointerHand pointer(stylus, options);
+  double force_n = 0.0;
+  for (std::int64_t ms = 0; ms < 1500; ++ms) {
+    event.time_ns = ms * kMs;
+    event.touching = ms > 200;
+    if (ms % 8 == 0) pointer.point(event);
+    const PenSample s = stylus.read(ms * kMs).value();
+    const double spring_n = 1e-3 * options.plane_n_per_m * depth_mm(s);
+    const double damped_n = spring_n - 2e-3 * s.velocity.z;
+    const bool ok =
+        stylus.write({0, 0, spring_n > 0.0 ? std::max(damped_n, 0.0) : 0.0}).has_value();
+    EXPECT_TRUE(ok);
+    force_n = spring_n;
+  }
+  return force_n;
+}
+
+// With a device that pushes back, the tablet's pressure arrives as the plane's force: the same
+// share of F0..F1.
+TEST(PointerHand, R18_TabletPressureMapsToTheSamePress) {
+  for (const char* name : {"worst", "touch", "premium"}) {
+    const StylusPreset& device = *find_stylus_preset(name);
+    for (const SimulatedHand& hand : simulated_hands()) {
+      const HandScriptOptions options = script_options_for(device, hand);
+      for (const double p : {0.1, 0.5, 1.0}) {
+        const double force_n =
+            pressed_force_n(device, hand, options, {.position = {40, 40}, .pressure = p});
+        const double share = (force_n - options.light_n) / (options.full_n - options.light_n);
+        // Where the device's friction holds the pen, hand and plane need not balance.
+        const double stuck_n = 2.0 * device.mechanics.friction_n;
+        EXPECT_NEAR(share, p, 0.04 + stuck_n / (options.full_n - options.light_n))
+            << name << ", " << hand.name;
+      }
+    }
+  }
+}
+
+TEST(PointerHand, R18_AMouseHasConstantOrSpeedPressure) {
+  SimulatedStylus stylus(*find_stylus_preset("mouse"));
+  const HandScriptOptions options =
+      script_options_for(*find_stylus_preset("mouse"), typical_hand());
+  ASSERT_EQ(options.contact, ContactBy::kPressure);
+  PointerHand constant(stylus, options);
+  constant.point({.touching = true});
+  EXPECT_EQ(constant.pressure(), 0.5);
+  constant.point({.time_ns = kMs, .position = {5, 0}, .touching = false});
+  EXPECT_EQ(constant.pressure(), 0.0);
+
+  PointerHand by_speed(stylus, options, MousePressure::kBySpeed);
+  double last = 1.0;
+  for (const double speed : {0.0, 50.0, 150.0, 290.0, 2000.0}) {
+    for (int i = 0; i < 100; ++i) {
+      by_speed.point(
+          {.time_ns = i * 8 * kMs, .position = {speed * 0.008 * i, 0}, .touching = true});
+    }
+    EXPECT_LT(by_speed.pressure(), last);
+    EXPECT_GE(by_speed.pressure(), 0.2 - 1e-12);
+    EXPECT_LE(by_speed.pressure(), 0.8 + 1e-12);
+    last = by_speed.pressure();
+  }
+}
+
+TEST(PointerHand, IgnoresPlacesThatAreNotFinite) {
+  SimulatedStylus stylus(*find_stylus_preset("tablet"));
+  PointerHand pointer(stylus, script_options_for(*find_stylus_preset("tablet"), typical_hand()));
+  pointer.point({.position = {3, 4}, .touching = true, .pressure = 0.5});
+  pointer.point({.position = {std::numeric_limits<double>::quiet_NaN(), 4}, .touching = true});
+  pointer.point(
+      {.position = {3, 4}, .touching = true, .pressure = std::numeric_limits<double>::quiet_NaN()});
+  const auto sample = stylus.read(kMs);
+  ASSERT_TRUE(sample.has_value());
+  EXPECT_EQ(sample->position, (Vec3{3, 4, 0}));
+  EXPECT_EQ(sample->pressure, 0.5);
+}
+
+}  // namespace
+}  // namespace felt
