@@ -1,0 +1,66 @@
+#include "felt/haptics/drawing_feel.h"
+
+#include <algorithm>
+
+namespace felt {
+namespace {
+
+constexpr double kFastBudget = 900.0;
+constexpr double kSlowBudget = 600.0;
+constexpr double kOneSpring = 300.0;
+
+double period_s(const Capabilities& device) noexcept {
+  return 1e-9 * static_cast<double>(device.period_ns);
+}
+
+}  // namespace
+
+double loop_delay_s(const Capabilities& device) noexcept {
+  return (device.delay_ticks + 1) * period_s(device);
+}
+
+double stiffness_budget_n_per_m(const Capabilities& device) noexcept {
+  const double delay_ms = 1e3 * loop_delay_s(device);
+  if (delay_ms <= 2.0) return kFastBudget;
+  if (delay_ms <= 3.0) return kFastBudget + (delay_ms - 2.0) * (kSlowBudget - kFastBudget);
+  return kSlowBudget * 3.0 / delay_ms;
+}
+
+PlaneOptions plane_for(const SurfaceMaterial& surface, const Capabilities& device) noexcept {
+  PlaneOptions plane{surface.stiffness_n_per_m, surface.damping_n_s_per_m};
+  plane.stiffness_n_per_m = std::min(plane.stiffness_n_per_m, stiffness_budget_n_per_m(device));
+  if (device.max_stiffness_n_per_m > 0.0) {
+    plane.stiffness_n_per_m = std::min(plane.stiffness_n_per_m, 0.9 * device.max_stiffness_n_per_m);
+  }
+  if (device.max_damping_n_s_per_m > 0.0) {
+    plane.damping_n_s_per_m = std::min(plane.damping_n_s_per_m, device.max_damping_n_s_per_m);
+  }
+  if (period_s(device) < 0.0005) {
+    plane.damping_n_s_per_m = std::min(plane.damping_n_s_per_m, 2.0);
+  }
+  return plane;
+}
+
+FrictionOptions friction_for(const ToolMaterial& tool, const SurfaceMaterial& surface,
+                             const Capabilities& device) noexcept {
+  const double budget = stiffness_budget_n_per_m(device);
+  const double stiffness =
+      std::min(tool.bristle_n_per_m, std::max(budget - kOneSpring, 0.5 * budget));
+  return {.coefficient = friction_of(tool, surface),
+          .stiffness_n_per_m = stiffness,
+          .damping_n_s_per_m = tool.bristle_n_s_per_m * stiffness / tool.bristle_n_per_m};
+}
+
+SheetForce make_sheet_force(const SurfaceMaterial& surface, const ToolMaterial& tool,
+                            const Capabilities& device, const HeightField* grain,
+                            TextureLaw law) noexcept {
+  const FrictionOptions friction = friction_for(tool, surface, device);
+  const TextureOptions texture{.law = law,
+                               .strength = tool.grain,
+                               .friction = friction.coefficient,
+                               .bristle_n_per_m = friction.stiffness_n_per_m,
+                               .period_s = period_s(device)};
+  return SheetForce(Plane(plane_for(surface, device)), Texture(grain, texture), Friction(friction));
+}
+
+}  // namespace felt

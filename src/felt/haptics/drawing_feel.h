@@ -1,0 +1,43 @@
+#pragma once
+
+#include "felt/haptics/capabilities.h"
+#include "felt/haptics/compose.h"
+#include "felt/haptics/friction.h"
+#include "felt/haptics/height_field.h"
+#include "felt/haptics/material.h"
+#include "felt/haptics/plane.h"
+#include "felt/haptics/texture.h"
+
+namespace felt {
+
+/// What every drawing tool starts from: the sheet, its grain, and the friction on it. Tools add to
+/// it: Compose(make_sheet_force(...), Wells(...)).
+using SheetForce = Compose<Plane, Texture, Friction>;
+
+/// Time from reading a position to the middle of its force, s: (delay_ticks + 1) periods.
+double loop_delay_s(const Capabilities& device) noexcept;
+/// Sum of slopes along one axis that a device bears, N/m (R56): 900 up to 2 ms of loop delay, 600
+/// at 3 ms, straight in between, then in proportion to 1/delay.
+double stiffness_budget_n_per_m(const Capabilities& device) noexcept;
+
+/// The plane of a surface on a device: K is at most 0.9 of the device's cap (R55) and the budget,
+/// so that a blackboard is softer where the loop is slow; B at most the device's, and 2 N s/m on
+/// loops faster than 0.5 ms, whose measured speed is noisier (specification 5b). The width of a
+/// line is made with this K.
+PlaneOptions plane_for(const SurfaceMaterial& surface, const Capabilities& device) noexcept;
+/// The friction of a pair on a device: k = 600 N/m where the budget leaves 300 N/m for one spring
+/// beside it (edit, snap), less on slower loops (300 at 3 ms), d in proportion (300/1).
+FrictionOptions friction_for(const ToolMaterial& tool, const SurfaceMaterial& surface,
+                             const Capabilities& device) noexcept;
+
+/// The feel of a tool on a surface. `grain` is usually surface_grain(surface) and must outlive the
+/// haptic loop; null is smooth.
+SheetForce make_sheet_force(const SurfaceMaterial& surface, const ToolMaterial& tool,
+                            const Capabilities& device, const HeightField* grain = nullptr,
+                            TextureLaw law = TextureLaw::kFriction) noexcept;
+
+/// The relief of one of surface_materials(), made when first asked for and kept for good; null for
+/// a smooth one. Not on the haptic thread.
+const HeightField* surface_grain(const SurfaceMaterial& surface);
+
+}  // namespace felt

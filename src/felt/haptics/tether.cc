@@ -1,0 +1,125 @@
+#include "felt/haptics/tether.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace felt {
+namespace {
+
+constexpr double kDampingNsPerM = 1.0;
+constexpr double kCentreMm = 5.0;
+constexpr double kNoArmMm = 1e-9;
+constexpr double kLeastScale = 0.05;
+constexpr double kMostScale = 20.0;
+
+double centre_fade(double radius_mm) noexcept {
+  return std::min(1.0, radius_mm / kCentreMm);
+}
+
+}  // namespace
+
+double unwrapped_turn_rad(Vec first_arm, Vec arm, double last_rad) noexcept {
+  if (norm(arm) < kNoArmMm || norm(first_arm) < kNoArmMm) return last_rad;
+  const double turn = std::atan2(cross(first_arm, arm), dot(first_arm, arm));
+  return last_rad + std::remainder(turn - last_rad, 2.0 * 3.14159265358979323846);
+}
+
+double scale_factor(Vec first_arm, Vec arm) noexcept {
+  const double first = norm(first_arm);
+  return first < kNoArmMm ? 1.0 : std::clamp(norm(arm) / first, kLeastScale, kMostScale);
+}
+
+Tether Tether::translation(Point grab, int anchors) noexcept {
+  Tether tether;
+  tether.kind_ = anchors > 0 ? Kind::kTranslation : Kind::kNone;
+  tether.grab_ = grab;
+  tether.sum_ = anchors;
+  return tether;
+}
+
+Tether Tether::rotation(Point centre, Point grab, double sum_of_radii_mm,
+                        std::uint32_t gesture) noexcept {
+  Tether tether;
+  tether.kind_ = sum_of_radii_mm > 0.0 ? Kind::kRotation : Kind::kNone;
+  tether.centre_ = centre;
+  tether.grab_ = grab;
+  tether.sum_ = sum_of_radii_mm;
+  tether.gesture_ = gesture;
+  return tether;
+}
+
+Tether Tether::scale(Point centre, Point grab, double sum_of_radii_mm) noexcept {
+  Tether tether = rotation(centre, grab, sum_of_radii_mm, 0);
+  if (tether.kind_ != Kind::kNone) tether.kind_ = Kind::kScale;
+  return tether;
+}
+
+Tether Tether::with_law(const ForceLaw& law) const noexcept {
+  Tether tether = *this;
+  tether.law_ = law;
+  return tether;
+}
+
+double Tether::size_n(double sum_mm, double way_mm) const noexcept {
+  return law_.gain * std::min(law_.level_n(sum_mm), 1e-3 * law_.cap_n_per_m * way_mm);
+}
+
+Vec Tether::translation_pull(Point pen) const noexcept {
+  const Vec moved = pen - grab_;
+  const double way = norm(moved);
+  return way < kNoArmMm ? Vec{} : -size_n(sum_ * way, way) / way * moved;
+}
+
+Vec Tether::rotation_pull(Point pen, ForceMemory& memory) const noexcept {
+  if (!memory.turn_is_set || memory.turn_gesture != gesture_) {
+    memory.turn_rad = 0.0;
+    memory.turn_gesture = gesture_;
+    memory.turn_is_set = true;
+  }
+  const Vec arm = pen - centre_;
+  const double radius = norm(arm);
+  memory.turn_rad = unwrapped_turn_rad(grab_ - centre_, arm, memory.turn_rad);
+  if (radius < kNoArmMm) return {};
+  const double turn = std::abs(memory.turn_rad);
+  // Inside the fading circle the way is that on its rim, or the slope would not be bounded there.
+  const double size = centre_fade(radius) * size_n(sum_ * turn, std::max(radius, kCentreMm) * turn);
+  return (memory.turn_rad > 0.0 ? -size : size) / radius * perp(arm);
+}
+
+Vec Tether::scale_pull(Point pen) const noexcept {
+  const Vec arm = pen - centre_;
+  const double radius = norm(arm);
+  if (radius < kNoArmMm) return {};
+  const double s = scale_factor(grab_ - centre_, arm);
+  const double way = norm(grab_ - centre_) * (1.0 - std::min(s, 1.0 / s));
+  const double size = centre_fade(radius) * size_n(sum_ * std::abs(std::log(s)), way);
+  return (s > 1.0 ? -size : size) / radius * arm;
+}
+
+Force Tether::operator()(const PenSample& sample, ForceMemory& memory) const noexcept {
+  const Point pen = on_sheet(sample.position);
+  Vec pull{};
+  switch (kind_) {
+    case Kind::kNone:
+      return {};
+    case Kind::kTranslation:
+      pull = translation_pull(pen);
+      break;
+    case Kind::kRotation:
+      pull = rotation_pull(pen, memory);
+      break;
+    case Kind::kScale:
+      pull = scale_pull(pen);
+      break;
+  }
+  pull = memory.scale.lateral * (pull - 1e-3 * kDampingNsPerM * in_plane(sample.velocity));
+  const Force force{pull.x, pull.y, 0.0};
+  memory.terms.add("tether", force);
+  return force;
+}
+
+Slopes Tether::slopes() const noexcept {
+  return {.lateral_n_per_m = kind_ == Kind::kNone ? 0.0 : law_.gain * law_.cap_n_per_m};
+}
+
+}  // namespace felt

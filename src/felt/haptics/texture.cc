@@ -1,0 +1,69 @@
+#include "felt/haptics/texture.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace felt {
+namespace {
+
+constexpr double kFullPushN = 1.0;
+/// The modulation leaves at least a fifth of the friction.
+constexpr double kDeepest = 0.8;
+
+}  // namespace
+
+double texture_stiffness_limit_n_per_m(double period_s) noexcept {
+  const double period_ms = std::max(1e3 * period_s, 0.2);
+  return period_ms <= 1.0 ? 400.0 + 500.0 * (1.0 - period_ms) : 400.0 / period_ms;
+}
+
+Texture::Texture(const HeightField* field, const TextureOptions& options) noexcept
+    : field_(field),
+      law_(options.law),
+      friction_(options.friction),
+      bristle_n_per_m_(options.bristle_n_per_m) {
+  if (field_ == nullptr || !(field_->max_height_mm() > 0.0)) return;
+  const double limit_n_per_mm = 1e-3 * texture_stiffness_limit_n_per_m(options.period_s);
+  const double strength = std::clamp(options.strength, 0.0, 1.0);
+  if (law_ == TextureLaw::kGradient) {
+    const double steepest = kFullPushN * field_->max_curvature_per_mm();
+    gain_ = std::min(strength, limit_n_per_mm / steepest);
+    stiffness_n_per_m_ = 1e3 * gain_ * steepest;
+  } else if (friction_ > 0.0) {
+    const double wave_number = 6.283185307179586 / field_->spec().wavelength_mm;
+    const double steepest = kFullPushN * friction_ * field_->max_slope();
+    gain_ = std::min({strength * wave_number / friction_, kDeepest / field_->max_height_mm(),
+                      limit_n_per_mm / steepest});
+    stiffness_n_per_m_ = 1e3 * gain_ * steepest;
+  }
+}
+
+double Texture::share_at(double speed_mm_per_s, double period_s) const noexcept {
+  if (field_ == nullptr) return 0.0;
+  const double of_limit =
+      4.0 * period_s * std::abs(speed_mm_per_s) / field_->shortest_wavelength_mm();
+  const double x = std::clamp(2.0 * of_limit - 1.0, 0.0, 1.0);
+  return 1.0 - x * x * (3.0 - 2.0 * x);
+}
+
+Force Texture::operator()(const PenSample& sample, ForceMemory& memory) const noexcept {
+  const double push = memory.normal_force_n;
+  if (!(gain_ > 0.0) || !(push > 0.0)) return {};
+  const double share = gain_ * share_at(norm(in_plane(sample.velocity)), memory.period_s);
+  const HeightField::Sample grain = field_->at(on_sheet(sample.position));
+  const double counted = std::min(push, kFullPushN);
+  if (law_ == TextureLaw::kFriction) {
+    memory.friction_factor = 1.0 + share * (counted / push) * grain.height_mm;
+    return {};
+  }
+  const Vec force = -share * counted * memory.scale.lateral * grain.slope;
+  memory.terms.add("texture", {force.x, force.y, 0.0});
+  return {force.x, force.y, 0.0};
+}
+
+Slopes Texture::slopes() const noexcept {
+  if (law_ == TextureLaw::kGradient) return {.lateral_n_per_m = stiffness_n_per_m_};
+  return {.friction_n_per_m = std::max(0.0, stiffness_n_per_m_ - bristle_n_per_m_)};
+}
+
+}  // namespace felt
