@@ -33,6 +33,8 @@ target_compile_options(felt_flags INTERFACE
   -ffp-contract=off
   -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Wold-style-cast -Wnon-virtual-dtor
   -Wdouble-promotion
+  # Which thread may call what: src/felt/rt/thread_roles.h.
+  $<$<CXX_COMPILER_ID:Clang>:-Wthread-safety>
   # g++ 12 warns at -O3 about "literal" + std::string, in its own header: gcc.gnu.org/PR105651.
   $<$<AND:$<CXX_COMPILER_ID:GNU>,$<VERSION_LESS:$<CXX_COMPILER_VERSION>,13>>:-Wno-restrict>)
 # Sanitizers confuse g++ 12's bounds analysis, so there a warning stays one.

@@ -20,7 +20,7 @@ class LatestValue {
 
  public:
   LatestValue() = default;
-  explicit LatestValue(const T& value) : slots_{value, value, value} {}
+  explicit LatestValue(const T& value) : slots_{Slot{value}, Slot{value}, Slot{value}} {}
   LatestValue(const LatestValue&) = delete;
   LatestValue& operator=(const LatestValue&) = delete;
 

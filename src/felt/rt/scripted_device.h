@@ -1,0 +1,47 @@
+#pragma once
+
+#include <optional>
+#include <string_view>
+
+#include "felt/rt/device.h"
+
+namespace felt {
+
+/// A device for tests that says what it is told, fails when it is told, and counts.
+class ScriptedDevice final : public Device {
+ public:
+  ScriptedDevice() {
+    abilities.max_force_n = 10.0;
+    abilities.continuous_force_n = 10.0;
+    abilities.max_stiffness_n_per_m = 2000.0;
+    abilities.max_damping_n_s_per_m = 10.0;
+  }
+
+  [[nodiscard]] std::string_view name() const noexcept override { return "scripted"; }
+  [[nodiscard]] const Capabilities& capabilities() const noexcept override { return abilities; }
+  tl::expected<PenSample, DeviceFault> read(std::int64_t now_ns) noexcept override {
+    if (read_fault) return tl::unexpected(*read_fault);
+    sample.time_ns = now_ns;
+    return sample;
+  }
+  tl::expected<void, DeviceFault> write(const Force& asked) noexcept override {
+    if (write_fault) return tl::unexpected(*write_fault);
+    force = asked;
+    ++writes;
+    return {};
+  }
+  void stop() noexcept override {
+    force = {};
+    ++stops;
+  }
+
+  PenSample sample{0, {0.0, 0.0, 1.0}, {}, {}, 0};
+  std::optional<DeviceFault> read_fault;
+  std::optional<DeviceFault> write_fault;
+  Force force;  ///< holds, as in a device
+  int writes = 0;
+  int stops = 0;
+  Capabilities abilities;
+};
+
+}  // namespace felt

@@ -1,0 +1,379 @@
+#include "felt/rt/servo.h"
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <vector>
+
+#include "felt/rt/scripted_device.h"
+#include "felt/rt/virtual_clock.h"
+
+namespace felt {
+namespace {
+
+constexpr std::int64_t kMs = 1'000'000;
+
+struct Constant {
+  Force force;
+  Slopes claimed;
+  Force operator()(const PenSample&, ForceMemory& memory) const noexcept {
+    memory.terms.add("constant", force);
+    return force;
+  }
+  [[nodiscard]] Slopes slopes() const noexcept { return claimed; }
+};
+
+// Its force is what it remembers, in its bristle: shows whose memory a model works with.
+struct Remembering {
+  double adds = 0.0;
+  Force operator()(const PenSample&, ForceMemory& memory) const noexcept {
+    memory.bristle.x += adds;
+    return {memory.bristle.x, 0.0, 0.0};
+  }
+  [[nodiscard]] static Slopes slopes() noexcept { return {}; }
+};
+
+// Writes down what the loop tells a brick, as a force.
+struct Telling {
+  Force operator()(const PenSample&, ForceMemory& memory) const noexcept {
+    return {memory.dt_s, memory.period_s, memory.material_cap_n_per_m};
+  }
+  [[nodiscard]] static Slopes slopes() noexcept { return {}; }
+};
+struct TellingScale {
+  Slopes claimed;
+  Force operator()(const PenSample&, ForceMemory& memory) const noexcept {
+    return {memory.scale.friction, memory.scale.lateral, memory.scale.normal};
+  }
+  [[nodiscard]] Slopes slopes() const noexcept { return claimed; }
+};
+
+template <class F>
+ForceModel model_of(const F& functor, std::uint32_t fade_id = 0) {
+  ForceModel model(functor);
+  model.set_fade_id(fade_id);
+  return model;
+}
+
+struct Loop {
+  explicit Loop(ServoOptions options = {}) : servo(std::make_unique<Servo>(device, options)) {}
+
+  const TickReport& run(int ticks) {
+    for (int i = 1; i < ticks; ++i) clock.tick();
+    return clock.tick();
+  }
+  // Armed, and through the ramp.
+  void engage() {
+    servo->arm();
+    run(700);
+    ASSERT_EQ(servo->latest().safety.state, SafetyState::kActive);
+  }
+
+  ScriptedDevice device;
+  std::unique_ptr<Servo> servo;
+  VirtualClock clock{*servo};
+};
+
+TEST(Servo, R49_NoForceUntilTheUserAllowsIt) {
+  Loop loop;
+  loop.servo->publish(model_of(Constant{{0.1, 0.0, 0.0}, {}}));
+  for (int i = 0; i < 100; ++i) {
+    const TickReport& report = loop.run(1);
+    EXPECT_EQ(report.asked, (Force{0.1, 0.0, 0.0}));
+    EXPECT_EQ(report.sent, Force{});
+    EXPECT_EQ(loop.device.force, Force{});
+  }
+  loop.engage();
+  EXPECT_EQ(loop.device.force, (Force{0.1, 0.0, 0.0}));
+}
+
+TEST(Servo, R49_WhateverIsAskedIsLimitedBeforeTheDevice) {
+  Loop loop;
+  loop.engage();
+  loop.servo->publish(model_of(Constant{{60.0, -80.0, 0.0}, {}}));
+  double last = 0.0;
+  for (int i = 0; i < 200; ++i) {
+    const TickReport& report = loop.run(1);
+    EXPECT_EQ(loop.device.force, report.sent);
+    EXPECT_LE(norm(report.sent), 3.0 + 1e-9);
+    EXPECT_LE(norm(report.sent), last + 0.3 + 1e-9);
+    last = norm(report.sent);
+  }
+  EXPECT_GT(last, 2.0);
+}
+
+TEST(Servo, R49_ADeviceThatCannotBeReadGetsZeroInThisTickAndIsLatched) {
+  Loop loop;
+  loop.servo->publish(model_of(Constant{{0.15, 0.0, 0.0}, {}}));
+  loop.engage();
+  ASSERT_NE(loop.device.force, Force{});
+  const PenSample last_good = loop.servo->latest().sample;
+  loop.device.read_fault = DeviceFault::kDisconnected;
+  const TickReport& report = loop.run(1);
+  EXPECT_EQ(loop.device.force, Force{});
+  EXPECT_EQ(report.sent, Force{});
+  EXPECT_FALSE(report.sample_ok);
+  EXPECT_EQ(report.sample, last_good);
+  EXPECT_EQ(report.safety.state, SafetyState::kLatched);
+  EXPECT_EQ(report.safety.fault, SafetyFault::kDeviceError);
+  loop.device.read_fault.reset();
+  EXPECT_EQ(norm(loop.run(2000).sent), 0.0);
+  loop.engage();
+  EXPECT_GT(norm(loop.device.force), 0.1);
+}
+
+TEST(Servo, R49_ADeviceThatCannotBeWrittenIsStopped) {
+  Loop loop;
+  loop.servo->publish(model_of(Constant{{0.15, 0.0, 0.0}, {}}));
+  loop.engage();
+  loop.device.write_fault = DeviceFault::kForcesOff;
+  const TickReport& report = loop.run(1);
+  EXPECT_EQ(report.sent, Force{});
+  EXPECT_EQ(loop.device.force, Force{});
+  EXPECT_EQ(loop.device.stops, 1);
+  loop.device.write_fault.reset();
+  EXPECT_EQ(loop.run(100).safety.state, SafetyState::kLatched);
+  EXPECT_EQ(loop.device.force, Force{});
+}
+
+TEST(Servo, R49_ASampleThatIsNotANumberGivesZeroAndNoInk) {
+  for (const double bad :
+       {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
+    Loop loop;
+    loop.servo->publish(model_of(Constant{{0.15, 0.0, 0.0}, {}}));
+    loop.engage();
+    loop.device.sample.position.y = bad;
+    const std::size_t ink = loop.servo->for_edit().size();
+    const TickReport& report = loop.run(1);
+    EXPECT_EQ(loop.device.force, Force{});
+    EXPECT_FALSE(report.sample_ok);
+    EXPECT_EQ(loop.servo->for_edit().size(), ink);
+    EXPECT_EQ(loop.servo->for_saver().size(), ink);
+  }
+}
+
+TEST(Servo, R49_AModelThatMakesNoNumberGivesZero) {
+  Loop loop;
+  loop.engage();
+  loop.servo->publish(model_of(Constant{{std::nan(""), 0.0, 0.0}, {}}));
+  EXPECT_EQ(loop.run(1).sent, Force{});
+  EXPECT_EQ(loop.device.force, Force{});
+  EXPECT_EQ(loop.run(100).sent, Force{});
+}
+
+TEST(Servo, OffIsNeverLostAndOnAfterItEngagesFromZero) {
+  Loop loop;
+  loop.servo->publish(model_of(Constant{{0.15, 0.0, 0.0}, {}}));
+  loop.engage();
+  loop.servo->disarm();
+  loop.servo->arm();
+  EXPECT_LE(norm(loop.run(1).sent), 0.01);
+  loop.engage();
+  loop.servo->arm();
+  loop.servo->disarm();
+  EXPECT_EQ(loop.run(1).safety.state, SafetyState::kOff);
+  EXPECT_EQ(loop.run(1000).sent, Force{});
+}
+
+TEST(Servo, ASilentEditSideIsNoticed) {
+  Loop loop;
+  loop.servo->publish(model_of(Constant{{0.15, 0.0, 0.0}, {}}));
+  loop.engage();
+  loop.clock.set_heartbeat(false);
+  EXPECT_NE(loop.run(400).sent, Force{});
+  EXPECT_EQ(loop.run(200).safety.state, SafetyState::kSilent);
+  EXPECT_EQ(loop.run(2000).sent, Force{});
+}
+
+TEST(Servo, AModelOfTheSameFeelReplacesAtOnce) {
+  Loop loop;
+  loop.servo->publish(model_of(Constant{{0.1, 0.0, 0.0}, {}}, 5));
+  loop.run(50);
+  loop.servo->publish(model_of(Constant{{0.2, 0.0, 0.0}, {}}, 5));
+  EXPECT_EQ(loop.run(1).asked, (Force{0.2, 0.0, 0.0}));
+}
+
+TEST(Servo, AnotherFeelIsCrossFadedOver20Ms) {
+  Loop loop;
+  loop.servo->publish(model_of(Constant{{0.1, 0.0, 0.0}, {}}, 1));
+  loop.run(50);
+  loop.servo->publish(model_of(Constant{{0.3, 0.0, 0.0}, {}}, 2));
+  for (int i = 0; i <= 20; ++i) {
+    EXPECT_NEAR(loop.run(1).asked.x, 0.1 + 0.01 * i, 1e-9) << "tick " << i;
+  }
+  EXPECT_DOUBLE_EQ(loop.run(1).asked.x, 0.3);
+  ASSERT_EQ(loop.servo->latest().terms.size(), 1U);
+  EXPECT_EQ(loop.servo->latest().terms[0].force.x, 0.3);
+}
+
+TEST(Servo, AThirdFeelWaitsForTheFadeAndTheNewestWins) {
+  Loop loop;
+  const auto at = [](double x, std::uint32_t id) { return model_of(Constant{{x, 0, 0}, {}}, id); };
+  loop.servo->publish(at(0.1, 1));
+  loop.run(50);
+  loop.servo->publish(at(0.3, 2));
+  loop.run(10);
+  loop.servo->publish(at(9.0, 3));
+  loop.run(5);
+  loop.servo->publish(at(0.5, 4));
+  double last = loop.run(1).asked.x;
+  for (int i = 0; i < 30; ++i) {
+    const double x = loop.run(1).asked.x;
+    EXPECT_LE(std::abs(x - last), 0.0101);  // 0.2 N in 20 ms, twice; 3 never sounds
+    last = x;
+  }
+  EXPECT_DOUBLE_EQ(last, 0.5);
+}
+
+RC_GTEST_PROP(Servo, ChangesOfFeelAreContinuousWheneverTheyCome, ()) {
+  Loop loop;
+  double last = 0.0;
+  double newest = 0.0;
+  std::uint32_t id = 1;
+  loop.servo->publish(model_of(Constant{{}, {}}, id));
+  loop.run(50);
+  const auto gaps = *rc::gen::container<std::vector<int>>(rc::gen::inRange(1, 30));
+  for (const int gap : gaps) {
+    newest = *rc::gen::inRange(-100, 101) * 0.01;
+    loop.servo->publish(model_of(Constant{{newest, 0.0, 0.0}, {}}, ++id));
+    for (int i = 0; i < gap; ++i) {
+      const double x = loop.run(1).asked.x;
+      RC_ASSERT(std::abs(x - last) <= 2.0 * 0.001 / 0.020 + 1e-9);
+      last = x;
+    }
+  }
+  RC_ASSERT(loop.run(50).asked.x == newest);
+}
+
+TEST(Servo, AFeelThatTakesOverStartsWithTheMemoryOfTheOther) {
+  Loop loop;
+  loop.servo->publish(model_of(Remembering{0.01}, 1));
+  const double before = loop.run(10).asked.x;
+  loop.servo->publish(model_of(Remembering{0.0}, 2));
+  for (int i = 0; i < 40; ++i) {
+    // Without the other's memory the force would fall to zero; the old one keeps its own.
+    EXPECT_GE(loop.run(1).asked.x, before);
+  }
+  EXPECT_NEAR(loop.run(1).asked.x, before, 1e-12);
+}
+
+TEST(Servo, BricksAreToldTimeCapAndBudget) {
+  ServoOptions options;
+  options.period_ns = 2 * kMs;
+  options.limits.max_stiffness_n_per_m = 450.0;
+  Loop loop(options);
+  loop.servo->publish(model_of(Telling{}, 1));
+  EXPECT_EQ(loop.run(50).asked, (Force{0.002, 0.002, 450.0}));
+}
+
+TEST(Servo, R56_SlopesBeyondTheBudgetAreScaledFrictionFirst) {
+  Loop loop;
+  loop.servo->publish(model_of(TellingScale{{100.0, 300.0, 200.0}}));
+  EXPECT_EQ(loop.run(2).asked, (Force{1.0, 1.0, 1.0}));
+  loop.servo->publish(model_of(TellingScale{{100.0, 5000.0, 200.0}}));
+  const Force scale = loop.run(2).asked;
+  EXPECT_LT(scale.x, 1.0);
+  EXPECT_GT(scale.x, 0.0);
+  EXPECT_EQ(scale.y, 1.0);
+  EXPECT_EQ(scale.z, 1.0);
+}
+
+TEST(Servo, EverySampleArrivesTwiceInOrder) {
+  Loop loop;
+  for (int i = 0; i < 500; ++i) {
+    loop.device.sample.position.x = 0.01 * i;
+    loop.run(1);
+  }
+  for (Servo::Ring* ring : {&loop.servo->for_edit(), &loop.servo->for_saver()}) {
+    PenSample sample;
+    for (int i = 0; i < 500; ++i) {
+      ASSERT_TRUE(ring->pop(sample));
+      EXPECT_EQ(sample.time_ns, i * kMs);
+      EXPECT_EQ(sample.position.x, 0.01 * i);
+    }
+    EXPECT_FALSE(ring->pop(sample));
+  }
+}
+
+TEST(Servo, AHungEditSideCostsItsOwnSamplesAndNobodyElses) {
+  Loop loop;
+  std::vector<PenSample> out(100);
+  std::size_t saved = 0;
+  const int ticks = static_cast<int>(Servo::kRingSamples) + 1000;
+  for (int i = 0; i < ticks; ++i) {
+    loop.run(1);
+    saved += loop.servo->for_saver().pop(out);
+  }
+  EXPECT_EQ(loop.servo->for_edit().dropped(), 1000U);
+  EXPECT_EQ(saved, static_cast<std::size_t>(ticks));
+}
+
+TEST(Servo, R51_AMouseMayJump) {
+  ScriptedDevice mouse;
+  mouse.abilities.max_force_n = 0.0;
+  const auto servo = std::make_unique<Servo>(mouse, ServoOptions{});
+  VirtualClock clock(*servo);
+  for (int i = 0; i < 100; ++i) {
+    mouse.sample.position.x = i % 2 == 0 ? 0.0 : 50.0;
+    clock.tick();
+  }
+  EXPECT_EQ(servo->for_edit().size(), 100U);
+}
+
+TEST(Servo, R50_PeriodsAreClampedTo02To4Ms) {
+  ScriptedDevice device;
+  for (const auto& [asked, expected] : std::vector<std::pair<std::int64_t, std::int64_t>>{
+           {0, 200'000}, {-5, 200'000}, {200'000, 200'000}, {kMs, kMs}, {kMs * 1000, 4 * kMs}}) {
+    ServoOptions options;
+    options.period_ns = asked;
+    options.cross_fade_s = std::nan("");
+    const auto servo = std::make_unique<Servo>(device, options);
+    EXPECT_EQ(servo->options().period_ns, expected);
+    EXPECT_EQ(servo->options().limits.period_ns, expected);
+    EXPECT_EQ(servo->options().cross_fade_s, 0.020);
+  }
+}
+
+TEST(Servo, R50_FadesTakeTheirTimeAtEveryPeriod) {
+  for (const std::int64_t period_ns : {200'000, 250'000, 1'000'000, 2'000'000, 4'000'000}) {
+    ServoOptions options;
+    options.period_ns = period_ns;
+    Loop loop(options);
+    loop.servo->publish(model_of(Constant{{0.0, 0.0, 0.0}, {}}, 1));
+    loop.run(200);
+    loop.servo->publish(model_of(Constant{{1.0, 0.0, 0.0}, {}}, 2));
+    loop.run(1);
+    const auto half = static_cast<int>(10 * kMs / period_ns);
+    EXPECT_NEAR(loop.run(half).asked.x, 0.5, 0.11) << period_ns;
+    EXPECT_DOUBLE_EQ(loop.run(half + 2).asked.x, 1.0) << period_ns;
+  }
+}
+
+TEST(Servo, StoppingTakesTheForceOffTheDeviceAndItCanGoOnLater) {
+  Loop loop;
+  loop.servo->publish(model_of(Constant{{0.15, 0.0, 0.0}, {}}));
+  loop.engage();
+  loop.servo->arm();  // too late
+  loop.servo->stop();
+  EXPECT_EQ(loop.device.force, Force{});
+  EXPECT_EQ(loop.device.stops, 1);
+  EXPECT_EQ(loop.servo->latest().safety.state, SafetyState::kOff);
+  EXPECT_EQ(loop.servo->latest().sent, Force{});
+  loop.engage();
+  EXPECT_EQ(loop.device.force, (Force{0.15, 0.0, 0.0}));
+}
+
+TEST(Servo, StatsCountLateTicks) {
+  Loop loop;
+  loop.run(10);
+  loop.servo->step(loop.clock.now_ns() + 30 * kMs);
+  EXPECT_EQ(loop.servo->stats().ticks(), 11U);
+  EXPECT_EQ(loop.servo->stats().missed(), 29U);
+  EXPECT_EQ(loop.servo->stats().lateness().max_ns(), 29 * kMs);
+}
+
+}  // namespace
+}  // namespace felt
