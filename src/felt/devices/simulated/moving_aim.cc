@@ -4,6 +4,12 @@
 
 namespace felt {
 
+bool changes_contact(const Aim& a, const Aim& b) noexcept {
+  const auto presses = [](const Aim& aim) { return aim.pressure.value_or(0.0) > 0.0; };
+  return presses(a) != presses(b) || a.buttons != b.buttons ||
+         (a.target_mm.z < 0.0) != (b.target_mm.z < 0.0);
+}
+
 void MovingAim::set(const Aim& aim, std::int64_t now_ns, std::int64_t least_ns) noexcept {
   if (!is_set_) {
     is_set_ = true;

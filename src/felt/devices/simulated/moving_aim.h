@@ -1,10 +1,23 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 
-#include "felt/devices/simulated/aim_queue.h"
+#include "felt/geometry/vec3.h"
 
 namespace felt {
+
+/// What a hand wants from now on.
+struct Aim {
+  Vec3 target_mm;
+  std::optional<double> pressure{};
+  std::uint32_t buttons = 0;
+
+  friend constexpr bool operator==(const Aim&, const Aim&) noexcept = default;
+};
+
+/// Whether going from one aim to the other begins or ends something: a touch, a button.
+bool changes_contact(const Aim& a, const Aim& b) noexcept;
 
 /// Where a hand's aim is between the aims that it is given. A tablet says 133 times a second where
 /// it is, the loop asks 1000 times or more: the aim moves evenly to the new place, in the time that

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace felt {
 namespace {
@@ -25,13 +26,6 @@ double rounded(double value, double step) noexcept {
   return step > 0.0 ? step * std::floor(value / step + 0.5) : value;
 }
 
-// Whether going from one aim to the other begins or ends something that must not be skipped.
-bool changes_contact(const Aim& a, const Aim& b) noexcept {
-  const auto presses = [](const Aim& aim) { return aim.pressure.value_or(0.0) > 0.0; };
-  return presses(a) != presses(b) || a.buttons != b.buttons ||
-         (a.target_mm.z < 0.0) != (b.target_mm.z < 0.0);
-}
-
 Vec3 start_of(const Capabilities& device) noexcept {
   const Vec3 middle = 0.5 * (device.workspace_min + device.workspace_max);
   return clamped({middle.x, middle.y, kStartHeightMm}, device.workspace_min, device.workspace_max);
@@ -40,7 +34,7 @@ Vec3 start_of(const Capabilities& device) noexcept {
 }  // namespace
 
 SimulatedStylus::SimulatedStylus(const StylusPreset& preset,
-                                 const std::optional<SimulatedHand>& hand) noexcept
+                                 const std::optional<SimulatedHand>& hand)
     : preset_(preset),
       body_(preset.mechanics, preset.capabilities.workspace_min, preset.capabilities.workspace_max),
       aim_(aim_for(preset.capabilities)),
@@ -72,12 +66,14 @@ void SimulatedStylus::place(const Vec3& position_mm) noexcept {
 }
 
 void SimulatedStylus::take_aims(std::int64_t tick_ns) noexcept {
-  std::optional<Aim> taken;
-  for (std::size_t n = 0; n < AimQueue::kCapacity; ++n) {
-    const Aim* next = queue_.front();
-    if (next == nullptr || (taken && changes_contact(*taken, *next))) break;
-    taken = *next;
-    queue_.pop();
+  std::optional<Aim> taken = std::exchange(waiting_, std::nullopt);
+  Aim next;
+  for (std::size_t n = 0; n < kWaitingAims && queue_.pop(next); ++n) {
+    if (taken && changes_contact(*taken, next)) {
+      waiting_ = next;
+      break;
+    }
+    taken = next;
   }
   if (!taken) return;
   if (!aim_.is_set()) body_.place(taken->target_mm);

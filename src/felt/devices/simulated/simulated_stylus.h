@@ -4,13 +4,13 @@
 #include <cstdint>
 #include <optional>
 
-#include "felt/devices/simulated/aim_queue.h"
 #include "felt/devices/simulated/held_body.h"
 #include "felt/devices/simulated/moving_aim.h"
 #include "felt/devices/simulated/simulated_hand.h"
 #include "felt/devices/simulated/stylus_presets.h"
 #include "felt/haptics/velocity_filter.h"
 #include "felt/rt/device.h"
+#include "felt/rt/spsc_ring.h"
 
 namespace felt {
 
@@ -36,11 +36,12 @@ namespace felt {
 class SimulatedStylus final : public Device, public HandInput {
  public:
   static constexpr int kMostDelayTicks = 7;
+  static constexpr std::size_t kWaitingAims = 256;  ///< more between two reads are lost
 
   /// `hand`: who holds it at first; nullopt is nobody. Delays are clamped to 0..7 ticks. The pen
   /// starts 20 mm above the middle of the workspace; the first aim puts it into place.
   explicit SimulatedStylus(const StylusPreset& preset,
-                           const std::optional<SimulatedHand>& hand = typical_hand()) noexcept;
+                           const std::optional<SimulatedHand>& hand = typical_hand());
 
   // Device
   [[nodiscard]] std::string_view name() const noexcept override { return preset_.name; }
@@ -79,7 +80,8 @@ class SimulatedStylus final : public Device, public HandInput {
 
   StylusPreset preset_;
   HeldBody body_;
-  AimQueue queue_;
+  SpscRing<Aim, kWaitingAims> queue_;
+  std::optional<Aim> waiting_;  // the oldest one, out of the queue
   MovingAim aim_;
   VelocityFilter velocity_;
   Force asked_, acting_;
