@@ -6,14 +6,19 @@
 
 namespace felt {
 
+/// Loop periods that the chain takes (R50), and delays.
+inline constexpr std::int64_t kShortestPeriodNs = 200'000;
+inline constexpr std::int64_t kLongestPeriodNs = 4'000'000;
+inline constexpr int kMostDelayTicks = 100;
+
 /// The numbers of the safety chain (architecture section 10, "peak force" to "late tick"). The
 /// defaults are the upper bounds: `limits_for` only ever lowers forces, and no tool sees them.
 struct SafetyLimits {
   double peak_force_n = 3.0;
-  double continuous_force_n = 0.0;  ///< RMS over rms_window_s that starts the fade; 0 = no bound
+  double continuous_force_n = 0.0;  ///< RMS over any rms_window_s stays below; 0 = no bound
   double rms_window_s = 10.0;
   double rms_fade_s = 1.0;
-  double max_damping_n_s_per_m = 0.0;  ///< what the device bears; 0 = no bound
+  double max_damping_n_s_per_m = 0.0;  ///< half of what the device bears; 0 = no bound
   double max_stiffness_n_per_m = 0.0;  ///< likewise (R55: 0.9 of its cap); 0 = no bound
 
   double rise_n_per_ms = 0.3;
@@ -49,8 +54,14 @@ struct SafetyLimits {
   int delay_ticks = 1;
 };
 
-/// The limits for a device: peak = min(user, advised, 0.9 nominal), continuous = 0.8 of the rating.
-/// `user_limit_n` is clamped to 0..3 N (NaN is 0).
+/// True when every number makes sense and none allows more than the defaults do: the self-test of
+/// the chain, which otherwise never lets a force through.
+bool is_sound(const SafetyLimits& limits) noexcept;
+
+/// The limits for a device: peak = min(user, advised, 0.9 nominal), continuous = 0.8 of the rating
+/// (architecture section 10), damping = 0.5 and stiffness = 0.9 of its caps (reliability 3.3, R55).
+/// `user_limit_n` is clamped to 0..3 N. NaN and negative numbers count as 0; a device that says
+/// nonsense about its force gets none.
 SafetyLimits limits_for(const Capabilities& device, double user_limit_n = 3.0) noexcept;
 
 }  // namespace felt
