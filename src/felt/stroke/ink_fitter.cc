@@ -128,6 +128,10 @@ JointKind InkFitter::joint(int i) const {
   return s.options.scheme == FitScheme::kPaper2002 ? s.paper.curve().joints[k] : s.online.joint(i);
 }
 
+const ChunkedVector<SamplePlace>& InkFitter::places() const {
+  return state_->online.places();
+}
+
 std::span<const Cubic> InkFitter::live_tail() {
   State& s = *state_;
   s.tail.clear();

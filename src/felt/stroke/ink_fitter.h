@@ -67,6 +67,9 @@ class InkFitter {
   [[nodiscard]] Cubic segment(int i) const;
   /// Kind of the joint before segment i, 0 < i < segment_count().
   [[nodiscard]] JointKind joint(int i) const;
+  /// Where on the stable prefix the samples lie that it covers, in order; the rest of samples() is
+  /// still open. kFeltline only, else empty. Before refine().
+  [[nodiscard]] const ChunkedVector<SamplePlace>& places() const;
   /// Provisional segments from the stable prefix to the newest sample, for display only; valid
   /// until the next call.
   [[nodiscard]] std::span<const Cubic> live_tail();

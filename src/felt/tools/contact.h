@@ -1,0 +1,69 @@
+#pragma once
+
+#include <cstdint>
+
+#include "felt/haptics/pen_sample.h"
+
+namespace felt {
+
+/// Decides when a pen touches the sheet and when it has left it, so that a pen that chatters on the
+/// surface does not break its gesture in two.
+///
+/// Contact begins with the first sample in contact: a dot is a dot. It ends when the pen is
+///   - kLiftMm above the sheet: sensors resolve 0.03 mm and grain is below 0.1 mm high, a bouncing
+///     tip stays below 0.3 mm, while a hand that lifts (50 mm/s and more) is there in 10 ms; or
+///   - out of contact for kLiftNs: three reports of a 133 Hz tablet, of which one may be lost, and
+///     half of the shortest lift between two strokes of writing; or
+///   - out of contact for kMaxGapSamples, should the clock stand still.
+/// Until then the samples out of contact are neither ink nor the end; the caller keeps them.
+class Contact {
+ public:
+  static constexpr double kLiftMm = 0.5;
+  static constexpr std::int64_t kLiftNs = 25'000'000;
+  static constexpr int kMaxGapSamples = 256;
+
+  /// What a sample means.
+  enum class Change {
+    kNone,     ///< as before: in the air, or in contact
+    kTouched,  ///< a contact begins
+    kGap,      ///< out of contact, perhaps only for a moment
+    kBack,     ///< it was only for a moment; this sample is in contact
+    kLifted,   ///< the contact is over, since the first sample of the gap
+  };
+
+  /// Takes the next sample. Requires a finite position.
+  Change update(const PenSample& sample) noexcept {
+    if (in_contact(sample)) {
+      const Phase before = phase_;
+      phase_ = Phase::kDown;
+      if (before == Phase::kAir) return Change::kTouched;
+      return before == Phase::kGap ? Change::kBack : Change::kNone;
+    }
+    if (phase_ == Phase::kAir) return Change::kNone;
+    if (phase_ == Phase::kDown) {
+      phase_ = Phase::kGap;
+      gap_since_ns_ = sample.time_ns;
+      gap_samples_ = 0;
+    }
+    // In double: the difference of two hostile times does not fit into 64 bits.
+    const double gap_ns = static_cast<double>(sample.time_ns) - static_cast<double>(gap_since_ns_);
+    if (sample.position.z < kLiftMm && gap_ns < static_cast<double>(kLiftNs) &&
+        ++gap_samples_ < kMaxGapSamples) {
+      return Change::kGap;
+    }
+    phase_ = Phase::kAir;
+    return Change::kLifted;
+  }
+
+  /// True from kTouched to kLifted.
+  [[nodiscard]] bool is_down() const noexcept { return phase_ != Phase::kAir; }
+
+ private:
+  enum class Phase { kAir, kDown, kGap };
+
+  Phase phase_ = Phase::kAir;
+  std::int64_t gap_since_ns_ = 0;
+  int gap_samples_ = 0;
+};
+
+}  // namespace felt

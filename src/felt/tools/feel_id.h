@@ -1,0 +1,45 @@
+#pragma once
+
+#include <cstdint>
+#include <string_view>
+
+#include "felt/base/hash.h"
+
+namespace felt {
+
+/// Makes the fade_id of a force model: models of different feel get different ids (but for one
+/// chance in 2^32), whatever tool makes them, and the same feel always the same one.
+///
+///   model.set_fade_id(FeelId("pencil").with(material).with(target.stroke.value).value());
+class FeelId {
+ public:
+  explicit FeelId(std::string_view tool) noexcept { add(tool); }
+
+  FeelId& with(std::string_view text) noexcept {
+    add(text);
+    return *this;
+  }
+  FeelId& with(std::uint64_t number) noexcept {
+    hash_.add_value(number);
+    return *this;
+  }
+  /// Numbers that compare equal count as equal.
+  FeelId& with(double number) noexcept {
+    hash_.add_value(number == 0.0 ? 0.0 : number);
+    return *this;
+  }
+
+  [[nodiscard]] std::uint32_t value() const noexcept {
+    return static_cast<std::uint32_t>(hash_.value() ^ (hash_.value() >> 32));
+  }
+
+ private:
+  void add(std::string_view text) noexcept {
+    hash_.add(std::as_bytes(std::span(text.data(), text.size())));
+    hash_.add_value(static_cast<std::uint64_t>(text.size()));
+  }
+
+  Fnv1a hash_;
+};
+
+}  // namespace felt

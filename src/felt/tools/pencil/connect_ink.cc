@@ -1,0 +1,126 @@
+#include "felt/tools/pencil/connect_ink.h"
+
+#include <utility>
+
+#include "felt/document/edit_builder.h"
+#include "felt/stroke/join.h"
+#include "felt/stroke/split.h"
+
+namespace felt {
+namespace {
+
+/// The stroke of an end if the end is there (now closed strokes have none), or null.
+StrokePtr stroke_of(const std::optional<TipId>& tip, const Document& document) {
+  if (!tip) return nullptr;
+  StrokePtr stroke = document.find(tip->stroke);
+  return stroke && !stroke->closed() ? stroke : nullptr;
+}
+
+/// `base` with `ink` appended at one of its ends. The ink's `at` lies there; base keeps its
+/// direction.
+Result<Stroke> extended(const Stroke& base, StrokeTip tip, const Stroke& ink, StrokeTip at) {
+  const bool turn = tip == at;
+  const Stroke more = turn ? reversed(ink) : ink;
+  return tip == StrokeTip::kEnd ? joined(base, more) : joined(more, base);
+}
+
+class Connector {
+ public:
+  Connector(const Stroke& ink, const InkConnections& connections, const Scene& scene)
+      : ink_(ink), to_(connections), scene_(scene), edit_(scene.document) {}
+
+  Edit run() && {
+    place_ends();
+    if (!add_closed() && !add_joined()) edit_.add(scene_.layer, share(ink_));
+    return std::move(edit_).build("Draw");
+  }
+
+ private:
+  static StrokePtr share(Stroke stroke) {
+    return std::make_shared<const Stroke>(std::move(stroke));
+  }
+
+  /// Moves the ends onto what they were put on; forgets what cannot be reached.
+  void place_ends() {
+    place(StrokeTip::kStart, to_.start, stroke_of(to_.start, scene_.document));
+    if (to_.closes) {
+      to_.closes = move(StrokeTip::kEnd, tip_point(ink_, StrokeTip::kStart));
+      to_.end.reset();
+    } else {
+      if (to_.end == to_.start) to_.end.reset();
+      place(StrokeTip::kEnd, to_.end, stroke_of(to_.end, scene_.document));
+    }
+  }
+
+  void place(StrokeTip mine, std::optional<TipId>& on, const StrokePtr& other) {
+    if (on && !(other && move(mine, tip_point(*other, on->tip)))) on.reset();
+  }
+
+  bool move(StrokeTip mine, Point target) {
+    auto moved = with_tip_at(ink_, mine, target);
+    if (moved) ink_ = *std::move(moved);
+    return moved.has_value();
+  }
+
+  bool add_closed() {
+    if (!to_.closes) return false;
+    auto ring = closed(ink_);
+    if (!ring) return false;
+    edit_.add(scene_.layer, share(*std::move(ring)));
+    return true;
+  }
+
+  /// True when the stroke of an end may become one with the ink.
+  [[nodiscard]] bool may_join(const std::optional<TipId>& on) const {
+    if (!on || to_.keep_separate) return false;
+    const Stroke& other = *scene_.document.find(on->stroke);
+    const Layer* layer = scene_.document.layer(scene_.layer);
+    return scene_.document.layer_of(on->stroke) == scene_.layer && layer && !layer->locked &&
+           other.material() == ink_.material() && other.color() == ink_.color();
+  }
+
+  bool add_joined() {
+    const bool start = may_join(to_.start), end = may_join(to_.end);
+    if (start && end && add_between()) return true;
+    if (start && add_to(*to_.start, StrokeTip::kStart)) return true;
+    return end && add_to(*to_.end, StrokeTip::kEnd);
+  }
+
+  bool add_to(TipId on, StrokeTip mine) {
+    auto one = extended(*scene_.document.find(on.stroke), on.tip, ink_, mine);
+    if (one) edit_.replace(on.stroke, share(*std::move(one)));
+    return one.has_value();
+  }
+
+  /// Both ends lie on strokes: two become one, or one becomes a ring.
+  bool add_between() {
+    const TipId a = *to_.start, b = *to_.end;
+    auto one = extended(*scene_.document.find(a.stroke), a.tip, ink_, StrokeTip::kStart);
+    if (!one) return false;
+    if (a.stroke == b.stroke) {
+      auto ring = closed(*one);
+      if (!ring) return false;
+      edit_.replace(a.stroke, share(*std::move(ring)));
+      return true;
+    }
+    // The ink's free end is where the first stroke was extended.
+    auto both = extended(*one, a.tip, *scene_.document.find(b.stroke), b.tip);
+    if (!both) return false;
+    edit_.replace(a.stroke, share(*std::move(both)));
+    edit_.remove(b.stroke);
+    return true;
+  }
+
+  Stroke ink_;
+  InkConnections to_;
+  const Scene& scene_;
+  EditBuilder edit_;
+};
+
+}  // namespace
+
+Edit connect_ink(const Stroke& ink, const InkConnections& connections, const Scene& scene) {
+  return Connector(ink, connections, scene).run();
+}
+
+}  // namespace felt

@@ -1,0 +1,82 @@
+#pragma once
+
+#include <optional>
+
+#include "felt/haptics/compose.h"
+#include "felt/haptics/drawing_feel.h"
+#include "felt/haptics/stabiliser.h"
+#include "felt/haptics/well.h"
+#include "felt/tools/feel_id.h"
+#include "felt/tools/pencil/pencil_options.h"
+#include "felt/tools/scene.h"
+
+namespace felt {
+
+/// The inertia of the stabiliser, of which only a share is felt; the nib moves as with all of it,
+/// so that the line does not depend on the strength.
+class FeltInertia {
+ public:
+  FeltInertia(const InertiaOptions& options, double share) noexcept
+      : inertia_(options), share_(share) {}
+
+  Force operator()(const PenSample& sample, ForceMemory& memory) const noexcept {
+    const double scale = memory.scale.lateral;
+    memory.scale.lateral = share_ * scale;
+    const Force force = inertia_(sample, memory);
+    memory.scale.lateral = scale;
+    return force;
+  }
+  [[nodiscard]] Slopes slopes() const noexcept {
+    return {.lateral_n_per_m = share_ * inertia_.slopes().lateral_n_per_m};
+  }
+
+ private:
+  Inertia inertia_;
+  double share_;
+};
+
+/// What the hand feels with a pencil: the sheet (plane, grain, friction of the pair), the target
+/// that attracts, if any, and the stabiliser. The same in the air and on the sheet, so that nothing
+/// changes at the moment of touching; every part knows by itself when the pen is down.
+inline ForceModel make_pencil_force(const PencilSettings& settings, const Scene& scene,
+                                    const std::optional<SnapTarget>& target) {
+  ToolMaterial material = *find_tool_material(settings.material);
+  material.friction *= settings.strength;
+  material.grain *= settings.strength;
+  const SheetForce sheet =
+      make_sheet_force(scene.surface, material, scene.device, surface_grain(scene.surface));
+
+  WellShape shape = well_of(settings.snap);
+  shape.force_n *= settings.strength;
+  const Wells well = target ? Wells(target->point, shape) : Wells();
+
+  FeelId id("pencil");
+  id.with(scene.surface.id).with(settings.material).with(settings.strength);
+  if (target) {
+    id.with(target->tip.stroke.value).with(static_cast<std::uint64_t>(target->tip.tip));
+    id.with(target->point.x).with(target->point.y).with(shape.radius_mm).with(shape.force_n);
+  }
+  ForceModel model;
+  switch (settings.stabiliser.kind) {
+    case StabiliserKind::kOff:
+      model = ForceModel(Compose(sheet, well));
+      break;
+    case StabiliserKind::kInertia:
+      id.with("inertia").with(settings.stabiliser.mass_g);
+      model = ForceModel(
+          Compose(sheet, well, FeltInertia(inertia_of(settings.stabiliser), settings.strength)));
+      break;
+    case StabiliserKind::kTowed: {
+      TowOptions tow = tow_of(settings.stabiliser);
+      id.with("towed").with(tow.rope_mm);
+      tow.law.gain *= settings.strength;
+      tow.damping_n_s_per_m *= settings.strength;
+      model = ForceModel(Compose(sheet, well, Towed(tow)));
+      break;
+    }
+  }
+  model.set_fade_id(id.value());
+  return model;
+}
+
+}  // namespace felt

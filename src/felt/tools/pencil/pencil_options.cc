@@ -1,0 +1,36 @@
+#include "felt/tools/pencil/pencil_options.h"
+
+#include <algorithm>
+
+namespace felt {
+
+PencilSettings pencil_settings(const OptionValues& values) {
+  using Row = PencilOption::Row;
+  PencilSettings s;
+  s.material = kPencilMaterials[values.choice(Row::kMaterial)];
+  s.refine = values.is_on(Row::kRefine);
+  s.keep_separate = values.is_on(Row::kKeepSeparate);
+  s.strength = values.number(Row::kStrength);
+
+  WidthMapOptions& widths = s.ink.width_map;
+  widths.min_mm = values.number(Row::kMinWidth);
+  widths.max_mm = std::max(widths.min_mm, values.number(Row::kMaxWidth));
+  widths.gamma = values.number(Row::kGamma);
+  widths.absent_pressure = values.number(Row::kMousePressure);
+  s.ink.width.min_mm = widths.min_mm;
+  s.ink.width.max_mm = widths.max_mm;
+  s.ink.curve.tolerance_mm = values.number(Row::kTolerance);
+  s.ink.filter_artefacts = true;
+
+  s.snap.mode = static_cast<SnapMode>(values.choice(Row::kSnap));
+  s.snap.reach_mm = values.number(Row::kReach);
+  s.snap.radius_mm = values.number(Row::kSnapRadius);
+  s.snap.force_n = values.number(Row::kAttraction);
+
+  s.stabiliser.kind = static_cast<StabiliserKind>(values.choice(Row::kStabiliser));
+  s.stabiliser.mass_g = values.number(Row::kStabiliserMass);
+  s.stabiliser.length_mm = values.number(Row::kStabiliserLength);
+  return s;
+}
+
+}  // namespace felt

@@ -1,0 +1,173 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <string_view>
+
+#include "felt/stroke/ink_fitter.h"
+#include "felt/tools/pencil/stabiliser.h"
+#include "felt/tools/snapping.h"
+#include "felt/tools/tool_options.h"
+
+namespace felt {
+
+/// Drawing materials, by the ids of tool_materials().
+inline constexpr std::array<std::string_view, 4> kPencilMaterials = {"pencil", "chalk", "crayon",
+                                                                     "felt-tip"};
+inline constexpr std::array<std::string_view, 4> kSnapModes = {"off", "force", "snap", "both"};
+inline constexpr std::array<std::string_view, 3> kStabilisers = {"off", "inertia", "towed"};
+
+/// Rows of kPencilOptions.
+struct PencilOption {
+  enum Row : std::size_t {
+    kMaterial,
+    kMinWidth,
+    kMaxWidth,
+    kGamma,
+    kMousePressure,
+    kTolerance,
+    kRefine,
+    kSnap,
+    kReach,
+    kSnapRadius,
+    kAttraction,
+    kKeepSeparate,
+    kStabiliser,
+    kStabiliserMass,
+    kStabiliserLength,
+    kStrength,
+    kCount
+  };
+};
+
+inline constexpr std::array<OptionSpec, PencilOption::kCount> kPencilOptions = {{
+    {.id = "material",
+     .label = "Material",
+     .unit = "",
+     .kind = OptionKind::kChoice,
+     .fallback = 0,
+     .choices = kPencilMaterials,
+     .help = "What the pen is made of: how it looks and how it slides."},
+    {.id = "min_width_mm",
+     .label = "Thinnest line",
+     .unit = "mm",
+     .min = kMinWidthMm,
+     .max = 20.0,
+     .fallback = 0.3,
+     .help = "Width of a line without pressure."},
+    {.id = "max_width_mm",
+     .label = "Broadest line",
+     .unit = "mm",
+     .min = kMinWidthMm,
+     .max = 50.0,
+     .fallback = 6.0,
+     .help = "Width of a line at full pressure; at least that of the thinnest line."},
+    {.id = "gamma",
+     .label = "Pressure curve",
+     .unit = "",
+     .min = 0.2,
+     .max = 5.0,
+     .fallback = 1.0,
+     .help = "Above 1 a light hand stays thin for longer, below 1 it broadens sooner."},
+    {.id = "mouse_pressure",
+     .label = "Pressure of a mouse",
+     .unit = "",
+     .min = 0.0,
+     .max = 1.0,
+     .fallback = 0.5,
+     .help = "Pressure of a device that knows neither pressure nor depth."},
+    {.id = "tolerance_mm",
+     .label = "Tolerance",
+     .unit = "mm",
+     .min = 0.05,
+     .max = 3.0,
+     .fallback = 0.15,
+     .help = "Largest distance between the pen's way and the line."},
+    {.id = "refine",
+     .label = "Refine at pen-up",
+     .unit = "",
+     .kind = OptionKind::kSwitch,
+     .fallback = 1,
+     .help =
+         "Fits the finished line again, with fewer segments within the same tolerance; lines of "
+         "more than a minute stay as drawn."},
+    {.id = "snap",
+     .label = "Snapping",
+     .unit = "",
+     .kind = OptionKind::kChoice,
+     .fallback = 3,
+     .choices = kSnapModes,
+     .help = "Whether ends of lines attract the pen (force), connect to it (snap), or both."},
+    {.id = "reach_mm",
+     .label = "Reach of the attraction",
+     .unit = "mm",
+     .min = 1.0,
+     .max = 40.0,
+     .fallback = 8.0,
+     .help = "Radius around the end of a line within which it attracts the pen."},
+    {.id = "snap_radius_mm",
+     .label = "Snap radius",
+     .unit = "mm",
+     .min = 0.1,
+     .max = 20.0,
+     .fallback = 2.0,
+     .help = "Radius within which a line that begins or ends there is connected."},
+    {.id = "attraction_n",
+     .label = "Attraction",
+     .unit = "N",
+     .min = 0.0,
+     .max = 1.0,
+     .fallback = 0.6,
+     .help = "Force that draws the pen to the end of a line."},
+    {.id = "keep_separate",
+     .label = "Keep lines separate",
+     .unit = "",
+     .kind = OptionKind::kSwitch,
+     .fallback = 0,
+     .help = "Lines that meet share the point but stay two lines."},
+    {.id = "stabiliser",
+     .label = "Stabiliser",
+     .unit = "",
+     .kind = OptionKind::kChoice,
+     .fallback = 0,
+     .choices = kStabilisers,
+     .help = "Steadies the hand: the line is drawn by a mass, or by a nib on a rope."},
+    {.id = "stabiliser_mass_g",
+     .label = "Mass of the stabiliser",
+     .unit = "g",
+     .min = 5.0,
+     .max = 500.0,
+     .fallback = 50.0,
+     .help = "Heavier draws smoother and trails more; for the stabiliser 'inertia'."},
+    {.id = "stabiliser_length_mm",
+     .label = "Rope of the stabiliser",
+     .unit = "mm",
+     .min = 0.5,
+     .max = 40.0,
+     .fallback = 4.0,
+     .help = "Longer draws smoother and trails more; for the stabiliser 'towed'."},
+    {.id = "strength",
+     .label = "Strength of forces",
+     .unit = "",
+     .min = 0.0,
+     .max = 1.0,
+     .fallback = 1.0,
+     .help = "Share of friction, grain, attraction and stabiliser that is felt; the sheet stays as "
+             "hard as it is."},
+}};
+
+/// The options as the tool uses them.
+struct PencilSettings {
+  std::string_view material;
+  InkFitOptions ink;
+  bool refine = true;
+  SnapOptions snap;
+  bool keep_separate = false;
+  StabiliserOptions stabiliser;
+  double strength = 1.0;
+};
+
+/// Reads them. Requires values of kPencilOptions.
+PencilSettings pencil_settings(const OptionValues& values);
+
+}  // namespace felt

@@ -1,0 +1,201 @@
+#include "felt/tools/pencil/pencil_tool.h"
+
+#include <cmath>
+#include <utility>
+
+#include "felt/tools/pencil/pencil_force.h"
+
+namespace felt {
+namespace {
+
+constexpr ToolInfo kInfo{.id = "pencil",
+                         .label = "Pencil",
+                         .help = "Draws lines; pressing harder draws them broader.",
+                         .shortcut = 'p',
+                         .options = kPencilOptions};
+
+/// True when the fitter could take it.
+bool is_usable(const PenSample& sample) {
+  return is_finite(sample.position) &&
+         std::fabs(sample.position.x) <= InkFitter::kMaxCoordinateMm &&
+         std::fabs(sample.position.y) <= InkFitter::kMaxCoordinateMm;
+}
+
+}  // namespace
+
+std::unique_ptr<Tool> make_pencil() {
+  return std::make_unique<PencilTool>();
+}
+
+PencilTool::PencilTool() : options_(kPencilOptions), settings_(pencil_settings(options_)) {
+  gap_.reserve(Contact::kMaxGapSamples);
+}
+
+const ToolInfo& PencilTool::info() const noexcept {
+  return kInfo;
+}
+
+ToolResult PencilTool::sample(const PenSample& sample, const Scene& scene) {
+  if (!is_usable(sample)) return {};
+  pen_point_ = on_sheet(sample.position);
+  const Contact::Change change = contact_.update(sample);
+  if (change == Contact::Change::kTouched && !waiting_) begin(sample, scene);
+  if (change == Contact::Change::kLifted) {
+    waiting_ = false;
+    if (drawing_) return end(scene);
+  }
+  if (drawing_) {
+    add(sample, scene);
+  } else if (!contact_.is_down()) {
+    hover(sample, scene);
+  }
+  return {};
+}
+
+void PencilTool::hover(const PenSample& sample, const Scene& scene) {
+  near_ = sample.position.z < (near_ ? kFarMm : kNearMm);
+  if (released_at_ && distance(*released_at_, pen_point_) > settings_.snap.reach_mm) {
+    released_at_.reset();
+  }
+  finder_.update(pen_point_, settings_.snap, scene.document, scene.index);
+}
+
+void PencilTool::begin(const PenSample& sample, const Scene& scene) {
+  if (!fitter_) fitter_ = std::make_unique<InkFitter>(settings_.ink);
+  fitter_->begin();
+  wet_.begin(settings_.ink.width_map);
+  stabiliser_ = Stabiliser(settings_.stabiliser);
+  stabiliser_.begin(pen_point_, sample.time_ns);
+  color_ = scene.color;
+  gap_.clear();
+
+  const auto& target = finder_.update(pen_point_, settings_.snap, scene.document, scene.index);
+  const bool on_end = target && snaps(settings_.snap.mode) &&
+                      distance(pen_point_, target->point) <= settings_.snap.radius_mm;
+  start_on_ = on_end ? std::optional(target->tip) : std::nullopt;
+  finder_.begin(on_end ? target->point : pen_point_, start_on_);
+  released_at_.reset();
+  drawing_ = true;
+}
+
+void PencilTool::add(const PenSample& sample, const Scene& scene) {
+  const Pressing pressing(scene.surface, scene.device);
+  const InkSample ink{on_sheet(sample.position), pressing.of(sample), sample.time_ns};
+  if (!in_contact(sample)) {
+    gap_.push_back(ink);
+    return;
+  }
+  for (const InkSample& between : gap_) add_ink(between);
+  gap_.clear();
+  add_ink(ink);
+  pen_ = ink;
+  finder_.update(pen_point_, settings_.snap, scene.document, scene.index);
+}
+
+void PencilTool::add_ink(const InkSample& pen) {
+  InkSample ink = pen;
+  ink.position = stabiliser_.update(pen.position, *pen.time_ns);
+  fitter_->push(ink);
+  wet_.update(*fitter_, ink);
+}
+
+ToolResult PencilTool::end(const Scene& scene) {
+  std::vector<Stabiliser::Step> rest;
+  stabiliser_.finish(rest);
+  for (const Stabiliser::Step& step : rest) {
+    fitter_->push({step.nib, pen_.pressure, step.time_ns});
+  }
+  fitter_->end();
+  if (settings_.refine && fitter_->samples().size() <= kMaxRefinedSamples) fitter_->refine();
+
+  ToolResult result;
+  if (const auto drawn = fitter_->stroke()) {
+    StrokeData data = drawn->data();
+    data.material = settings_.material;
+    data.color = color_;
+    InkConnections connections{.start = start_on_, .keep_separate = settings_.keep_separate};
+    const auto& target = finder_.target();
+    if (target && snaps(settings_.snap.mode) &&
+        distance(pen_.position, target->point) <= settings_.snap.radius_mm) {
+      connections.closes = target->is_own_start();
+      if (!connections.closes) connections.end = target->tip;
+    }
+    // Still valid: neither material nor colour is part of an invariant.
+    if (const auto ink = Stroke::create(std::move(data))) {
+      result.commit = connect_ink(*ink, connections, scene);
+    }
+  }
+  released_at_ = pen_.position;
+  stop();
+  return result;
+}
+
+void PencilTool::stop() {
+  drawing_ = false;
+  start_on_.reset();
+  gap_.clear();
+  finder_.reset();
+  take_options();
+}
+
+void PencilTool::take_options() {
+  if (!has_new_options_) return;
+  has_new_options_ = false;
+  settings_ = pencil_settings(options_);
+  fitter_.reset();  // it keeps its buffers from line to line, and the options it was made with
+}
+
+ToolResult PencilTool::finish(const Scene& scene) {
+  waiting_ = contact_.is_down();
+  if (drawing_) return end(scene);
+  finder_.reset();
+  near_ = false;
+  return {};
+}
+
+void PencilTool::cancel() {
+  waiting_ = contact_.is_down();
+  stop();
+}
+
+const std::optional<SnapTarget>& PencilTool::felt_target() const noexcept {
+  static const std::optional<SnapTarget> kNone;
+  if (!attracts(settings_.snap.mode) || waiting_) return kNone;
+  return drawing_ || (near_ && !released_at_) ? finder_.target() : kNone;
+}
+
+ForceModel PencilTool::force(const Scene& scene) const {
+  return make_pencil_force(settings_, scene, felt_target());
+}
+
+void PencilTool::draw(Overlay& overlay) const {
+  if (drawing_) {
+    overlay.ink_color = color_;
+    wet_.draw(*fitter_, overlay);
+    if (settings_.stabiliser.kind != StabiliserKind::kOff) {
+      overlay.lines.push_back({pen_point_, stabiliser_.nib(), Overlay::Role::kTether});
+    }
+  }
+  const auto& target = finder_.target();
+  if (!target || waiting_ || !(drawing_ || near_)) return;
+  const SnapOptions& snap = settings_.snap;
+  if (attracts(snap.mode)) {
+    overlay.rings.push_back({target->point, snap.reach_mm, Overlay::Role::kReach});
+  }
+  if (snaps(snap.mode)) {
+    overlay.rings.push_back({target->point, snap.radius_mm, Overlay::Role::kSnap});
+  }
+}
+
+Result<void> PencilTool::set_option(std::string_view id, const OptionValue& value) {
+  auto result = options_.set(id, value);
+  if (result) has_new_options_ = true;
+  if (!drawing_) take_options();
+  return result;
+}
+
+Result<OptionValue> PencilTool::option(std::string_view id) const {
+  return options_.get(id);
+}
+
+}  // namespace felt

@@ -1,0 +1,14 @@
+// The one file that knows all rooms of this layer: adding a tool is a folder and a line here.
+
+#include "felt/tools/pencil/pencil_tool.h"
+#include "felt/tools/tool.h"
+
+namespace felt {
+
+std::vector<std::unique_ptr<Tool>> make_tools() {
+  std::vector<std::unique_ptr<Tool>> tools;
+  tools.push_back(make_pencil());
+  return tools;
+}
+
+}  // namespace felt
