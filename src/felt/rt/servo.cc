@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "felt/haptics/safety_motion.h"
 #include "felt/rt/float_mode.h"
 #include "felt/rt/realtime_scope.h"
 
@@ -11,14 +12,6 @@ namespace {
 
 Slopes scaled(double s, const Slopes& a) noexcept {
   return {s * a.normal_n_per_m, s * a.friction_n_per_m, s * a.lateral_n_per_m};
-}
-
-bool is_finite(const PenSample& sample) noexcept {
-  const auto finite = [](const Vec3& v) {
-    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
-  };
-  return finite(sample.position) && finite(sample.velocity) &&
-         std::isfinite(sample.pressure.value_or(0.0));
 }
 
 }  // namespace
@@ -118,13 +111,10 @@ Force Servo::evaluate(const PenSample& sample) noexcept {
 
 Force Servo::force_of(const ForceModel& model, const PenSample& sample, const StiffnessScale& scale,
                       ForceMemory& memory) const noexcept {
-  memory.dt_s = report_.dt_s;
+  memory.begin_tick(report_.dt_s);
   memory.period_s = 1e-9 * static_cast<double>(options_.period_ns);
   memory.scale = scale;
   memory.material_cap_n_per_m = options_.limits.max_stiffness_n_per_m;
-  memory.normal_force_n = 0.0;
-  memory.spring_force_n = 0.0;
-  memory.terms.clear();
   return model(sample, memory);
 }
 
