@@ -1,0 +1,259 @@
+#include "felt/session/session.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "felt/base/check.h"
+#include "felt/document/edit_builder.h"
+
+namespace felt {
+namespace {
+
+/// Beyond this a place is no place on a sheet; the script format has the same limit.
+constexpr double kFarthestMm = 1e9;
+
+bool is_place(const Vec3& at) {
+  // NaN compares false.
+  return std::fabs(at.x) <= kFarthestMm && std::fabs(at.y) <= kFarthestMm &&
+         std::fabs(at.z) <= kFarthestMm;
+}
+
+std::optional<double> clean_pressure(std::optional<double> pressure) {
+  if (!pressure || std::isnan(*pressure)) return {};
+  return std::clamp(*pressure, 0.0, 1.0);
+}
+
+/// "pencil.snap" -> {"pencil", "snap"}; without a dot the second is empty.
+std::pair<std::string_view, std::string_view> split_id(std::string_view id) {
+  const std::size_t dot = id.find('.');
+  if (dot == std::string_view::npos) return {id, {}};
+  return {id.substr(0, dot), id.substr(dot + 1)};
+}
+
+Edit import_edit(const Document& document, LayerId layer, std::span<const SketchStroke> strokes) {
+  EditBuilder builder(document);
+  for (const SketchStroke& named : strokes) {
+    builder.add(layer, std::make_shared<const Stroke>(named.stroke));
+  }
+  return std::move(builder).build("Import");
+}
+
+}  // namespace
+
+/// Carries one event out, by its kind.
+struct Session::Apply {
+  Session& session;
+  std::int64_t time_ns;
+
+  Result<void> operator()(const SelectTool& e) const { return session.select(e.id); }
+  Result<void> operator()(const SetOption& e) const { return session.set_option(e.id, e.value); }
+  Result<void> operator()(const PenEvent& e) const {
+    return session.sample({time_ns, e.position, {}, e.pressure, e.buttons});
+  }
+  Result<void> operator()(const HandEvent&) const {
+    return fail(ErrorCode::kUnsupported, "a hand event is for the player, which moves the device");
+  }
+  Result<void> operator()(const UndoEvent&) const { return session.undo(); }
+  Result<void> operator()(const RedoEvent&) const { return session.redo(); }
+  Result<void> operator()(const CancelEvent&) const {
+    session.cancel();
+    return {};
+  }
+  Result<void> operator()(const ImportEvent&) const {
+    return fail(ErrorCode::kUnsupported, "an import is for whoever reads the file");
+  }
+};
+
+Session::Session(std::vector<std::unique_ptr<Tool>> tools, SessionOptions options)
+    : options_(std::move(options)),
+      tools_(std::move(tools)),
+      document_(std::move(options_.document)),
+      index_(document_),
+      history_(options_.history_limit_bytes) {
+  FELT_CHECK(!tools_.empty());
+  active_ = find_tool("pencil").value_or(0);
+}
+
+Result<void> Session::apply(const Event& event) {
+  Result<void> done = std::visit(Apply{*this, event.time_ns}, event.what);
+  // sample() records by itself: what it was told, after cleaning.
+  if (done && !std::holds_alternative<PenEvent>(event.what)) record(event);
+  return done;
+}
+
+Result<void> Session::sample(const PenSample& told) {
+  if (!is_place(told.position)) {
+    ++dropped_;
+    return {};
+  }
+  PenSample sample = told;
+  sample.pressure = clean_pressure(told.pressure);
+  const double dt_s = static_cast<double>(sample.time_ns - last_sample_ns_) * 1e-9;
+  sample.velocity = velocity_.update(sample.position, dt_s);
+  last_sample_ns_ = sample.time_ns;
+  if (options_.on_event) {
+    record({sample.time_ns, PenEvent{sample.position, sample.pressure, sample.buttons}});
+  }
+
+  const bool was_down = std::exchange(pen_is_down_, in_contact(sample));
+  if (pen_is_down_ && !was_down) gesture_is_open_ = true;
+  Result<void> taken = take(tools_[active_]->sample(sample, scene()));
+  if (!pen_is_down_) gesture_is_open_ = false;
+  return taken;
+}
+
+Result<void> Session::import(std::int64_t time_ns, const std::string& path,
+                             std::span<const SketchStroke> strokes) {
+  if (Result<void> ended = finish(); !ended) return ended;
+  if (Result<void> done = commit(import_edit(document_, layer(), strokes)); !done) return done;
+  record({time_ns, ImportEvent{path}});
+  return {};
+}
+
+Result<void> Session::finish() {
+  Result<void> taken = take(tools_[active_]->finish(scene()));
+  preview_.reset();
+  gesture_is_open_ = false;
+  // Whatever the pen does next, it is a new gesture.
+  pen_is_down_ = false;
+  return taken;
+}
+
+Result<void> Session::select(const std::string& id) {
+  const Result<std::size_t> found = find_tool(id);
+  if (!found) return tl::unexpected(found.error());
+  if (*found == active_) return {};
+  const bool was_down = pen_is_down_;
+  Result<void> ended = finish();
+  active_ = *found;
+  if (was_down) cancel();
+  pen_is_down_ = was_down;
+  return ended;
+}
+
+Result<void> Session::set_option(const std::string& id, const OptionValue& value) {
+  const auto [owner, name] = split_id(id);
+  Result<void> done;
+  if (owner == "sheet") {
+    done = sheet_.set(name, value);
+  } else {
+    const Result<std::size_t> found = find_tool(owner);
+    if (!found) return tl::unexpected(found.error());
+    done = tools_[*found]->set_option(name, value);
+  }
+  if (!done) return tl::unexpected(with_context(done.error(), std::string(owner)));
+  return {};
+}
+
+Result<void> Session::undo() {
+  if (gesture_in_work()) {
+    cancel();
+    return {};
+  }
+  // The tool said already what came of the gesture, and the pen is still down: no more of it.
+  if (pen_is_down_) cancel();
+  if (!history_.can_undo()) return {};
+  const Result<Edit> undone = history_.undo(document_);
+  if (!undone) return tl::unexpected(undone.error());
+  follow(*undone);
+  return {};
+}
+
+Result<void> Session::redo() {
+  if (gesture_in_work() || !history_.can_redo()) return {};
+  if (pen_is_down_) cancel();
+  const Result<Edit> redone = history_.redo(document_);
+  if (!redone) return tl::unexpected(redone.error());
+  follow(*redone);
+  return {};
+}
+
+void Session::cancel() {
+  tools_[active_]->cancel();
+  preview_.reset();
+  gesture_is_open_ = false;
+}
+
+Result<void> Session::take(ToolResult result) {
+  preview_ = std::move(result.preview);
+  if (!result.commit) return {};
+  gesture_is_open_ = false;
+  Result<void> done = commit(std::move(*result.commit));
+  if (!done) {
+    return tl::unexpected(with_context(done.error(), std::string(tool().info().id)));
+  }
+  return done;
+}
+
+Result<void> Session::commit(Edit edit) {
+  if (edit.empty()) return {};
+  if (Result<void> applied = document_.apply(edit); !applied) return applied;
+  follow(edit);
+  history_.record(std::move(edit));
+  return {};
+}
+
+void Session::follow(const Edit& applied) {
+  ++edits_;
+  index_.update(applied);
+  if (options_.on_edit) options_.on_edit(applied);
+}
+
+void Session::record(const Event& event) const {
+  if (options_.on_event) options_.on_event(event);
+}
+
+void Session::draw(Overlay& overlay) const {
+  overlay.clear();
+  tool().draw(overlay);
+}
+
+Result<OptionValue> Session::option(std::string_view id) const {
+  const auto [owner, name] = split_id(id);
+  if (owner == "sheet") return sheet_.get(name);
+  const Result<std::size_t> found = find_tool(owner);
+  if (!found) return tl::unexpected(found.error());
+  return tools_[*found]->option(name);
+}
+
+Sketch Session::sketch() const {
+  Sketch sketch;
+  for (const Layer& layer : document_.layers()) {
+    if (!layer.visible) continue;
+    for (const StrokeId id : layer.strokes) {
+      sketch.push_back({"s" + std::to_string(id.value), *document_.find(id)});
+    }
+  }
+  return sketch;
+}
+
+Scene Session::scene() const {
+  return {document_, index_, layer(), sheet_.material(), options_.device, sheet_.color()};
+}
+
+LayerId Session::layer() const {
+  const std::span<const Layer> layers = document_.layers();
+  const auto open = std::find_if(layers.rbegin(), layers.rend(),
+                                 [](const Layer& l) { return l.visible && !l.locked; });
+  return open == layers.rend() ? layers.back().id : open->id;
+}
+
+Result<std::size_t> Session::find_tool(std::string_view id) const {
+  for (std::size_t i = 0; i < tools_.size(); ++i) {
+    if (tools_[i]->info().id == id) return i;
+  }
+  std::string known;
+  for (const auto& tool : tools_)
+    known += (known.empty() ? "" : ", ") + std::string(tool->info().id);
+  return fail(ErrorCode::kNotFound, "no tool \"" + std::string(id) + "\"; there are " + known);
+}
+
+Document document_of(std::span<const SketchStroke> strokes) {
+  Document document;
+  const Edit edit = import_edit(document, document.layers().back().id, strokes);
+  FELT_CHECK(document.apply(edit).has_value());
+  return document;
+}
+
+}  // namespace felt

@@ -1,0 +1,134 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "felt/document/history.h"
+#include "felt/document/stroke_index.h"
+#include "felt/haptics/velocity_filter.h"
+#include "felt/session/event.h"
+#include "felt/session/sheet_options.h"
+#include "felt/stroke/sketch.h"
+#include "felt/tools/tool.h"
+
+namespace felt {
+
+struct SessionOptions {
+  /// What will push back; no force describes mouse and tablet.
+  Capabilities device;
+  /// What is there before the first event; the history starts after it.
+  Document document = {};
+  /// Told every event that the session took, pen samples as PenEvent, in order: a Recorder.
+  std::function<void(const Event&)> on_event = {};
+  /// Told every edit that the document took, undo's and redo's too, in order: for autosave.
+  std::function<void(const Edit&)> on_edit = {};
+  std::size_t history_limit_bytes = History::kDefaultLimitBytes;
+};
+
+/// A drawing session: document, history, tools and what is chosen, as a deterministic function of
+/// its events (architecture section 6). The live program, replay and tests all drive this class:
+///
+///   Session session(make_tools(), options);
+///   session.sample(s);                    // every sample of the device, in the air too
+///   session.apply({t, SetOption{"pencil.snap", "both"}});
+///   servo.publish(session.force());       // every few ms
+///
+/// A *gesture* is in work from the sample that touches the sheet until the tool says what came of
+/// it (as a rule when the pen is lifted), or while the tool shows a preview.
+///   tool chosen, import, finish    the gesture is ended as if the pen were lifted: no ink is lost
+///   cancel                         it never was
+///   undo                           cancels it, and does nothing else: what was seen last goes
+///   redo                           does nothing
+/// After a tool was chosen or a gesture cancelled, the pen must be lifted before it begins
+/// anything.
+///
+/// Samples that no device can mean (not finite, or farther than 1e9 mm) are dropped. Velocities are
+/// worked out here from places and times, whatever the device says, and pressures held to 0..1: a
+/// recording has no velocity, and must give the same session.
+///
+/// Edit thread only; no clock, thread or file.
+class Session {
+ public:
+  /// Starts with the pencil, or the first tool where there is none. Requires one tool at least.
+  Session(std::vector<std::unique_ptr<Tool>> tools, SessionOptions options);
+
+  /// Error: no such tool or option, or a value that it does not take; a HandEvent, which is for the
+  /// Player; an ImportEvent, whose file the caller reads for import(). Nothing changes then, and
+  /// the event is not recorded.
+  Result<void> apply(const Event& event);
+  /// What a PenEvent ends in. Error: the tool made an edit that does not fit: a defect.
+  Result<void> sample(const PenSample& sample);
+  /// Adds strokes on top of the layer in use as one step; what an ImportEvent of this path ends in.
+  Result<void> import(std::int64_t time_ns, const std::string& path,
+                      std::span<const SketchStroke> strokes);
+  /// No sample follows for now: the device is gone, the script or the program ends.
+  Result<void> finish();
+
+  /// What the hand should feel from now on.
+  [[nodiscard]] ForceModel force() const { return tool().force(scene()); }
+  /// What is to be seen besides the document. Replaces the content.
+  void draw(Overlay& overlay) const;
+  /// The document with this edit is what is to be seen, while a gesture is in work.
+  [[nodiscard]] const std::optional<Edit>& preview() const noexcept { return preview_; }
+
+  [[nodiscard]] const Document& document() const noexcept { return document_; }
+  [[nodiscard]] const History& history() const noexcept { return history_; }
+  [[nodiscard]] const SheetOptions& sheet() const noexcept { return sheet_; }
+  [[nodiscard]] std::span<const std::unique_ptr<Tool>> tools() const noexcept { return tools_; }
+  [[nodiscard]] const Tool& tool() const noexcept { return *tools_[active_]; }
+  [[nodiscard]] bool gesture_in_work() const noexcept {
+    return gesture_is_open_ || preview_.has_value();
+  }
+  /// By "tool.option" or "sheet.option".
+  [[nodiscard]] Result<OptionValue> option(std::string_view id) const;
+  /// The strokes of visible layers in drawing order; each is named after its id, so that a stroke
+  /// keeps its name whatever happens to others.
+  [[nodiscard]] Sketch sketch() const;
+  /// Edits that the document took, undo's and redo's too.
+  [[nodiscard]] std::uint64_t edit_count() const noexcept { return edits_; }
+  /// Samples that were dropped.
+  [[nodiscard]] std::uint64_t dropped_samples() const noexcept { return dropped_; }
+
+ private:
+  struct Apply;
+
+  [[nodiscard]] Scene scene() const;
+  [[nodiscard]] LayerId layer() const;
+  [[nodiscard]] Result<std::size_t> find_tool(std::string_view id) const;
+  Result<void> select(const std::string& id);
+  Result<void> set_option(const std::string& id, const OptionValue& value);
+  Result<void> undo();
+  Result<void> redo();
+  void cancel();
+  Result<void> take(ToolResult result);
+  Result<void> commit(Edit edit);
+  void follow(const Edit& applied);
+  void record(const Event& event) const;
+
+  SessionOptions options_;
+  std::vector<std::unique_ptr<Tool>> tools_;
+  std::size_t active_ = 0;
+  SheetOptions sheet_;
+  Document document_;
+  StrokeIndex index_;
+  History history_;
+  std::optional<Edit> preview_;
+  VelocityFilter velocity_;
+  std::int64_t last_sample_ns_ = 0;
+  bool pen_is_down_ = false;
+  bool gesture_is_open_ = false;  // touched the sheet, and nothing came of it yet
+  std::uint64_t dropped_ = 0;
+  std::uint64_t edits_ = 0;
+};
+
+/// A document of these strokes: one layer, in their order. For SessionOptions.
+Document document_of(std::span<const SketchStroke> strokes);
+
+}  // namespace felt

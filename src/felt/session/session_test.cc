@@ -1,0 +1,354 @@
+#include "felt/session/session.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <random>
+
+#include "felt/session/fake_tools.h"
+
+namespace felt {
+namespace {
+
+using testing::HasSubstr;
+
+constexpr std::int64_t kTickNs = 1'000'000;
+
+/// A session with a pen in hand.
+struct Desk {
+  explicit Desk(SessionOptions options = {}) : session(fake_tools(), std::move(options)) {}
+
+  void pen(double x, double y, double z) {
+    const Result<void> done = session.apply({now_ns, PenEvent{{x, y, z}, {}, 0}});
+    ASSERT_TRUE(done) << done.error().message;
+    now_ns += kTickNs;
+  }
+  void put_down(double x, double y) {
+    pen(x, y, 5);
+    pen(x, y, -1);
+  }
+  void lift(double x, double y) { pen(x, y, 5); }
+  void line(double x, double y) {
+    put_down(x, y);
+    pen(x + 5, y, -1);
+    pen(x + 10, y, -1);
+    lift(x + 10, y);
+  }
+  template <class What>
+  Result<void> tell(What what) {
+    return session.apply({now_ns, std::move(what)});
+  }
+  template <class What>
+  void must(What what) {
+    const Result<void> done = tell(std::move(what));
+    ASSERT_TRUE(done) << done.error().message;
+  }
+  [[nodiscard]] std::size_t strokes() const { return session.document().stroke_count(); }
+
+  std::int64_t now_ns = 0;
+  Session session;
+};
+
+TEST(Session, StartsWithThePencil) {
+  EXPECT_EQ(Desk().session.tool().info().id, "pencil");
+}
+
+TEST(Session, AGestureIsOneStepOfUndo) {
+  Desk desk;
+  desk.line(0, 0);
+  desk.line(0, 10);
+  EXPECT_EQ(desk.strokes(), 2U);
+  EXPECT_EQ(desk.session.history().undo_count(), 2U);
+  const Sketch both = desk.session.sketch();
+  desk.must(UndoEvent{});
+  EXPECT_EQ(desk.strokes(), 1U);
+  desk.must(RedoEvent{});
+  EXPECT_EQ(desk.session.sketch(), both);
+  desk.must(UndoEvent{});
+  desk.must(UndoEvent{});
+  EXPECT_EQ(desk.strokes(), 0U);
+}
+
+TEST(Session, NothingToUndoOrRedoIsNoError) {
+  Desk desk;
+  desk.must(UndoEvent{});
+  desk.must(RedoEvent{});
+  EXPECT_EQ(desk.strokes(), 0U);
+}
+
+TEST(Session, ShowsAPreviewUntilTheRelease) {
+  Desk desk;
+  desk.put_down(0, 0);
+  desk.pen(5, 0, -1);
+  EXPECT_TRUE(desk.session.gesture_in_work());
+  ASSERT_TRUE(desk.session.preview());
+  EXPECT_EQ(desk.session.preview()->changes.size(), 1U);
+  EXPECT_EQ(desk.strokes(), 0U);
+  Overlay overlay;
+  desk.session.draw(overlay);
+  EXPECT_EQ(overlay.rings.size(), 2U);
+  desk.lift(5, 0);
+  EXPECT_FALSE(desk.session.preview());
+  EXPECT_FALSE(desk.session.gesture_in_work());
+  desk.session.draw(overlay);
+  EXPECT_TRUE(overlay.rings.empty());
+  EXPECT_EQ(desk.strokes(), 1U);
+}
+
+TEST(Session, UndoInAGestureTakesBackOnlyThat) {
+  Desk desk;
+  desk.line(0, 0);
+  desk.put_down(0, 10);
+  desk.pen(5, 10, -1);
+  desk.must(UndoEvent{});
+  EXPECT_EQ(desk.strokes(), 1U);
+  EXPECT_FALSE(desk.session.preview());
+  desk.pen(10, 10, -1);  // still down: draws nothing before it is lifted
+  desk.lift(10, 10);
+  EXPECT_EQ(desk.strokes(), 1U);
+  desk.line(0, 20);
+  EXPECT_EQ(desk.strokes(), 2U);
+}
+
+TEST(Session, UndoAtTheFirstTouchTakesBackOnlyThat) {
+  Desk desk;
+  desk.line(0, 0);
+  desk.put_down(0, 10);  // no preview yet
+  desk.must(UndoEvent{});
+  EXPECT_EQ(desk.strokes(), 1U);
+}
+
+TEST(Session, RedoInAGestureDoesNothing) {
+  Desk desk;
+  desk.line(0, 0);
+  desk.must(UndoEvent{});
+  desk.put_down(0, 10);
+  desk.must(RedoEvent{});
+  EXPECT_EQ(desk.strokes(), 0U);
+  desk.pen(5, 10, -1);
+  desk.lift(5, 10);
+  EXPECT_EQ(desk.strokes(), 1U);
+  EXPECT_FALSE(desk.session.history().can_redo());
+}
+
+TEST(Session, UndoWhileThePenIsStillDownAfterTheOutcome) {
+  Desk desk;
+  desk.line(0, 0);
+  desk.line(0, 10);
+  desk.must(SelectTool{"eraser"});
+  desk.put_down(0, 0);
+  EXPECT_EQ(desk.strokes(), 1U);
+  desk.must(UndoEvent{});
+  EXPECT_EQ(desk.strokes(), 2U);
+  desk.pen(1, 1, -1);  // does not erase again
+  EXPECT_EQ(desk.strokes(), 2U);
+}
+
+TEST(Session, CancelMeansItNeverWas) {
+  Desk desk;
+  desk.put_down(0, 0);
+  desk.pen(5, 0, -1);
+  desk.must(CancelEvent{});
+  EXPECT_FALSE(desk.session.preview());
+  desk.pen(10, 0, -1);
+  desk.lift(10, 0);
+  EXPECT_EQ(desk.strokes(), 0U);
+  EXPECT_FALSE(desk.session.history().can_undo());
+}
+
+TEST(Session, AToolChosenInAGestureKeepsTheInkAndWaitsForALift) {
+  Desk desk;
+  desk.put_down(0, 0);
+  desk.pen(5, 0, -1);
+  desk.must(SelectTool{"eraser"});
+  EXPECT_EQ(desk.strokes(), 1U);
+  EXPECT_FALSE(desk.session.gesture_in_work());
+  desk.pen(6, 0, -1);  // would erase it
+  EXPECT_EQ(desk.strokes(), 1U);
+  desk.lift(6, 0);
+  desk.put_down(6, 0);
+  EXPECT_EQ(desk.strokes(), 0U);
+}
+
+TEST(Session, AToolChosenInTheAirBeginsAtOnce) {
+  Desk desk;
+  desk.line(0, 0);
+  desk.must(SelectTool{"eraser"});
+  desk.pen(0, 0, -1);
+  EXPECT_EQ(desk.strokes(), 0U);
+  desk.must(SelectTool{"pencil"});  // waits for a lift
+  desk.must(SelectTool{"pencil"});  // the same one: nothing
+  EXPECT_EQ(desk.session.tool().info().id, "pencil");
+}
+
+TEST(Session, FinishEndsAGestureAsALiftWould) {
+  Desk lifted, finished;
+  lifted.line(0, 0);
+  finished.put_down(0, 0);
+  finished.pen(5, 0, -1);
+  finished.pen(10, 0, -1);
+  ASSERT_TRUE(finished.session.finish());
+  EXPECT_EQ(finished.session.sketch(), lifted.session.sketch());
+  ASSERT_TRUE(finished.session.finish());
+  EXPECT_EQ(finished.strokes(), 1U);
+}
+
+TEST(Session, ImportAddsOneStepOnTopAndKeepsTheInkInWork) {
+  Desk source;
+  source.line(0, 0);
+  source.line(0, 10);
+  Desk desk;
+  desk.put_down(0, 20);
+  desk.pen(5, 20, -1);
+  ASSERT_TRUE(desk.session.import(desk.now_ns, "a.ndjson", source.session.sketch()));
+  EXPECT_EQ(desk.strokes(), 3U);
+  EXPECT_EQ(desk.session.sketch()[1].stroke, source.session.sketch()[0].stroke);
+  EXPECT_EQ(desk.session.history().undo_count(), 2U);
+  desk.pen(8, 20, -1);
+  desk.lift(8, 20);
+  desk.must(UndoEvent{});
+  EXPECT_EQ(desk.strokes(), 1U) << "a dot is no line to this tool, so the import was undone";
+}
+
+TEST(Session, NamesStrokesSoThatTheyKeepTheirNames) {
+  Desk desk;
+  desk.line(0, 0);
+  desk.line(0, 10);
+  desk.line(0, 20);
+  const Sketch before = desk.session.sketch();
+  EXPECT_EQ(before[0].id, "s1");
+  EXPECT_EQ(before[2].id, "s3");
+  desk.must(UndoEvent{});
+  desk.line(0, 30);
+  const Sketch after = desk.session.sketch();
+  ASSERT_EQ(after.size(), 3U);
+  EXPECT_EQ(after[1], before[1]);
+  EXPECT_EQ(after[2].id, "s4") << "an id never comes to name another stroke";
+}
+
+TEST(Session, StartsWithADocument) {
+  Desk source;
+  source.line(0, 0);
+  SessionOptions options;
+  options.document = document_of(source.session.sketch());
+  Desk desk(std::move(options));
+  EXPECT_EQ(desk.session.sketch(), source.session.sketch());
+  EXPECT_FALSE(desk.session.history().can_undo());
+}
+
+TEST(Session, SetsOptionsOfToolsAndOfTheSheet) {
+  Desk desk;
+  desk.must(SetOption{"pencil.width_mm", 2.0});
+  desk.must(SetOption{"sheet.color", std::string("#ff0000")});
+  desk.must(SetOption{"sheet.material", std::string("glass")});
+  EXPECT_EQ(desk.session.option("pencil.width_mm"), OptionValue(2.0));
+  EXPECT_EQ(desk.session.option("sheet.color"), OptionValue(std::string("#ff0000")));
+  EXPECT_EQ(desk.session.option("sheet.material"), OptionValue(std::string("glass")));
+  EXPECT_EQ(desk.session.sheet().material().id, "glass");
+  desk.line(0, 0);
+  EXPECT_EQ(desk.session.sketch()[0].stroke.width_mm(0), 2.0);
+  EXPECT_EQ(desk.session.sketch()[0].stroke.color(), (Rgba{255, 0, 0, 255}));
+}
+
+TEST(Session, EveryMaterialCanBeChosen) {
+  Desk desk;
+  for (const SurfaceMaterial& material : surface_materials()) {
+    desk.must(SetOption{"sheet.material", std::string(material.id)});
+    EXPECT_EQ(&desk.session.sheet().material(), &material);
+  }
+}
+
+TEST(Session, SaysWhatIsWrongAndChangesNothing) {
+  std::vector<Event> recorded;
+  SessionOptions options;
+  options.on_event = [&recorded](const Event& event) { recorded.push_back(event); };
+  Desk desk(std::move(options));
+  EXPECT_EQ(desk.tell(SelectTool{"brush"}).error().message,
+            "no tool \"brush\"; there are eraser, pencil");
+  EXPECT_THAT(desk.tell(SetOption{"brush.size", 1.0}).error().message, HasSubstr("no tool"));
+  EXPECT_THAT(desk.tell(SetOption{"pencil", 1.0}).error().message, HasSubstr("pencil"));
+  EXPECT_THAT(desk.tell(SetOption{"pencil.width_mm", 9.0}).error().message, HasSubstr("width_mm"));
+  EXPECT_THAT(desk.tell(SetOption{"sheet.color", 1.0}).error().message,
+              HasSubstr("sheet: color: a number or switch is not #rrggbb"));
+  EXPECT_THAT(desk.tell(SetOption{"sheet.color", std::string("red")}).error().message,
+              HasSubstr("sheet: color: \"red\" is not #rrggbb"));
+  EXPECT_THAT(desk.tell(SetOption{"sheet.material", std::string("mud")}).error().message,
+              HasSubstr("sheet: option 'material' cannot be 'mud'"));
+  EXPECT_EQ(desk.tell(HandEvent{}).error().code, ErrorCode::kUnsupported);
+  EXPECT_EQ(desk.tell(ImportEvent{"a"}).error().code, ErrorCode::kUnsupported);
+  EXPECT_EQ(desk.session.option("pencil.width_mm"), OptionValue(1.0));
+  EXPECT_FALSE(desk.session.option("pencil.nothing"));
+  EXPECT_TRUE(recorded.empty());
+}
+
+TEST(Session, DropsSamplesThatNoDeviceCanMean) {
+  Desk desk;
+  desk.put_down(0, 0);
+  desk.pen(std::numeric_limits<double>::quiet_NaN(), 0, -1);
+  desk.pen(0, std::numeric_limits<double>::infinity(), -1);
+  desk.pen(0, 0, -2e9);
+  desk.pen(5, 0, -1);
+  desk.lift(5, 0);
+  EXPECT_EQ(desk.session.dropped_samples(), 3U);
+  EXPECT_EQ(desk.session.sketch()[0].stroke.segment_count(), 1);
+}
+
+TEST(Session, TellsEveryEditSoThatACopyFollows) {
+  Document copy;
+  std::vector<Event> recorded;
+  SessionOptions options;
+  options.on_edit = [&copy](const Edit& edit) { ASSERT_TRUE(copy.apply(edit)); };
+  options.on_event = [&recorded](const Event& event) { recorded.push_back(event); };
+  Desk desk(std::move(options));
+  std::mt19937 random(7);
+  for (int i = 0; i < 300; ++i) {
+    const unsigned what = random() % 8;
+    if (what < 4) desk.line(static_cast<double>(random() % 100), static_cast<double>(i));
+    if (what == 4) desk.must(UndoEvent{});
+    if (what == 5) desk.must(RedoEvent{});
+    if (what == 6) desk.must(SelectTool{random() % 4 ? "pencil" : "eraser"});
+    if (what == 7) desk.pen(static_cast<double>(random() % 100), 0, random() % 2 ? -1 : 1);
+    ASSERT_TRUE(copy == desk.session.document()) << "step " << i;
+  }
+  EXPECT_GT(desk.session.edit_count(), 100U);
+
+  // Told again what was recorded, another session is where this one is.
+  Desk again;
+  for (const Event& event : recorded) ASSERT_TRUE(again.session.apply(event));
+  EXPECT_EQ(again.session.sketch(), desk.session.sketch());
+  EXPECT_TRUE(again.session.document() == desk.session.document());
+}
+
+TEST(Session, R52_RandomGesturesUndoToTheStartAndRedoToTheEnd) {
+  Desk desk;
+  std::mt19937 random(52);
+  std::vector<Sketch> steps = {desk.session.sketch()};
+  while (steps.size() <= 1000) {
+    desk.must(SelectTool{random() % 4 ? "pencil" : "eraser"});
+    desk.line(static_cast<double>(random() % 100), static_cast<double>(random() % 100));
+    if (desk.session.history().undo_count() == steps.size()) {
+      steps.push_back(desk.session.sketch());
+    }
+  }
+  for (std::size_t i = steps.size() - 1; i-- > 0;) {
+    desk.must(UndoEvent{});
+    ASSERT_EQ(desk.session.sketch(), steps[i]) << "back to step " << i;
+  }
+  for (std::size_t i = 1; i < steps.size(); ++i) {
+    desk.must(RedoEvent{});
+    ASSERT_EQ(desk.session.sketch(), steps[i]) << "again to step " << i;
+  }
+}
+
+TEST(Session, TheForceIsThatOfTheTool) {
+  Desk desk;
+  ForceMemory memory;
+  const PenSample pressing{0, {0, 0, -1}, {}, {}, 0};
+  EXPECT_DOUBLE_EQ(desk.session.force()(pressing, memory).z, 0.3);
+  desk.must(SetOption{"pencil.hard", true});
+  EXPECT_DOUBLE_EQ(desk.session.force()(pressing, memory).z, 0.6);
+}
+
+}  // namespace
+}  // namespace felt
