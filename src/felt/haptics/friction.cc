@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "felt/haptics/known_velocity.h"
+
 namespace felt {
 namespace {
 
@@ -30,7 +32,7 @@ Force Friction::operator()(const PenSample& sample, ForceMemory& memory) const n
   const Vec stretch = shortened(pen - memory.bristle, limit_n / stiffness);
   memory.bristle = pen - stretch;
   const double damping = 1e-3 * options_.damping_n_s_per_m * memory.scale.friction;
-  const Vec pull = shortened(-stiffness * stretch - damping * in_plane(sample.velocity), limit_n);
+  const Vec pull = shortened(-stiffness * stretch - damping * known_velocity(sample), limit_n);
 
   const Force force{pull.x, pull.y, 0.0};
   const Force plain = factor > 0.0 ? (1.0 / factor) * force : force;

@@ -1,5 +1,7 @@
 #include "felt/haptics/spring.h"
 
+#include "felt/haptics/known_velocity.h"
+
 namespace felt {
 
 Force pull_back(const ForceLaw& law, Vec displacement_mm, double damping_n_s_per_m,
@@ -15,7 +17,7 @@ Force pull_back(const ForceLaw& law, Vec displacement_mm, double damping_n_s_per
 Force EditSpring::operator()(const PenSample& sample, ForceMemory& memory) const noexcept {
   const Force force =
       pull_back(options_.law, on_sheet(sample.position) - origin_, options_.damping_n_s_per_m,
-                in_plane(sample.velocity), memory.scale.lateral);
+                known_velocity(sample), memory.scale.lateral);
   memory.terms.add("edit", force);
   return force;
 }
@@ -33,7 +35,7 @@ Force SweepSpring::operator()(const PenSample& sample, ForceMemory& memory) cons
   const Vec lag = (time_constant_s_ / (time_constant_s_ + memory.dt_s)) * (pen - curve.position);
   curve.position = pen - lag;
   const Force force = pull_back(options_.law, lag, options_.damping_n_s_per_m,
-                                in_plane(sample.velocity), memory.scale.lateral);
+                                known_velocity(sample), memory.scale.lateral);
   memory.terms.add("edit", force);
   return force;
 }

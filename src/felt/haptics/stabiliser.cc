@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "felt/haptics/known_velocity.h"
 #include "felt/haptics/spring.h"
 
 namespace felt {
@@ -40,7 +41,7 @@ Force Towed::operator()(const PenSample& sample, ForceMemory& memory) const noex
     if (length > options_.rope_mm && length > 0.0) {
       const Vec along = rope / length;
       // Only along the rope: it does not push sideways.
-      const double speed = dot(in_plane(sample.velocity), along);
+      const double speed = dot(known_velocity(sample), along);
       // The damper grows in with the stretch, or it would kick when the rope goes taut.
       const double stretch = length - options_.rope_mm;
       const double taut = std::min(1.0, stretch);

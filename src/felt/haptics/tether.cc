@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "felt/haptics/known_velocity.h"
+
 namespace felt {
 namespace {
 
@@ -112,7 +114,7 @@ Force Tether::operator()(const PenSample& sample, ForceMemory& memory) const noe
       pull = scale_pull(pen);
       break;
   }
-  pull = memory.scale.lateral * (pull - 1e-3 * kDampingNsPerM * in_plane(sample.velocity));
+  pull = memory.scale.lateral * (pull - 1e-3 * kDampingNsPerM * known_velocity(sample));
   const Force force{pull.x, pull.y, 0.0};
   memory.terms.add("tether", force);
   return force;

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "felt/haptics/known_velocity.h"
+
 namespace felt {
 namespace {
 
@@ -24,9 +26,15 @@ double WellShape::force_at_n(double distance_mm) const noexcept {
   const auto [core, rim_start, radius] = lengths(*this);
   if (!(distance_mm > 0.0) || distance_mm >= radius) return 0.0;
   if (distance_mm < core) return force_n * (distance_mm / core);
-  if (distance_mm <= rim_start) return force_n;
+  return force_n * damped_share(distance_mm);
+}
+
+double WellShape::damped_share(double distance_mm) const noexcept {
+  const auto [core, rim_start, radius] = lengths(*this);
+  if (distance_mm <= rim_start) return 1.0;
+  if (distance_mm >= radius) return 0.0;
   const double x = (distance_mm - rim_start) / (radius - rim_start);
-  return force_n * (1.0 - x * x * (3.0 - 2.0 * x));
+  return 1.0 - x * x * (3.0 - 2.0 * x);
 }
 
 double WellShape::potential_mj(double distance_mm) const noexcept {
@@ -54,11 +62,14 @@ Wells::Wells(std::span<const Point> targets, const WellShape& shape) noexcept
 
 Force Wells::operator()(const PenSample& sample, ForceMemory& memory) const noexcept {
   Vec sum{};
+  double damped = 0.0;
   for (std::size_t i = 0; i < count_; ++i) {
     const Vec to_target = targets_[i] - on_sheet(sample.position);
     const double distance = norm(to_target);
     if (distance > 1e-12) sum += (shape_.force_at_n(distance) / distance) * to_target;
+    damped = std::max(damped, shape_.damped_share(distance));
   }
+  sum -= 1e-3 * damped * shape_.damping_n_s_per_m * known_velocity(sample);
   const Force force = memory.scale.lateral * Force{sum.x, sum.y, 0.0};
   memory.terms.add("snap", force);
   return force;

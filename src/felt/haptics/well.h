@@ -25,18 +25,22 @@ struct WellShape {
   double core_mm = 2.0;    ///< d0
   double rim_mm = 2.0;     ///< w
   double force_n = 0.6;    ///< Fp
+  /// Calms the core beside a bristle at 3 ms of delay; on the known velocity, fading along the rim.
+  double damping_n_s_per_m = 1.0;
 
-  /// F in N, 0 at d <= 0 and d >= M.
+  /// F in N, 0 at d <= 0 and d >= M; without the damping.
   [[nodiscard]] double force_at_n(double distance_mm) const noexcept;
   /// Energy that leads out of the well from the target to a distance, mJ; 3.6 mJ in all by default.
   [[nodiscard]] double potential_mj(double distance_mm) const noexcept;
   /// Stiffness at the target, N/m: its steepest pull back. The rim is up to 1.5 Fp/w steep the
   /// other way (it lets go), which no delay turns into an oscillation.
   [[nodiscard]] double core_slope_n_per_m() const noexcept;
+  /// Share of the damping at a distance: 1 up to the rim, 0 from M.
+  [[nodiscard]] double damped_share(double distance_mm) const noexcept;
 };
 
 /// Up to four snap targets. Their pulls add, so the force is continuous and has a potential
-/// wherever they lie; a tool that wants the nearest alone gives one (R43).
+/// wherever they lie; a tool that wants the nearest alone gives one (R43). The dampings do not add.
 class Wells {
  public:
   static constexpr std::size_t kMax = 4;
