@@ -42,7 +42,8 @@ class FakePencil : public Tool {
     const bool touches = in_contact(sample);
     if (!touches) {
       waits_for_lift_ = false;
-      return finish(scene);
+      // Just above the sheet it may have been a bounce: the line waits.
+      return sample.position.z < 0.5 ? ToolResult{} : finish(scene);
     }
     if (waits_for_lift_) return {};
     const Point at = on_sheet(sample.position);

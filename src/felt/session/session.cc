@@ -151,8 +151,7 @@ Result<void> Session::undo() {
     cancel();
     return {};
   }
-  // The tool said already what came of the gesture, and the pen is still down: no more of it.
-  if (pen_is_down_) cancel();
+  if (Result<void> settled = settle(); !settled) return settled;
   if (!history_.can_undo()) return {};
   const Result<Edit> undone = history_.undo(document_);
   if (!undone) return tl::unexpected(undone.error());
@@ -161,11 +160,18 @@ Result<void> Session::undo() {
 }
 
 Result<void> Session::redo() {
-  if (gesture_in_work() || !history_.can_redo()) return {};
-  if (pen_is_down_) cancel();
+  if (gesture_in_work()) return {};
+  if (Result<void> settled = settle(); !settled) return settled;
+  if (!history_.can_redo()) return {};
   const Result<Edit> redone = history_.redo(document_);
   if (!redone) return tl::unexpected(redone.error());
   follow(*redone);
+  return {};
+}
+
+Result<void> Session::settle() {
+  if (!pen_is_down_) return finish();
+  cancel();
   return {};
 }
 

@@ -106,6 +106,10 @@ class Session {
   Result<void> set_option(const std::string& id, const OptionValue& value);
   Result<void> undo();
   Result<void> redo();
+  /// Before the document changes behind the tool's back, while no gesture is in work. With the pen
+  /// up, a tool may still hold ink back until it believes in the lift: that is the last step then.
+  /// With the pen down, the tool said already what came of its gesture: no more of it.
+  Result<void> settle();
   void cancel();
   Result<void> take(ToolResult result);
   Result<void> commit(Edit edit);

@@ -119,6 +119,21 @@ TEST(Session, UndoAtTheFirstTouchTakesBackOnlyThat) {
   EXPECT_EQ(desk.strokes(), 1U);
 }
 
+TEST(Session, UndoRightAfterTheLiftTakesBackTheLineThatWaits) {
+  Desk desk;
+  desk.line(0, 0);
+  desk.put_down(0, 10);
+  desk.pen(5, 10, -1);
+  desk.pen(5, 10, 0.1);  // the tool still thinks of a bounce
+  desk.must(UndoEvent{});
+  EXPECT_EQ(desk.strokes(), 1U);
+  EXPECT_TRUE(desk.session.history().can_redo());
+  desk.lift(5, 10);
+  EXPECT_EQ(desk.strokes(), 1U);
+  desk.must(RedoEvent{});
+  EXPECT_EQ(desk.strokes(), 2U);
+}
+
 TEST(Session, RedoInAGestureDoesNothing) {
   Desk desk;
   desk.line(0, 0);
