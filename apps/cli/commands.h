@@ -14,6 +14,9 @@ void add_render_command(CLI::App& app, Console& console);
 void add_convert_command(CLI::App& app, Console& console);
 void add_info_command(CLI::App& app, Console& console);
 void add_bench_command(CLI::App& app, Console& console);
+void add_replay_command(CLI::App& app, Console& console);
+void add_demo_command(CLI::App& app, Console& console);
+void add_tools_command(CLI::App& app, Console& console);
 void add_devices_command(CLI::App& app, Console& console);
 
 /// A command line that makes no sense: the message is shown and the exit code is 2.

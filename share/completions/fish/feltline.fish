@@ -1,5 +1,5 @@
 # fish completion for feltline
-set -l commands fit render convert info bench
+set -l commands fit render convert info replay demo tools devices bench
 complete -c feltline -s h -l help -d 'Show help'
 complete -c feltline -s q -l quiet -d 'No progress line'
 complete -c feltline -n "not __fish_seen_subcommand_from $commands" -f -l version -d 'Show the version'
@@ -7,9 +7,13 @@ complete -c feltline -n "not __fish_seen_subcommand_from $commands" -f -a fit -d
 complete -c feltline -n "not __fish_seen_subcommand_from $commands" -f -a render -d 'Make a picture of a sketch'
 complete -c feltline -n "not __fish_seen_subcommand_from $commands" -f -a convert -d 'Write a sketch in another format'
 complete -c feltline -n "not __fish_seen_subcommand_from $commands" -f -a info -d 'Say what is in a file'
+complete -c feltline -n "not __fish_seen_subcommand_from $commands" -f -a replay -d 'Play events or pen strokes through a simulated pen'
+complete -c feltline -n "not __fish_seen_subcommand_from $commands" -f -a demo -d 'Let the simulated hand draw a picture'
+complete -c feltline -n "not __fish_seen_subcommand_from $commands" -f -a tools -d 'List the tools and their options'
+complete -c feltline -n "not __fish_seen_subcommand_from $commands" -f -a devices -d 'List the pens and hands there are'
 complete -c feltline -n "not __fish_seen_subcommand_from $commands" -f -a bench -d 'Time the fitting on this machine'
 
-set -l makes_output 'fit render convert'
+set -l makes_output fit render convert replay
 complete -c feltline -n "__fish_seen_subcommand_from $makes_output" -s o -l output -r -d 'Where it goes'
 complete -c feltline -n "__fish_seen_subcommand_from $makes_output" -l to -x -a 'ndjson svg png' -d 'Format of the output'
 complete -c feltline -n "__fish_seen_subcommand_from $makes_output" -l dpi -x -d 'Resolution of a .png'
@@ -24,4 +28,20 @@ complete -c feltline -n '__fish_seen_subcommand_from fit' -l scheme -x -a 'feltl
 complete -c feltline -n '__fish_seen_subcommand_from fit' -l shared-samples -x -d 'Samples that segments share'
 complete -c feltline -n '__fish_seen_subcommand_from fit' -l stats -x -a json -d 'Print cost and closeness'
 complete -c feltline -n '__fish_seen_subcommand_from fit' -s j -l jobs -x -d 'Threads, 0 for all cores'
-complete -c feltline -n '__fish_seen_subcommand_from info' -l json -d 'One line of JSON'
+complete -c feltline -n '__fish_seen_subcommand_from info tools devices' -l json -d 'One line of JSON'
+
+complete -c feltline -n '__fish_seen_subcommand_from replay demo' -l device -x -a 'worst touch touch-x premium falcon omega inverse3 mouse tablet' -d 'The simulated pen'
+complete -c feltline -n '__fish_seen_subcommand_from replay demo' -l hand -x -a 'light soft typical firm' -d 'Who holds it'
+complete -c feltline -n '__fish_seen_subcommand_from demo' -s o -l output -x -a '(__fish_complete_directories)' -d 'Where the pictures go'
+complete -c feltline -n '__fish_seen_subcommand_from demo' -l size -x -d 'Width of the pictures in pixels'
+complete -c feltline -n '__fish_seen_subcommand_from replay' -l on -r -d 'A sketch to begin with'
+complete -c feltline -n '__fish_seen_subcommand_from replay' -l forces -r -d 'A row for each tick, .csv'
+complete -c feltline -n '__fish_seen_subcommand_from replay' -l plot -r -d 'Pose, width and forces over time, .png'
+complete -c feltline -n '__fish_seen_subcommand_from replay' -l stats -x -a json -d 'Print counts, forces and closeness'
+complete -c feltline -n '__fish_seen_subcommand_from replay' -l rate -x -d 'Ticks a second'
+complete -c feltline -n '__fish_seen_subcommand_from replay' -l delay -x -d 'Ticks from a position to its force'
+complete -c feltline -n '__fish_seen_subcommand_from replay' -l seed -x -d 'Number of a tremor of its own'
+complete -c feltline -n '__fish_seen_subcommand_from replay' -l no-force -d 'The pen pushes back with nothing'
+complete -c feltline -n '__fish_seen_subcommand_from replay' -l material -x -a 'paper blackboard felt glass' -d 'What is drawn on'
+complete -c feltline -n '__fish_seen_subcommand_from replay' -l set -x -d 'Set an option, TOOL.OPTION=VALUE'
+complete -c feltline -n '__fish_seen_subcommand_from replay' -l mm-per-unit -x -d 'Size of one unit of raw strokes'

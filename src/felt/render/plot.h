@@ -38,7 +38,7 @@ struct PlotLimit {
 struct PlotPanel {
   std::string title;
   std::string unit;
-  std::vector<PlotLine> lines;
+  std::vector<PlotLine> lines{};
   std::vector<PlotLimit> limits{};
   double height = 110.0;           ///< of the axes, in units of the plot
   bool from_zero = false;          ///< the axis begins at 0, whatever the smallest value

@@ -37,7 +37,7 @@ PlotTicks plot_ticks(double low, double high, int count) {
   if (!is_useful(low, high)) return ticks;
   ticks.step = nice_step(high - low, count);
   if (std::floor(high / ticks.step + 1e-9) - std::ceil(low / ticks.step - 1e-9) < 1.0) {
-    ticks.step = nice_step(high - low, 4 * count);  // a range between two ticks
+    ticks.step = nice_step(high - low, 2 * count + 1);  // a range between two ticks
   }
   const double first = std::ceil(low / ticks.step - 1e-9);
   const double last = std::floor(high / ticks.step + 1e-9);

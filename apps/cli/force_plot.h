@@ -1,0 +1,57 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "felt/base/result.h"
+#include "felt/haptics/safety_limits.h"
+#include "felt/render/plot.h"
+#include "felt/rt/servo.h"
+
+namespace felt::cli {
+
+/// Gathers what a plot of a replay shows, in bounded memory: pose, width, every force term, what
+/// was asked and what was sent.
+class ForcePlot {
+ public:
+  /// Ticks come `period_s` apart; the first one says when it begins.
+  ForcePlot(double period_s, const SafetyLimits& limits);
+
+  /// One tick. `width_mm` of the ink that it leaves; none while there is none.
+  void add(const TickReport& tick, std::optional<double> width_mm);
+
+  /// What is written above.
+  void set_title(std::string title, std::string note);
+  /// Shows this stretch of time; all of it in a strip above. Without it everything is shown.
+  void set_span(const PlotSpan& span) { span_ = span; }
+  /// The whole recording.
+  [[nodiscard]] PlotSpan whole() const noexcept;
+
+  [[nodiscard]] double rate_hz() const noexcept { return 1.0 / period_s_; }
+
+  /// The picture. Error: nothing was added.
+  [[nodiscard]] Result<Image> draw() const;
+
+ private:
+  struct Term {
+    std::string name;
+    PlotTrace strength;
+  };
+  [[nodiscard]] PlotTrace new_trace() const { return {start_s_, period_s_, kStretches}; }
+  void begin(double start_s);
+  PlotTrace& term_trace(const std::string& name);
+  [[nodiscard]] PlotPanel force_panel() const;
+
+  static constexpr std::size_t kStretches = 1u << 15;
+  double start_s_ = 0.0;
+  double period_s_;
+  SafetyLimits limits_;
+  std::string title_, note_;
+  std::optional<PlotSpan> span_;
+  std::size_t ticks_ = 0;
+  PlotTrace contact_, x_, y_, z_, width_, asked_, sent_;
+  std::vector<Term> terms_;
+};
+
+}  // namespace felt::cli

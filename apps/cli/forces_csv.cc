@@ -1,0 +1,128 @@
+#include "forces_csv.h"
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <system_error>
+
+#include "felt/io/ndjson_writer.h"
+
+namespace felt::cli {
+namespace {
+
+constexpr std::size_t kBufferBytes = std::size_t{256} << 10;
+constexpr std::string_view kFixedColumns =
+    "t_ms,x,y,z,vx,vy,vz,pressure,ask_x,ask_y,ask_z,sent_x,sent_y,sent_z";
+
+tl::unexpected<Error> failed(const char* doing) {
+  return fail(ErrorCode::kIo, std::string("temporary file: cannot ") + doing + ": " +
+                                  std::generic_category().message(errno));
+}
+
+/// Adding 0 makes a negative zero positive: who reads the file need not wonder about it.
+void append(std::string& row, double value) {
+  append_number(row, value + 0.0);
+  row += ',';
+}
+
+void append(std::string& row, double x, double y, double z) {
+  append(row, x);
+  append(row, y);
+  append(row, z);
+}
+
+}  // namespace
+
+Result<ForcesCsv> ForcesCsv::create(const std::string& path) {
+  Result<Output> output = Output::create(path);
+  if (!output) return tl::unexpected(output.error());
+  ForcesCsv file(*std::move(output));
+  file.spool_.reset(std::tmpfile());
+  if (!file.spool_) return failed("create");
+  return file;
+}
+
+std::size_t ForcesCsv::group_of(std::string_view name) {
+  const auto found = std::find(names_.begin(), names_.end(), name);
+  if (found != names_.end()) return static_cast<std::size_t>(found - names_.begin());
+  names_.emplace_back(name);
+  forces_.emplace_back();
+  growth_.push_back({row_count_, names_.size()});
+  return names_.size() - 1;
+}
+
+Result<void> ForcesCsv::add(const TickReport& tick, std::optional<double> pressure) {
+  std::fill(forces_.begin(), forces_.end(), Force{});
+  for (const ForceTerms::Term& term : tick.terms) {
+    const std::size_t group = group_of(term.name);
+    forces_[group] += term.force;
+  }
+  const PenSample& pen = tick.sample;
+  append(rows_, static_cast<double>(pen.time_ns) / 1e6);
+  append(rows_, pen.position.x, pen.position.y, pen.position.z);
+  append(rows_, pen.velocity.x, pen.velocity.y, pen.velocity.z);
+  if (pressure) {
+    append(rows_, *pressure);
+  } else {
+    rows_ += ',';
+  }
+  append(rows_, tick.asked.x, tick.asked.y, tick.asked.z);
+  append(rows_, tick.sent.x, tick.sent.y, tick.sent.z);
+  for (const Force& force : forces_) append(rows_, force.x, force.y, force.z);
+  rows_.back() = '\n';
+  ++row_count_;
+  return rows_.size() < kBufferBytes ? Result<void>() : spool();
+}
+
+Result<void> ForcesCsv::spool() {
+  if (std::fwrite(rows_.data(), 1, rows_.size(), spool_.get()) != rows_.size()) {
+    return failed("write");
+  }
+  rows_.clear();
+  return {};
+}
+
+Result<void> ForcesCsv::copy_rows() {
+  std::array<char, std::size_t{64} << 10> buffer{};
+  auto next_growth = growth_.begin();
+  std::size_t terms = 0;
+  std::string padding, text;
+  std::int64_t row = 0;
+  const auto begin_row = [&] {
+    while (next_growth != growth_.end() && next_growth->row <= row) terms = (next_growth++)->terms;
+    padding.clear();
+    for (std::size_t i = 3 * terms; i < 3 * names_.size(); ++i) padding += ",0";
+  };
+  begin_row();
+  while (const std::size_t count = std::fread(buffer.data(), 1, buffer.size(), spool_.get())) {
+    text.clear();
+    for (std::size_t i = 0; i < count; ++i) {
+      if (buffer[i] != '\n') {
+        text += buffer[i];
+        continue;
+      }
+      text += padding;
+      text += '\n';
+      ++row;
+      begin_row();
+    }
+    if (Result<void> written = output_.write(text); !written) return written;
+  }
+  return std::ferror(spool_.get()) ? failed("read") : Result<void>();
+}
+
+Result<void> ForcesCsv::finish() {
+  if (Result<void> spooled = spool(); !spooled) return spooled;
+  if (std::fflush(spool_.get()) != 0 || std::fseek(spool_.get(), 0, SEEK_SET) != 0) {
+    return failed("read");
+  }
+  std::string header(kFixedColumns);
+  for (const std::string& name : names_) {
+    for (const char* axis : {"_x", "_y", "_z"}) header += "," + name + axis;
+  }
+  if (Result<void> written = output_.write(header + "\n"); !written) return written;
+  if (Result<void> copied = copy_rows(); !copied) return copied;
+  return output_.commit();
+}
+
+}  // namespace felt::cli

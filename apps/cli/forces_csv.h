@@ -1,0 +1,61 @@
+#pragma once
+
+#include <cstdio>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "felt/base/result.h"
+#include "felt/rt/servo.h"
+#include "output.h"
+
+namespace felt::cli {
+
+/// The file of `--forces`: a header, then a row a tick, numbers in the shortest form that reads
+/// back as the same double (architecture section 7):
+///
+///   t_ms,x,y,z,vx,vy,vz,pressure,ask_x,ask_y,ask_z,sent_x,sent_y,sent_z,plane_x,plane_y,plane_z,..
+///
+/// in ms, mm, mm/s and N. After the fixed columns come three for each force term that occurs, in
+/// the order in which they first do; a term is 0 on the ticks that it is no part of. `pressure` is
+/// empty where nobody knows it.
+///
+/// Which terms occur is known at the end, so rows wait in a temporary file without a name, and
+/// memory does not grow with the ticks. Nothing shows under the file's name before `finish`.
+class ForcesCsv {
+ public:
+  /// Error: the place cannot be written. Messages begin with its name.
+  static Result<ForcesCsv> create(const std::string& path);
+
+  /// One tick. `pressure` 0..1 is what decides the width.
+  Result<void> add(const TickReport& tick, std::optional<double> pressure);
+  /// Completes the file. Call once.
+  Result<void> finish();
+
+ private:
+  struct Close {
+    void operator()(std::FILE* file) const { std::fclose(file); }
+  };
+  /// From this row on, rows have a group of columns for each of the first `terms` names.
+  struct Growth {
+    std::int64_t row;
+    std::size_t terms;
+  };
+
+  explicit ForcesCsv(Output output) : output_(std::move(output)) {}
+  std::size_t group_of(std::string_view name);
+  Result<void> spool();
+  Result<void> copy_rows();
+
+  Output output_;
+  std::unique_ptr<std::FILE, Close> spool_;
+  std::string rows_;                // not yet in the spool
+  std::vector<std::string> names_;  // of the terms, by group
+  std::vector<Force> forces_;       // of this row, by group
+  std::vector<Growth> growth_;
+  std::int64_t row_count_ = 0;
+};
+
+}  // namespace felt::cli

@@ -1,0 +1,216 @@
+#include <fmt/core.h>
+
+#include <chrono>
+#include <memory>
+
+#include "commands.h"
+#include "felt/io/png.h"
+#include "force_plot.h"
+#include "forces_csv.h"
+#include "replay_run.h"
+#include "sketch_output.h"
+
+namespace felt::cli {
+namespace {
+
+constexpr double kPlotDpi = 192.0;  // two pixels a unit, 96 units an inch
+
+/// The command line as written.
+struct ReplayCommandArguments {
+  std::vector<std::string> scripts;
+  std::string output, to;
+  std::string on;
+  std::string forces, plot, stats;
+  ReplayArguments pen;
+  std::uint64_t seed = 0;
+  std::string material;
+  std::vector<std::string> options;
+  double mm_per_unit = 1.0;
+  PictureArguments picture;
+};
+
+constexpr const char* kExamples =
+    "feltline replay strokes.ndjson -o sketch.svg --forces forces.csv --plot forces.png\n"
+    "feltline replay events.ndjson --on sketch.ndjson -o - | feltline info -\n"
+    "feltline replay strokes.ndjson --device premium --hand light --set pencil.snap=off \\\n"
+    "      --stats json";
+
+void add_output_options(CLI::App& command, ReplayCommandArguments& args) {
+  command
+      .add_option("EVENTS", args.scripts,
+                  "Event scripts, raw pen strokes, or both in one, .ndjson; '-' is stdin")
+      ->required();
+  command.add_option("-o,--output", args.output,
+                     "Where the sketch goes: .ndjson, .svg, .png; '-' is stdout");
+  command.add_option("--to", args.to, "Format of the output, instead of by its extension");
+  command.add_option("--on", args.on, "A sketch to begin with, .ndjson");
+  command.add_option("--forces", args.forces,
+                     "Pose, force asked, force sent and each force term, a row a tick, .csv");
+  command.add_option("--plot", args.plot, "The same over time as a picture, .png");
+  command
+      .add_option("--stats", args.stats, "Print counts, forces and how close the ink is, on stdout")
+      ->check(CLI::IsMember({"json"}));
+}
+
+void add_options(CLI::App& command, ReplayCommandArguments& args) {
+  add_output_options(command, args);
+  args.pen.add_pen_to(command);
+  args.pen.add_loop_to(command);
+  command.add_option("--seed", args.seed, "Number of a tremor for raw strokes; 0 = none")
+      ->capture_default_str();
+  command.add_option("--material", args.material,
+                     "What is drawn on: paper, blackboard, felt, glass");
+  command.add_option("--set", args.options, "TOOL.OPTION=VALUE before the first event")
+      ->allow_extra_args(false);
+  command.add_option("--mm-per-unit", args.mm_per_unit, "Size of one unit of raw strokes, in mm")
+      ->check(number_between(1e-9, 1e9))
+      ->capture_default_str();
+  args.picture.add_to(command);
+}
+
+/// What a replay writes; each may be absent.
+struct ReplayOutputs {
+  std::optional<Format> format;
+  std::unique_ptr<SketchOutput> sketch;
+  std::optional<ForcesCsv> forces;
+  std::optional<ForcePlot> plot;
+};
+
+void check_outputs(const ReplayCommandArguments& args) {
+  if (args.output.empty() && args.forces.empty() && args.plot.empty() && args.stats.empty()) {
+    throw UsageError("replay needs -o OUT, --forces, --plot or --stats");
+  }
+  const int to_stdout = (args.output == "-" ? 1 : 0) + (args.forces == "-" ? 1 : 0) +
+                        (args.plot == "-" ? 1 : 0) + (args.stats.empty() ? 0 : 1);
+  if (to_stdout > 1) throw UsageError("-o, --forces, --plot and --stats: only one can have stdout");
+}
+
+Result<ReplayOutputs> open_outputs(const ReplayCommandArguments& args,
+                                   const ReplaySettings& settings) {
+  ReplayOutputs outputs;
+  if (!args.output.empty()) {
+    const Result<Format> format = output_format(args.output, args.to);
+    if (!format) throw UsageError(format.error().message);
+    const Result<PictureOptions> picture = args.picture.parse();
+    if (!picture) throw UsageError(picture.error().message);
+    Result<std::unique_ptr<SketchOutput>> opened =
+        open_sketch_output(args.output, *format, *picture);
+    if (!opened) return tl::unexpected(opened.error());
+    outputs.format = *format;
+    outputs.sketch = *std::move(opened);
+  }
+  if (!args.forces.empty()) {
+    Result<ForcesCsv> opened = ForcesCsv::create(args.forces);
+    if (!opened) return tl::unexpected(opened.error());
+    outputs.forces.emplace(*std::move(opened));
+  }
+  if (!args.plot.empty()) {
+    const Capabilities& device = settings.device.capabilities;
+    outputs.plot.emplace(1e-9 * static_cast<double>(device.period_ns), limits_for(device));
+  }
+  return outputs;
+}
+
+void set_options(const ReplayCommandArguments& args, ReplayMachine& machine) {
+  const auto set = [&machine](const char* from, const std::string& id, const std::string& value) {
+    const Result<void> done = machine.set_option(id, value);
+    if (!done) throw UsageError(std::string(from) + ": " + done.error().message);
+  };
+  if (!args.material.empty()) set("--material", "sheet.material", args.material);
+  for (const std::string& option : args.options) {
+    const std::size_t equals = option.find('=');
+    if (equals == std::string::npos) {
+      throw UsageError("--set: '" + option + "' is not TOOL.OPTION=VALUE");
+    }
+    set("--set", option.substr(0, equals), option.substr(equals + 1));
+  }
+}
+
+Result<void> play_scripts(const ReplayCommandArguments& args, ReplayMachine& machine) {
+  ReplayRun run(machine, args.mm_per_unit, args.seed);
+  for (const std::string& script : args.scripts) {
+    if (Result<void> taken = run.file(script); !taken) return taken;
+  }
+  return run.finish();
+}
+
+Result<void> write_sketch(const Sketch& sketch, Format format, SketchOutput& output) {
+  SketchPiece piece;
+  std::int64_t number = 0;
+  for (const SketchStroke& stroke : sketch) {
+    if (Result<void> done = encode(stroke, ++number, format, piece); !done) return done;
+  }
+  if (Result<void> done = output.append(piece); !done) return done;
+  return output.finish();
+}
+
+Result<void> write_outputs(const ReplayCommandArguments& args, ReplayOutputs& outputs,
+                           ReplayMachine& machine) {
+  if (outputs.plot) {
+    outputs.plot->set_title(
+        "Replay", fmt::format("simulated {}, {} hand, {:.0f} Hz", args.pen.device, args.pen.hand,
+                              outputs.plot->rate_hz()));
+    const Result<Image> picture = outputs.plot->draw();
+    if (!picture) return tl::unexpected(picture.error());
+    if (Result<void> done = write_png(args.plot, *picture, kPlotDpi); !done) return done;
+  }
+  if (outputs.forces) {
+    if (Result<void> done = outputs.forces->finish(); !done) return done;
+  }
+  if (!outputs.sketch) return {};
+  return write_sketch(machine.session().sketch(), *outputs.format, *outputs.sketch);
+}
+
+ReplayMachine::Observer observer_of(ReplayOutputs& outputs, Console& console,
+                                    const ReplayStats*& stats) {
+  ReplayMachine::Observer observer;
+  if (outputs.plot || outputs.forces) {
+    observer.tick = [&outputs](const ReplayTick& tick) -> Result<void> {
+      if (outputs.plot) outputs.plot->add(tick.report, tick.width_mm);
+      return outputs.forces ? outputs.forces->add(tick.report, tick.pressure) : Result<void>();
+    };
+  }
+  observer.progress = [&console, &stats](double fraction) {
+    console.progress("playing", static_cast<std::int64_t>(1e6 * fraction), 1'000'000,
+                     stats->strokes_meant);
+  };
+  return observer;
+}
+
+void run_replay(const ReplayCommandArguments& args, Console& console) {
+  check_outputs(args);
+  const auto start = std::chrono::steady_clock::now();
+  const ReplaySettings settings = args.pen.settings();
+  Document document;
+  if (!args.on.empty()) {
+    const Result<Sketch> sketch = read_sketch(args.on);
+    if (!sketch) return console.error(sketch.error().message);
+    document = document_of(*sketch);
+  }
+  Result<ReplayOutputs> outputs = open_outputs(args, settings);
+  if (!outputs) return console.error(outputs.error().message);
+  const ReplayStats* stats = nullptr;
+  ReplayMachine machine(settings, std::move(document), observer_of(*outputs, console, stats));
+  stats = &machine.stats();
+  set_options(args, machine);
+  Result<void> done = play_scripts(args, machine);
+  console.end_progress();
+  if (done) done = write_outputs(args, *outputs, machine);
+  if (!done) return console.error(done.error().message);
+  const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - start;
+  machine.stats().wall_s = wall.count();
+  if (!args.stats.empty()) fmt::print("{}", stats_json(machine.stats()));
+}
+
+}  // namespace
+
+void add_replay_command(CLI::App& app, Console& console) {
+  CLI::App* command =
+      app.add_subcommand("replay", "Play events or pen strokes through a simulated pen");
+  const auto args = std::make_shared<ReplayCommandArguments>();
+  add_options(*command, *args);
+  command->footer(examples(kExamples));
+  command->callback([args, &console] { run_replay(*args, console); });
+}
+
+}  // namespace felt::cli

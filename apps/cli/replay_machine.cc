@@ -1,0 +1,236 @@
+#include "replay_machine.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+#include "felt/io/ndjson_parser.h"
+#include "felt/tools/pressing.h"
+#include "input.h"
+
+namespace felt::cli {
+namespace {
+
+/// Some 200 s of aims, 20 MB.
+constexpr std::size_t kManyEvents = 200'000;
+constexpr std::size_t kBatchBytes = std::size_t{64} << 10;
+
+Result<OptionValue> value_like(const OptionValue& present, const std::string& text) {
+  if (std::holds_alternative<std::string>(present)) return OptionValue(text);
+  if (std::holds_alternative<bool>(present)) {
+    if (text == "on" || text == "true") return OptionValue(true);
+    if (text == "off" || text == "false") return OptionValue(false);
+    return fail(ErrorCode::kInvalidArgument, "'" + text + "' is not on or off");
+  }
+  double number = 0.0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  if (error != std::errc() || end != text.data() + text.size()) {
+    return fail(ErrorCode::kInvalidArgument, "'" + text + "' is not a number");
+  }
+  return OptionValue(number);
+}
+
+double number_option(const Session& session, const char* id, double otherwise) {
+  const Result<OptionValue> value = session.option(id);
+  const double* number = value ? std::get_if<double>(&*value) : nullptr;
+  return number ? *number : otherwise;
+}
+
+Result<void> add_stroke(NdjsonParser& parser, const NdjsonLine& line, Sketch& sketch) {
+  SketchRecord record;
+  const Result<NdjsonKind> kind = parser.sketch_stroke(line, record);
+  if (!kind) return tl::unexpected(kind.error());
+  if (*kind == NdjsonKind::kHeader) return {};
+  Result<Stroke> stroke = Stroke::create(std::move(record.data));
+  if (!stroke) return tl::unexpected(stroke.error());
+  sketch.push_back({std::move(record.id), *std::move(stroke)});
+  return {};
+}
+
+bool presses(const HandEvent& aim) {
+  return aim.target.z < 0.0 || aim.pressure.value_or(0.0) > 0.0;
+}
+
+}  // namespace
+
+ReplayMachine::ReplayMachine(const ReplaySettings& settings, Document document, Observer observer)
+    : settings_(settings),
+      observer_(std::move(observer)),
+      stylus_(settings.device, settings.hand),
+      session_(make_tools(), {.device = settings.device.capabilities,
+                              .document = std::move(document),
+                              .on_event = {},
+                              .on_edit = [this](const Edit& edit) { see_edit(edit); }}),
+      probe_(
+          make_tools(),
+          {.device = settings.device.capabilities, .document = {}, .on_event = {}, .on_edit = {}}),
+      player_(stylus_, &stylus_, session_, player_options()) {}
+
+PlayerOptions ReplayMachine::player_options() {
+  PlayerOptions options;
+  options.period_ns = settings_.device.capabilities.period_ns;
+  options.forces = settings_.force;
+  options.on_tick = [this](const TickReport& report) { see_tick(report); };
+  options.read_import = [](const ImportEvent& import) { return read_sketch(import.path); };
+  options.is_cancelled = [this] {
+    see_turn();
+    return !observed_.has_value();
+  };
+  return options;
+}
+
+void ReplayMachine::see_turn() {
+  if (!observer_.progress || events_.empty()) return;
+  const std::int64_t start_ns = events_.front().time_ns;
+  const auto all = static_cast<double>(events_.back().time_ns - start_ns);
+  const auto done = static_cast<double>(now_ns_ - start_ns);
+  observer_.progress(all > 0.0 ? std::clamp(done / all, 0.0, 1.0) : 1.0);
+}
+
+HandScriptOptions ReplayMachine::hand_options() const {
+  HandScriptOptions options = settings_.script;
+  const SurfaceMaterial& sheet = probe_.sheet().material();
+  options.plane_n_per_m = Pressing(sheet, settings_.device.capabilities).stiffness_n_per_m();
+  const Result<OptionValue> id = probe_.option("pencil.material");
+  const auto* name = id ? std::get_if<std::string>(&*id) : nullptr;
+  const ToolMaterial* tool = name ? find_tool_material(*name) : nullptr;
+  if (tool) options.friction = friction_of(*tool, sheet);
+  return options;
+}
+
+Result<void> ReplayMachine::set_option(const std::string& id, const std::string& text) {
+  const Result<OptionValue> present = probe_.option(id);
+  if (!present) return tl::unexpected(present.error());
+  const Result<OptionValue> value = value_like(*present, text);
+  if (!value) return fail(value.error().code, id + ": " + value.error().message);
+  const Event event{0, SetOption{id, *value}};
+  if (Result<void> known = probe_.apply(event); !known) return known;
+  return session_.apply(event);
+}
+
+Result<void> ReplayMachine::add(const Event& event) {
+  if (const auto* import = std::get_if<ImportEvent>(&event.what)) {
+    const Result<Sketch> sketch = read_sketch(import->path);
+    if (!sketch) return tl::unexpected(sketch.error());
+  } else if (std::holds_alternative<SelectTool>(event.what) ||
+             std::holds_alternative<SetOption>(event.what)) {
+    if (Result<void> known = probe_.apply(event); !known) return known;
+  } else if (const auto* aim = std::get_if<HandEvent>(&event.what)) {
+    note_aim(event.time_ns, *aim);
+  }
+  events_.push_back(event);
+  return {};
+}
+
+void ReplayMachine::note_aim(std::int64_t time_ns, const HandEvent& aim) {
+  const bool is_down = presses(aim);
+  if (is_down && !hand_is_down_) meant_.push_back({time_ns, {}});
+  if (is_down) meant_.back().path.push_back(on_sheet(aim.target));
+  hand_is_down_ = is_down;
+}
+
+Result<bool> ReplayMachine::stroke_drawn(const std::vector<Point>& meant) {
+  // What was meant is the stroke, not the aims, by which the hand makes up for friction.
+  if (!meant_.empty()) meant_.back().path = meant;
+  if (events_.size() < kManyEvents) return false;
+  if (Result<void> played = play(); !played) return tl::unexpected(played.error());
+  return true;
+}
+
+Result<void> ReplayMachine::finish() {
+  if (Result<void> played = play(); !played) return played;
+  for (const SketchStroke& stroke : session_.sketch()) {
+    ++stats_.strokes;
+    stats_.segments += stroke.stroke.segment_count();
+  }
+  return {};
+}
+
+Result<void> ReplayMachine::play() {
+  if (events_.empty()) return {};
+  widths_ = WidthMap({.min_mm = number_option(session_, "pencil.min_width_mm", 0.3),
+                      .max_mm = number_option(session_, "pencil.max_width_mm", 6.0),
+                      .gamma = number_option(session_, "pencil.gamma", 1.0)});
+  const Result<PlayReport> report = player_.play(events_);
+  if (!report) return tl::unexpected(report.error());
+  if (!observed_) return observed_;
+  stats_.ticks += static_cast<std::int64_t>(report->ticks);
+  stats_.simulated_s += 1e-9 * static_cast<double>(settings_.device.capabilities.period_ns) *
+                        static_cast<double>(report->ticks);
+  stats_.edits += static_cast<std::int64_t>(report->edits);
+  stats_.soft_faults += report->safety.soft_faults;
+  stats_.hard_faults += report->safety.hard_faults;
+  stats_.max_asked_n = std::max(stats_.max_asked_n, report->largest_asked_n);
+  stats_.max_sent_n = std::max(stats_.max_sent_n, report->largest_sent_n);
+  compare_ink();
+  events_.clear();
+  return {};
+}
+
+void ReplayMachine::see_tick(const TickReport& report) {
+  now_ns_ = report.sample.time_ns;
+  if (in_contact(report.sample)) {
+    ++stats_.ticks_in_contact;
+    stats_.sent_sum_n += norm(report.sent);
+  }
+  if (!observer_.tick || !observed_) return;
+  const Pressing pressing(session_.sheet().material(), settings_.device.capabilities);
+  const std::optional<double> pressure = pressing.of(report.sample);
+  observed_ = observer_.tick({report, pressure, width_at(report, pressure)});
+}
+
+std::optional<double> ReplayMachine::width_at(const TickReport& report,
+                                              std::optional<double> pressure) {
+  const bool was_down = std::exchange(pen_is_down_, in_contact(report.sample));
+  if (!pen_is_down_) return std::nullopt;
+  if (!was_down) widths_.begin();
+  return widths_.push({on_sheet(report.sample.position), pressure, report.sample.time_ns});
+}
+
+void ReplayMachine::see_edit(const Edit& edit) {
+  for (const StrokeChange& change : edit.changes) {
+    if (change.after) ink_.push_back({now_ns_, *change.after});
+  }
+}
+
+/// Ink belongs to the last path that was begun before it was finished.
+void ReplayMachine::compare_ink() {
+  auto ink = ink_.begin();
+  std::vector<Stroke> strokes;
+  for (std::size_t i = 0; i < meant_.size(); ++i) {
+    const bool is_last = i + 1 == meant_.size();
+    strokes.clear();
+    for (; ink != ink_.end() && (is_last || ink->time_ns < meant_[i + 1].start_ns); ++ink) {
+      if (ink->time_ns >= meant_[i].start_ns) strokes.push_back(ink->stroke);
+    }
+    stats_.distance.add(meant_[i].path, strokes);
+  }
+  stats_.strokes_meant += static_cast<std::int64_t>(meant_.size());
+  meant_.clear();
+  ink_.clear();
+}
+
+Result<Sketch> read_sketch(const std::string& path) {
+  const Result<Input> input = Input::open(path);
+  if (!input) return fail(input.error().code, input_name(path) + ": " + input.error().message);
+  LineReader reader(input->reader());
+  LineBatch batch;
+  NdjsonParser parser;
+  Sketch sketch;
+  for (;;) {
+    const Result<bool> more = reader.fill(batch, kBatchBytes);
+    if (!more) return fail(more.error().code, input->name() + ": " + more.error().message);
+    if (!*more) return sketch;
+    for (std::size_t i = 0; i < batch.size(); ++i) {
+      const NdjsonLine line = batch.line(i);
+      const Result<void> added = add_stroke(parser, line, sketch);
+      if (added) continue;
+      return fail(added.error().code,
+                  fmt::format("{}:{}: {}", input->name(), line.number(), added.error().message));
+    }
+  }
+}
+
+}  // namespace felt::cli

@@ -1,0 +1,101 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "felt/base/result.h"
+#include "felt/devices/simulated/simulated_stylus.h"
+#include "felt/session/player.h"
+#include "felt/session/session.h"
+#include "felt/stroke/width_map.h"
+#include "replay_settings.h"
+#include "replay_stats.h"
+
+namespace felt::cli {
+
+/// What a tick looks like from outside.
+struct ReplayTick {
+  const TickReport& report;
+  std::optional<double> pressure;  ///< 0..1, what decides the width
+  std::optional<double> width_mm;  ///< of the ink at the pen; none while there is none
+};
+
+/// Device, hand, loop, tools and document in one: events go in, are played on a virtual clock, and
+/// what happens is counted. The same events give the same ticks and the same document.
+///
+/// An event that the session would refuse is an error when it is added. Events are kept until
+/// `finish`, or, where raw strokes are drawn, until there are many: then they are played, and the
+/// loop starts anew with what follows.
+class ReplayMachine {
+ public:
+  struct Observer {
+    std::function<Result<void>(const ReplayTick&)> tick{};  ///< an error ends the play
+    /// About once in 4 ms: how far the play is in what was added, 0..1.
+    std::function<void(double fraction)> progress{};
+  };
+
+  ReplayMachine(const ReplaySettings& settings, Document document, Observer observer);
+  ReplayMachine(const ReplayMachine&) = delete;
+  ReplayMachine& operator=(const ReplayMachine&) = delete;
+
+  /// Sets an option before the first event, "pencil.snap" to "off" or "sheet.material" to "felt":
+  /// the text is read as the kind of value that the option has.
+  Result<void> set_option(const std::string& id, const std::string& text);
+
+  /// The next event; times never run backwards. An import's path must be one that can be opened.
+  Result<void> add(const Event& event);
+  /// The hand has drawn this path since the last call: what comes of it is compared with it. True
+  /// when all that was added has been played.
+  Result<bool> stroke_drawn(const std::vector<Point>& meant);
+  /// Plays what is left. Then the counts are complete, but for the wall time.
+  Result<void> finish();
+
+  /// How the hand draws with what has been chosen so far: friction and stiffness of the sheet.
+  [[nodiscard]] HandScriptOptions hand_options() const;
+  [[nodiscard]] const Session& session() const noexcept { return session_; }
+  [[nodiscard]] ReplayStats& stats() noexcept { return stats_; }
+
+ private:
+  /// A path that the hand meant to draw, from when to when.
+  struct Meant {
+    std::int64_t start_ns = 0;
+    std::vector<Point> path;
+  };
+  struct Ink {
+    std::int64_t time_ns;
+    Stroke stroke;
+  };
+
+  [[nodiscard]] PlayerOptions player_options();
+  void see_turn();
+  Result<void> play();
+  void see_tick(const TickReport& report);
+  void see_edit(const Edit& edit);
+  void note_aim(std::int64_t time_ns, const HandEvent& aim);
+  void compare_ink();
+  std::optional<double> width_at(const TickReport& report, std::optional<double> pressure);
+
+  ReplaySettings settings_;
+  Observer observer_;
+  SimulatedStylus stylus_;
+  Session session_;
+  Session probe_;  // knows tools and options only: says beforehand what the session would refuse
+  Player player_;
+  std::vector<Event> events_;  // not played yet
+  std::vector<Meant> meant_;   // likewise
+  bool hand_is_down_ = false;
+  std::vector<Ink> ink_;  // of this play
+  std::int64_t now_ns_ = 0;
+  bool pen_is_down_ = false;
+  WidthMap widths_;
+  Result<void> observed_;  // the observer's first error
+  ReplayStats stats_;
+};
+
+/// The strokes of a sketch file, .ndjson. Messages begin with "PATH:LINE: ".
+Result<Sketch> read_sketch(const std::string& path);
+
+}  // namespace felt::cli

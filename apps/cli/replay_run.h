@@ -1,0 +1,32 @@
+#pragma once
+
+#include <string>
+
+#include "replay_machine.h"
+#include "script_feed.h"
+
+namespace felt::cli {
+
+/// Scripts into a machine: what `replay`, `demo` and the benchmark have in common.
+class ReplayRun {
+ public:
+  /// The machine must outlive this.
+  ReplayRun(ReplayMachine& machine, double mm_per_unit, std::uint64_t seed);
+
+  /// Takes a script: its name for errors, the folder from which it imports ("" is the present one).
+  /// The error names the place.
+  Result<void> script(const std::string& name, const std::string& folder, ReadBytes read);
+  /// Takes the script of a command line: a file, or "-".
+  Result<void> file(const std::string& path);
+  /// After the last script: plays what is left.
+  Result<void> finish();
+
+ private:
+  FeedSink sink();
+
+  ReplayMachine& machine_;
+  ScriptFeed feed_;
+  std::string folder_;
+};
+
+}  // namespace felt::cli

@@ -1,0 +1,99 @@
+#include "script_feed.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace felt::cli {
+namespace {
+
+// Ways between strokes, as those of `script_hand` itself: minimum jerk, on average this fast.
+constexpr double kAirMmPerS = 250.0;
+constexpr double kShortestWayS = 0.12;
+constexpr double kRestS = 0.25;  // after the last stroke
+constexpr double kEngageS =
+    0.7;  // until forces are there; the safety chain takes a little over 0.5 s
+
+}  // namespace
+
+ScriptFeed::ScriptFeed(const FeedOptions& options, FeedSink sink)
+    : options_(options), sink_(std::move(sink)), tremor_(options.seed) {}
+
+Result<void> ScriptFeed::read(const std::string& name, ReadBytes read) {
+  file_start_ns_ = now_ns_;
+  const ScriptSink lines{
+      .event = [this](const Event& event) { return take_event(event); },
+      .stroke = [this](const RawStroke& stroke) { return take_stroke(stroke); },
+  };
+  return read_script(name, std::move(read), lines);
+}
+
+Result<void> ScriptFeed::take_event(const Event& event) {
+  Event timed = event;
+  timed.time_ns = now_ns_ = std::max(now_ns_, file_start_ns_ + event.time_ns);
+  if (const auto* hand = std::get_if<HandEvent>(&event.what)) hand_ = hand->target;
+  return sink_.event(timed);
+}
+
+Result<void> ScriptFeed::take_stroke(const RawStroke& stroke) {
+  if (sink_.hand) options_.hand = sink_.hand();
+  RecordedPath path;
+  std::vector<Point> meant;
+  for (const InkSample& sample : stroke.samples) {
+    const Point place{options_.mm_per_unit * sample.position.x,
+                      options_.mm_per_unit * sample.position.y};
+    path.push_back({place, sample.pressure, sample.time_ns});
+    meant.push_back(place);
+  }
+  const std::vector<TimedAim> aims =
+      script_hand(std::span<const RecordedPath>(&path, 1), options_.hand);
+  if (aims.empty()) return {};
+  if (Result<void> there = move_above(aims.front().target_mm); !there) return there;
+  const std::int64_t start_ns = now_ns_;
+  for (const TimedAim& aim : aims) {
+    if (Result<void> taken = put(aim, start_ns); !taken) return taken;
+  }
+  ++strokes_;
+  return sink_.stroke_drawn ? sink_.stroke_drawn(meant) : Result<void>();
+}
+
+Result<void> ScriptFeed::move_above(const Vec3& target) {
+  if (Result<void> there = travel_to(target); !there || !is_fresh_) return there;
+  is_fresh_ = false;
+  const TimedAim above{.time_ns = 0, .target_mm = target};
+  if (Result<void> taken = put(above, now_ns_); !taken) return taken;
+  now_ns_ += static_cast<std::int64_t>(1e9 * kEngageS);
+  return put(above, now_ns_);
+}
+
+Result<void> ScriptFeed::travel_to(const Vec3& target) {
+  if (!hand_) return {};
+  const Vec3 from = *hand_;
+  const double duration_s = kShortestWayS + norm(target - from) / kAirMmPerS;
+  const double interval_s = 1e-9 * static_cast<double>(options_.hand.interval_ns);
+  const double steps = std::ceil(duration_s / interval_s);
+  const std::int64_t start_ns = now_ns_;
+  for (double i = 1.0; i <= steps; ++i) {
+    const double t = i / steps;
+    const double way = t * t * t * (10.0 + t * (6.0 * t - 15.0));
+    const TimedAim aim{.time_ns = options_.hand.interval_ns * static_cast<std::int64_t>(i),
+                       .target_mm = lerp(from, target, way)};
+    if (Result<void> taken = put(aim, start_ns); !taken) return taken;
+  }
+  return {};
+}
+
+Result<void> ScriptFeed::put(const TimedAim& aim, std::int64_t start_ns) {
+  now_ns_ = std::max(now_ns_, start_ns + aim.time_ns);
+  hand_ = aim.target_mm;
+  const Vec shake = tremor_.at(now_ns_);
+  return sink_.event({now_ns_, HandEvent{.target = aim.target_mm + Vec3{shake.x, shake.y, 0.0},
+                                         .pressure = aim.pressure}});
+}
+
+Result<void> ScriptFeed::finish() {
+  if (strokes_ == 0 || !hand_) return {};
+  const auto rest_ns = static_cast<std::int64_t>(1e9 * kRestS);
+  return put({.time_ns = rest_ns, .target_mm = *hand_}, now_ns_);
+}
+
+}  // namespace felt::cli

@@ -1,0 +1,121 @@
+#include <fmt/core.h>
+
+#include <memory>
+
+#include "commands.h"
+#include "felt/tools/tool.h"
+#include "json_text.h"
+#include "text_table.h"
+
+namespace felt::cli {
+namespace {
+
+std::string default_of(const OptionSpec& option) {
+  switch (option.kind) {
+    case OptionKind::kSwitch:
+      return option.fallback != 0.0 ? "on" : "off";
+    case OptionKind::kChoice:
+      return std::string(option.choices[static_cast<std::size_t>(option.fallback)]);
+    case OptionKind::kNumber:
+      break;
+  }
+  return json_number(option.fallback);
+}
+
+std::string choices_of(const OptionSpec& option) {
+  std::string text;
+  for (const std::string_view choice : option.choices) {
+    text += (text.empty() ? "" : "|") + std::string(choice);
+  }
+  return text;
+}
+
+std::string allowed_of(const OptionSpec& option) {
+  if (option.kind == OptionKind::kSwitch) return "on|off";
+  if (option.kind == OptionKind::kChoice) return choices_of(option);
+  return json_number(option.min) + ".." + json_number(option.max) +
+         (option.unit.empty() ? "" : " " + std::string(option.unit));
+}
+
+void print_text(const ToolInfo& tool, const TextStyle& style) {
+  const std::string shortcut = tool.shortcut ? fmt::format("  [{}]", tool.shortcut) : "";
+  fmt::print("{}{}\n{}\n", heading(std::string(tool.id), style), shortcut,
+             wrapped(std::string(tool.help), style.width, 0));
+  if (tool.options.empty()) return;
+  TextTable options({{"  option"}, {"default"}, {"allowed"}, {"what it does"}});
+  for (const OptionSpec& option : tool.options) {
+    options.add_row({fmt::format("  {}.{}", tool.id, option.id), default_of(option),
+                     allowed_of(option), std::string(option.help)});
+  }
+  fmt::print("\n{}", options.text(style));
+}
+
+std::string option_json(const OptionSpec& option) {
+  JsonObject object;
+  object.add_text("id", option.id);
+  object.add_text("label", option.label);
+  object.add_text("unit", option.unit);
+  switch (option.kind) {
+    case OptionKind::kNumber:
+      object.add_text("kind", "number");
+      object.add_number("min", option.min);
+      object.add_number("max", option.max);
+      object.add_number("default", option.fallback);
+      break;
+    case OptionKind::kSwitch:
+      object.add_text("kind", "switch");
+      object.add_raw("default", option.fallback != 0.0 ? "true" : "false");
+      break;
+    case OptionKind::kChoice: {
+      std::vector<std::string> choices;
+      for (const std::string_view choice : option.choices) choices.push_back(json_string(choice));
+      object.add_text("kind", "choice");
+      object.add_raw("choices", json_array(choices));
+      object.add_text("default", default_of(option));
+      break;
+    }
+  }
+  object.add_text("help", option.help);
+  return object.text();
+}
+
+std::string tool_json(const ToolInfo& tool) {
+  std::vector<std::string> options;
+  for (const OptionSpec& option : tool.options) options.push_back(option_json(option));
+  JsonObject object;
+  object.add_text("id", tool.id);
+  object.add_text("label", tool.label);
+  object.add_text("help", tool.help);
+  object.add_text("shortcut", tool.shortcut ? std::string(1, tool.shortcut) : "");
+  object.add_raw("options", json_array(options));
+  return object.text();
+}
+
+void print_tools(bool as_json) {
+  const std::vector<std::unique_ptr<Tool>> tools = make_tools();
+  if (as_json) {
+    std::vector<std::string> objects;
+    for (const auto& tool : tools) objects.push_back(tool_json(tool->info()));
+    fmt::print("{{\"tools\":{}}}\n", json_array(objects));
+    return;
+  }
+  const TextStyle style = TextStyle::of_stdout();
+  for (const auto& tool : tools) {
+    if (tool != tools.front()) fmt::print("\n");
+    print_text(tool->info(), style);
+  }
+}
+
+}  // namespace
+
+void add_tools_command(CLI::App& app, Console&) {
+  CLI::App* command = app.add_subcommand("tools", "List the tools and their options");
+  const auto json = std::make_shared<bool>(false);
+  command->add_flag("--json", *json, "One line of JSON");
+  command->footer(
+      examples("feltline tools\n"
+               "feltline tools --json | jq '.tools[].options[].id'"));
+  command->callback([json] { print_tools(*json); });
+}
+
+}  // namespace felt::cli
