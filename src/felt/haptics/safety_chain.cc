@@ -193,6 +193,10 @@ Force SafetyChain::limit(const Force& asked, const PenSample& sample) noexcept {
     hard_fault(SafetyFault::kNotFinite);
     return send({});
   }
+  if (report_.state == SafetyState::kWaiting) {
+    wait(asked);
+    return send({});
+  }
   return send(by_state(wanted(wants_damping_only() ? damping(sample.velocity) : asked)));
 }
 
@@ -225,9 +229,6 @@ double SafetyChain::credit_n(double rate_n_per_ms) const noexcept {
 
 Force SafetyChain::by_state(const Force& wanted) noexcept {
   switch (report_.state) {
-    case SafetyState::kWaiting:
-      wait(wanted);
-      return {};
     case SafetyState::kEngaging:
       return engage(wanted);
     case SafetyState::kActive:
@@ -237,8 +238,7 @@ Force SafetyChain::by_state(const Force& wanted) noexcept {
                           credit_n(std::min(limits_.soft_fall_n_per_ms, limits_.rise_n_per_ms)));
     case SafetyState::kFalling:
       return fall(wanted);
-    case SafetyState::kOff:
-    case SafetyState::kLatched:
+    default:
       return {};
   }
   const Force risen = limit_rise(sent_, wanted, credit_n(limits_.rise_n_per_ms));
@@ -246,8 +246,8 @@ Force SafetyChain::by_state(const Force& wanted) noexcept {
   return risen;
 }
 
-void SafetyChain::wait(const Force& wanted) noexcept {
-  const bool is_calm = norm(wanted) < limits_.engage_below_n && !speed_.must_cut() &&
+void SafetyChain::wait(const Force& asked) noexcept {
+  const bool is_calm = norm(asked) < limits_.engage_below_n && !speed_.must_cut() &&
                        time_.lateness == Lateness::kOnTime && silence_s_ < limits_.silent_damp_s;
   calm_ticks_ = is_calm ? calm_ticks_ + 1 : 0;
   report_.limited_by |= kLimitedByEngaging;

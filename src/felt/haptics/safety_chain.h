@@ -126,7 +126,7 @@ class SafetyChain {
   [[nodiscard]] Force damping(const Vec3& velocity_mm_per_s) const noexcept;
   [[nodiscard]] double credit_n(double rate_n_per_ms) const noexcept;
   Force wanted(const Force& asked) noexcept;
-  void wait(const Force& wanted) noexcept;
+  void wait(const Force& asked) noexcept;
   Force engage(const Force& wanted) noexcept;
   Force fall(const Force& wanted) noexcept;
   Force by_state(const Force& wanted) noexcept;
