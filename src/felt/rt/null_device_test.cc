@@ -59,7 +59,7 @@ TEST(DeviceFault, EachHasASentence) {
        {DeviceFault::kDisconnected, DeviceFault::kNotCalibrated, DeviceFault::kForcesOff,
         DeviceFault::kOverheated, DeviceFault::kBadData, DeviceFault::kOther}) {
     EXPECT_EQ(describe(fault).back(), '.');
-    if (fault != DeviceFault::kOther) EXPECT_NE(describe(fault), describe(DeviceFault::kOther));
+    EXPECT_EQ(describe(fault) == describe(DeviceFault::kOther), fault == DeviceFault::kOther);
   }
 }
 

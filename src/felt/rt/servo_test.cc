@@ -251,7 +251,7 @@ RC_GTEST_PROP(Servo, ChangesOfFeelAreContinuousWheneverTheyCome, ()) {
 TEST(Servo, AFeelThatTakesOverStartsWithTheMemoryOfTheOther) {
   Loop loop;
   loop.servo->publish(model_of(Remembering{0.01}, 1));
-  const double before = loop.run(10).asked.x;
+  const double before = loop.run(50).asked.x;
   loop.servo->publish(model_of(Remembering{0.0}, 2));
   for (int i = 0; i < 40; ++i) {
     // Without the other's memory the force would fall to zero; the old one keeps its own.

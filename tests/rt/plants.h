@@ -1,0 +1,17 @@
+#pragma once
+
+#include <span>
+#include <string_view>
+
+namespace felt::rt_test {
+
+/// A thing that must not happen at a tick, to see it caught.
+struct Plant {
+  std::string_view name;
+  void (*prepare)();  ///< before any tick, or null
+  void (*commit)() noexcept;
+};
+
+std::span<const Plant> plants() noexcept;
+
+}  // namespace felt::rt_test
