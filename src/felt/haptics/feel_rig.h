@@ -20,6 +20,16 @@
 /// Small and separate from devices/simulated on purpose: two rigs that agree are worth more.
 namespace felt::rig {
 
+/// A sample of a pen somewhere.
+inline PenSample pen_at(const Vec3& position_mm, const Vec3& velocity_mm_per_s = {},
+                        double time_s = 0.0) {
+  PenSample sample;
+  sample.time_ns = std::llround(1e9 * time_s);
+  sample.position = position_mm;
+  sample.velocity = velocity_mm_per_s;
+  return sample;
+}
+
 struct Hand {
   const char* name;
   double mass_kg, stiffness_n_per_m, damping_n_s_per_m;

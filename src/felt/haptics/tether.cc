@@ -83,8 +83,11 @@ Vec Tether::rotation_pull(Point pen, ForceMemory& memory) const noexcept {
   memory.turn_rad = unwrapped_turn_rad(grab_ - centre_, arm, memory.turn_rad);
   if (radius < kNoArmMm) return {};
   const double turn = std::abs(memory.turn_rad);
-  // Inside the fading circle the way is that on its rim, or the slope would not be bounded there.
-  const double size = centre_fade(radius) * size_n(sum_ * turn, std::max(radius, kCentreMm) * turn);
+  // Inside the fading circle the way is that on its rim. th/sqrt(1 + th^2) instead of th: the force
+  // turns with the arm by F/r as the pen goes, which is a slope as well; so both together keep to
+  // Kcap, since (1 + th^2)^-3 + th^2/(1 + th^2) <= 1.
+  const double way = std::max(radius, kCentreMm) * turn / std::sqrt(1.0 + turn * turn);
+  const double size = centre_fade(radius) * size_n(sum_ * turn, way);
   return (memory.turn_rad > 0.0 ? -size : size) / radius * perp(arm);
 }
 

@@ -21,10 +21,10 @@ namespace felt {
 /// N anchors at distances r_i from the centre: all that the haptic thread needs to know of the
 /// drawing is N or sum r_i. No anchor, no force.
 ///
-/// `way` is how far the pen has gone, such that no slope exceeds Kcap (R38): |d|; r |th|, th
-/// counted on beyond full turns; r0 (1 - min(s, 1/s)), equal for s and 1/s (R37). Within 5 mm of
-/// the centre turning and scaling have no direction to speak of, and F fades with r/5 mm. s is kept
-/// to 0.05..20. Damping Bed while it acts.
+/// `way` is how far the pen has gone, such that no slope exceeds Kcap (R38): |d|;
+/// r |th|/sqrt(1 + th^2), th counted on beyond full turns; r0 (1 - min(s, 1/s)), the same for s and
+/// 1/s (R37). Within 5 mm of the centre turning and scaling have no direction to speak of, and F
+/// fades with r/5 mm. s is kept to 0.05..20. Damping Bed while it acts.
 class Tether {
  public:
   /// No anchors: no force.
