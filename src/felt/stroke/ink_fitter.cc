@@ -141,11 +141,14 @@ std::span<const Cubic> InkFitter::live_tail() {
   } else if (!s.paper.curve().points.empty() && !s.samples.empty()) {
     s.tail.push_back(straight(s.paper.curve().points.back(), s.samples.back().position));
   }
-  if (s.options.filter_artefacts && !s.samples.empty()) {
-    Point at = s.samples.back().position;
-    for (const InkSample& held : s.filter.held()) {
-      s.tail.push_back(straight(at, held.position));
-      at = held.position;
+  if (s.options.filter_artefacts) {
+    const auto held = s.filter.held();
+    if (held.empty()) return s.tail;
+    // Before the first sample is ink it is there already: a pen that touches must leave a mark.
+    Point at = s.samples.empty() ? held.front().position : s.samples.back().position;
+    for (const InkSample& sample : held) {
+      s.tail.push_back(straight(at, sample.position));
+      at = sample.position;
     }
   }
   return s.tail;

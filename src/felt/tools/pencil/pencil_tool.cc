@@ -179,7 +179,7 @@ void PencilTool::draw(Overlay& overlay) const {
   const auto& target = finder_.target();
   if (!target || waiting_ || !(drawing_ || near_)) return;
   const SnapOptions& snap = settings_.snap;
-  if (attracts(snap.mode)) {
+  if (felt_target()) {
     overlay.rings.push_back({target->point, snap.reach_mm, Overlay::Role::kReach});
   }
   if (snaps(snap.mode)) {

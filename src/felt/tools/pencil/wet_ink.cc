@@ -5,22 +5,46 @@
 
 namespace felt {
 
+namespace {
+
+/// A segment in pieces over which the width is taken to change evenly.
+double pieces_of(const Cubic& segment) {
+  return std::clamp(std::ceil(control_length(segment) / WetInk::kPieceMm), 1.0, 64.0);
+}
+
+}  // namespace
+
 void WetInk::begin(const WidthMapOptions& widths) {
   pieces_.clear();
   segments_ = 0;
   places_ = samples_ = 0;
+  nodes_.clear();
+  first_node_ = taken_ = 0;
+  path_mm_ = 0.0;
   stable_widths_ = WidthMap(widths);
   pen_widths_ = WidthMap(widths);
 }
 
 void WetInk::update(const InkFitter& fitter, const InkSample& sample) {
   pen_width_mm_ = pen_widths_.push(sample);
+  add_node(sample.position);
   while (segments_ < fitter.segment_count()) add_segment(fitter, segments_++);
+}
+
+void WetInk::add_node(Point pen) {
+  if (taken_ == 0) path_end_ = pen;
+  const double step = distance(path_end_, pen);
+  if (taken_ == 0 || step >= kNodeMm) {
+    path_mm_ += step;
+    path_end_ = pen;
+    nodes_.push_back({taken_, path_mm_, pen_width_mm_});
+  }
+  ++taken_;
 }
 
 void WetInk::add_segment(const InkFitter& fitter, int i) {
   const Cubic segment = fitter.segment(i);
-  const double pieces = std::clamp(std::ceil(control_length(segment) / kPieceMm), 1.0, 64.0);
+  const double pieces = pieces_of(segment);
   double t0 = 0.0, width0 = stable_width_mm_;
   const auto add_piece = [&](double t1) {
     pieces_.push_back({sub_segment(segment, t0, t1), width0, stable_width_mm_});
@@ -39,18 +63,40 @@ void WetInk::add_segment(const InkFitter& fitter, int i) {
     if (t < 1.0 && (t - t0) * pieces >= 1.0) add_piece(t);
   }
   add_piece(1.0);
+  // The node before the tail stays: the tail's widths begin between it and the next.
+  while (first_node_ + 1 < nodes_.size() && nodes_[first_node_ + 1].sample <= samples_) {
+    ++first_node_;
+  }
+}
+
+double WetInk::open_width_mm(double path_mm) const {
+  const auto first = nodes_.begin() + static_cast<std::ptrdiff_t>(first_node_);
+  const auto after = std::upper_bound(first, nodes_.end(), path_mm,
+                                      [](double x, const Node& n) { return x < n.path_mm; });
+  if (after == first) return pen_width_mm_;
+  const Node& a = *(after - 1);
+  const double end_mm = after == nodes_.end() ? path_mm_ + kNodeMm : after->path_mm;
+  const double end_width = after == nodes_.end() ? pen_width_mm_ : after->width_mm;
+  return a.width_mm + (path_mm - a.path_mm) / (end_mm - a.path_mm) * (end_width - a.width_mm);
 }
 
 void WetInk::draw(InkFitter& fitter, Overlay& overlay) const {
   overlay.ink.insert(overlay.ink.end(), pieces_.begin(), pieces_.end());
   const auto tail = fitter.live_tail();
-  const double from = pieces_.empty() ? pen_width_mm_ : stable_width_mm_;
-  for (std::size_t k = 0; k < tail.size(); ++k) {
-    const auto at = [&](std::size_t j) {
-      const double share = static_cast<double>(j) / static_cast<double>(tail.size());
-      return from + share * (pen_width_mm_ - from);
-    };
-    overlay.ink.push_back({tail[k], at(k), at(k + 1)});
+  double length = 0.0, along = 0.0;
+  for (const Cubic& c : tail) length += control_length(c);
+  const double from = nodes_.empty() ? 0.0 : nodes_[first_node_].path_mm;
+  double width = pieces_.empty() ? open_width_mm(from) : stable_width_mm_;
+  for (const Cubic& c : tail) {
+    const double pieces = pieces_of(c);
+    for (double k = 0; k < pieces; ++k) {
+      along += control_length(c) / pieces;
+      const bool last = &c == &tail.back() && k + 1 == pieces;
+      const double share = length > 0.0 ? along / length : 1.0;
+      const double next = last ? pen_width_mm_ : open_width_mm(from + share * (path_mm_ - from));
+      overlay.ink.push_back({sub_segment(c, k / pieces, (k + 1) / pieces), width, next});
+      width = next;
+    }
   }
 }
 

@@ -16,6 +16,7 @@ namespace felt {
 class WetInk {
  public:
   static constexpr double kPieceMm = 2.0;
+  static constexpr double kNodeMm = 0.25;
 
   void begin(const WidthMapOptions& widths);
   /// After each sample of the fitter; `sample` is the one that it was given.
@@ -26,7 +27,16 @@ class WetInk {
   void draw(InkFitter& fitter, Overlay& overlay) const;
 
  private:
+  /// The width where the pen was after some way.
+  struct Node {
+    std::size_t sample = 0;
+    double path_mm = 0.0;
+    double width_mm = 0.0;
+  };
+
   void add_segment(const InkFitter& fitter, int i);
+  void add_node(Point pen);
+  [[nodiscard]] double open_width_mm(double path_mm) const;
 
   std::vector<Overlay::InkSegment> pieces_;
   int segments_ = 0;         // of the fitter, in pieces_
@@ -35,6 +45,13 @@ class WetInk {
   WidthMap stable_widths_;   // of the samples as the fitter took them, up to samples_
   WidthMap pen_widths_;      // of the samples as they came
   double stable_width_mm_ = 0.0;
+
+  // The widths of the tail, a node each kNodeMm: as many as the fitter holds back, at rest none.
+  std::vector<Node> nodes_;
+  std::size_t first_node_ = 0;  // those before it are stable
+  std::size_t taken_ = 0;       // samples
+  Point path_end_;
+  double path_mm_ = 0.0;
   double pen_width_mm_ = 0.0;
 };
 

@@ -1,0 +1,717 @@
+#include "felt/tools/pencil/pencil_tool.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "felt/tools/desk.h"
+#include "felt/tools/pencil/pencil_force.h"
+
+namespace felt {
+namespace {
+
+using testing::arc;
+using testing::Desk;
+using testing::Pen;
+using testing::way;
+using testing::operator+;
+
+struct Pencil {
+  Desk desk;
+  PencilTool tool;
+  Pen pen{tool, desk};
+
+  void set(std::string_view id, const OptionValue& value) {
+    const auto ok = tool.set_option(id, value);
+    ASSERT_TRUE(ok) << ok.error().message;
+  }
+  void choose(std::string_view id, const char* value) { set(id, std::string(value)); }
+  /// The only stroke.
+  [[nodiscard]] const Stroke& stroke() const {
+    EXPECT_EQ(desk.strokes().size(), 1u);
+    return *desk.strokes().at(0);
+  }
+  [[nodiscard]] Overlay overlay() const {
+    Overlay o;
+    tool.draw(o);
+    return o;
+  }
+};
+
+double largest_gap(const Stroke& stroke, const std::vector<Point>& points) {
+  double worst = 0.0;
+  for (const Point p : points) {
+    double best = 1e300;
+    for (int i = 0; i < stroke.segment_count(); ++i) {
+      const Cubic c = stroke.segment(i);
+      for (int k = 0; k <= 50; ++k) best = std::min(best, distance(p, evaluate(c, 0.02 * k)));
+    }
+    worst = std::max(worst, best);
+  }
+  return worst;
+}
+
+TEST(Pencil, OneLineIsOneStrokeAndOneUndoStep) {
+  Pencil p;
+  p.desk.color = {10, 20, 30, 255};
+  p.choose("material", "crayon");
+  const auto points = way({20, 20}, {80, 40});
+  p.pen.line(points);
+  EXPECT_EQ(p.pen.commits, 1);
+  EXPECT_EQ(p.desk.history.undo_count(), 1u);
+  EXPECT_EQ(p.desk.history.undo_label(), "Draw");
+  EXPECT_EQ(p.stroke().material(), "crayon");
+  EXPECT_EQ(p.stroke().color(), (Rgba{10, 20, 30, 255}));
+  EXPECT_LE(largest_gap(p.stroke(), points), 0.15 + 0.3);  // chords of the check: 1 mm apart
+  const StrokePtr drawn = p.desk.strokes()[0];
+  p.desk.undo();
+  EXPECT_EQ(p.desk.document, Document());
+  p.desk.index.update(p.desk.history.redo(p.desk.document).value());
+  EXPECT_EQ(p.desk.strokes()[0], drawn);
+}
+
+TEST(Pencil, NothingIsShownOrDoneInTheAir) {
+  Pencil p;
+  for (const Point q : way({0, 0}, {50, 50})) p.pen.at({q.x, q.y, 3});
+  EXPECT_EQ(p.desk.document, Document());
+  EXPECT_TRUE(p.overlay().ink.empty());
+}
+
+TEST(Pencil, R14_HarderIsBroaderUpToTheClamps) {
+  double last = 0.0;
+  for (double depth = 0.01; depth < 6.0; depth *= 1.2) {
+    Pencil p;
+    p.pen.depth = depth;
+    p.pen.line(way({0, 0}, {50, 0}));
+    const double width = p.stroke().width_mm(0.5 * p.stroke().segment_count());
+    EXPECT_GE(width, last);
+    last = width;
+    if (depth <= 0.2) {
+      EXPECT_EQ(width, 0.3);  // F0 = 0.1 N
+    }
+    if (depth >= 4.0) {
+      EXPECT_EQ(width, 6.0);  // F1 = 2 N
+    }
+  }
+  EXPECT_EQ(last, 6.0);
+}
+
+TEST(Pencil, R14_TheSameForceDrawsTheSameWidthOnEverySheet) {
+  for (const double force : {0.2, 0.5, 1.0, 1.7}) {
+    std::vector<double> widths;
+    for (const SurfaceMaterial& surface : surface_materials()) {
+      Pencil p;
+      p.desk.surface = surface;
+      p.pen.depth = force / (0.001 * surface.stiffness_n_per_m);
+      p.pen.line(way({0, 0}, {50, 0}));
+      widths.push_back(p.stroke().width_mm(0.5 * p.stroke().segment_count()));
+    }
+    for (const double w : widths) EXPECT_NEAR(w, widths[0], 1e-9);
+    EXPECT_NEAR(widths[0], 0.3 + 5.7 * (force - 0.1) / 1.9, 1e-9);
+  }
+}
+
+TEST(Pencil, R18_TabletPressureDecidesAndAMouseHasAConstant) {
+  for (const double pressure : {0.0, 0.25, 0.5, 1.0}) {
+    Pencil p;
+    p.pen.pressure = pressure;
+    p.pen.depth = 3.0;  // does not count
+    p.pen.line(way({0, 0}, {50, 0}));
+    EXPECT_NEAR(p.stroke().width_mm(0.5 * p.stroke().segment_count()), 0.3 + 5.7 * pressure, 1e-9);
+  }
+  for (const double depth : {0.01, 1.0, 5.0}) {
+    Pencil p;
+    p.desk.device.sensed_axes = 2;
+    p.pen.depth = depth;
+    p.pen.line(way({0, 0}, {50, 0}));
+    EXPECT_NEAR(p.stroke().width_mm(0.5 * p.stroke().segment_count()), 0.3 + 5.7 * 0.5, 1e-9);
+  }
+}
+
+TEST(Pencil, ChatterOnTheSheetDoesNotBreakTheLine) {
+  Pencil p;
+  testing::RandomStroke random(3);
+  p.pen.up({0, 0});
+  for (const Point q : way({0, 0}, {100, 10}, 0.05)) {
+    p.pen.at({q.x, q.y, random.uniform(-0.03, 0.03)});
+  }
+  p.pen.up({100, 10});
+  EXPECT_EQ(p.pen.commits, 1);
+  EXPECT_LE(largest_gap(p.stroke(), way({0, 0}, {99, 9.9}, 1.0)), 0.8);
+}
+
+TEST(Pencil, ALiftBetweenTwoLinesMakesTwo) {
+  for (const double height : {0.1, 5.0}) {
+    Pencil p;
+    p.choose("snap", "off");
+    p.pen.along(way({0, 0}, {20, 0}));
+    for (int k = 0; k < 40; ++k) p.pen.at({20, 0, height});
+    p.pen.along(way({20, 0}, {40, 0}));
+    p.pen.up({40, 0});
+    EXPECT_EQ(p.pen.commits, 2);
+    EXPECT_EQ(p.desk.strokes().size(), 2u);
+  }
+}
+
+TEST(Pencil, ALowSlowLiftLeavesNoTail) {
+  Pencil p;
+  p.pen.along(way({0, 0}, {20, 0}));
+  // The hand moves on, just above the sheet.
+  for (const Point q : way({20, 0}, {20, 10}, 0.2)) p.pen.at({q.x, q.y, 0.2});
+  EXPECT_EQ(p.pen.commits, 1);
+  EXPECT_NEAR(tip_point(p.stroke(), StrokeTip::kEnd).y, 0.0, 0.2);
+}
+
+TEST(Pencil, CancelLeavesNothingAndWaitsForALift) {
+  Pencil p;
+  p.pen.along(way({0, 0}, {50, 0}));
+  EXPECT_FALSE(p.overlay().ink.empty());
+  p.tool.cancel();
+  EXPECT_TRUE(p.overlay().ink.empty());
+  p.pen.along(way({50, 0}, {90, 0}));
+  p.pen.up({90, 0});
+  EXPECT_EQ(p.desk.document, Document());
+  p.pen.line(way({0, 0}, {50, 0}));
+  EXPECT_EQ(p.desk.strokes().size(), 1u);
+  // In the air it has nothing to wait for.
+  p.tool.cancel();
+  p.pen.line(way({0, 30}, {50, 30}));
+  EXPECT_EQ(p.desk.strokes().size(), 2u);
+}
+
+TEST(Pencil, FinishKeepsTheInk) {
+  Pencil p;
+  p.pen.along(way({0, 0}, {50, 0}));
+  const ToolResult result = p.tool.finish(p.desk.scene());
+  ASSERT_TRUE(result.commit);
+  p.desk.apply(*result.commit);
+  EXPECT_NEAR(tip_point(p.stroke(), StrokeTip::kEnd).x, 50, 0.15);
+  EXPECT_FALSE(p.tool.finish(p.desk.scene()).commit);
+  // The same contact goes on: it is not another line.
+  p.pen.along(way({50, 0}, {90, 0}));
+  p.pen.up({90, 0});
+  EXPECT_EQ(p.desk.strokes().size(), 1u);
+}
+
+TEST(Pencil, ADotIsADot) {
+  Pencil p;
+  p.pen.up({10, 10});
+  p.pen.down({10, 10});
+  p.pen.up({10, 10});
+  EXPECT_LE(norm(tip_point(p.stroke(), StrokeTip::kEnd) - Point{10, 10}), 0.1);
+}
+
+TEST(Pencil, R51_TheDocumentDoesNotDependOnForces) {
+  const auto draw = [](int ask_every, double strength) {
+    Pencil p;
+    p.set("strength", strength);
+    ForceMemory memory;
+    int count = 0;
+    p.pen.up({20, 20});
+    for (const Point q : arc({50, 50}, 30, 0, 355) + way({80, 47}, {80, 50})) {
+      p.pen.down(q);
+      if (ask_every > 0 && ++count % ask_every == 0) {
+        const ForceModel model = p.tool.force(p.desk.scene());
+        PenSample s;
+        s.position = {q.x, q.y, -1};
+        (void)model(s, memory);
+        (void)p.overlay();
+      }
+    }
+    p.pen.up({80, 50});
+    return p.desk.document;
+  };
+  const Document ignored = draw(0, 1.0);
+  EXPECT_EQ(ignored.stroke_count(), 1u);
+  EXPECT_EQ(draw(1, 1.0), ignored);
+  EXPECT_EQ(draw(7, 1.0), ignored);
+  EXPECT_EQ(draw(1, 0.0), ignored);
+}
+
+TEST(Pencil, R43_ARingDrawnToItsStartIsClosed) {
+  const auto ring = arc({50, 50}, 30, 0, 357);  // ends 1.6 mm from its start
+  for (const char* mode : {"snap", "both"}) {
+    Pencil p;
+    p.choose("snap", mode);
+    p.pen.line(ring);
+    EXPECT_TRUE(p.stroke().closed()) << mode;
+    EXPECT_EQ(p.stroke().joint(0), JointKind::kSmooth);
+    EXPECT_LE(distance(p.stroke().position(0), {80, 50}), 0.15);
+  }
+  for (const char* mode : {"off", "force"}) {
+    Pencil p;
+    p.choose("snap", mode);
+    p.pen.line(ring);
+    EXPECT_FALSE(p.stroke().closed()) << mode;
+    EXPECT_LE(distance(tip_point(p.stroke(), StrokeTip::kEnd), ring.back()), 0.15);
+  }
+  // Farther away than the snap radius: felt, not closed.
+  Pencil p;
+  p.pen.line(arc({50, 50}, 30, 0, 350));
+  EXPECT_FALSE(p.stroke().closed());
+}
+
+TEST(Pencil, R43_ForceOnlyNeverMovesGeometry) {
+  for (std::uint64_t seed = 0; seed < 40; ++seed) {
+    testing::RandomStroke random(seed);
+    Pencil off, force;
+    off.choose("snap", "off");
+    force.choose("snap", "force");
+    Point at{50, 50};
+    for (int line = 0; line < 5; ++line) {
+      std::vector<Point> points{at};
+      for (int k = random.pick(1, 5); k > 0; --k) {
+        const Point to{random.uniform(40, 60), random.uniform(40, 60)};
+        points = points + way(points.back(), to, 0.2);
+      }
+      off.pen.line(points);
+      force.pen.line(points);
+      at = random.chance(0.5) ? points.back() : points.front() + Vec{1, 0};
+    }
+    EXPECT_EQ(off.desk.document, force.desk.document) << seed;
+    EXPECT_EQ(off.desk.strokes().size(), 5u);
+  }
+}
+
+TEST(Pencil, R43_TheForceIsZeroAtTheTargetAndOutOfReach) {
+  Pencil p;
+  p.desk.add(testing::straight_stroke({50, 50}, {50, 150}, 1, 1));
+  const auto pull = [&](double d) {
+    p.pen.at({50 - d, 50, 1.0});
+    ForceMemory memory;
+    PenSample s;
+    s.position = {50 - d, 50, 1.0};
+    return p.tool.force(p.desk.scene())(s, memory).x;
+  };
+  EXPECT_EQ(pull(9.0), 0.0);
+  EXPECT_EQ(pull(8.0), 0.0);
+  EXPECT_NEAR(pull(4.0), 0.6, 1e-12);
+  EXPECT_NEAR(pull(1.0), 0.3, 1e-12);
+  EXPECT_EQ(pull(0.0), 0.0);
+  p.choose("snap", "snap");
+  EXPECT_EQ(pull(4.0), 0.0);
+  p.choose("snap", "force");
+  EXPECT_NEAR(pull(4.0), 0.6, 1e-12);
+}
+
+TEST(Pencil, R44_AShortScribbleInsideReachNeverCloses) {
+  for (std::uint64_t seed = 0; seed < 30; ++seed) {
+    testing::RandomStroke random(seed);
+    Pencil p;
+    std::vector<Point> points{{50, 50}};
+    for (int k = 0; k < 30; ++k) {
+      const double a = random.uniform(0, 6.28), r = random.uniform(0, 7.9);
+      points = points + way(points.back(), {50 + r * std::cos(a), 50 + r * std::sin(a)}, 0.2);
+    }
+    points = points + way(points.back(), {50, 50}, 0.2);
+    p.pen.line(points);
+    EXPECT_FALSE(p.stroke().closed()) << seed;
+  }
+}
+
+TEST(Pencil, R45_LinesDrawnFromEndToEndBecomeOne) {
+  for (const double deg : {10.0, 29.0, 31.0, 90.0}) {
+    Pencil p;
+    p.desk.add(testing::straight_stroke({10, 50}, {50, 50}, 3, 3));
+    const double a = deg * std::numbers::pi / 180;
+    p.pen.line(way({50, 50}, Point{50, 50} + 40 * Vec{std::cos(a), std::sin(a)}));
+    const Stroke& one = p.stroke();
+    EXPECT_EQ(one.joint(1), deg < 30 ? JointKind::kSmooth : JointKind::kCorner) << deg;
+    EXPECT_EQ(one.position(0), (Point{10, 50}));
+  }
+}
+
+TEST(Pencil, KeptSeparateTheyShareThePoint) {
+  Pencil p;
+  p.set("keep_separate", true);
+  p.desk.add(testing::straight_stroke({10, 50}, {50, 50}, 3, 3));
+  p.pen.line(way({51, 51}, {90, 80}));
+  ASSERT_EQ(p.desk.strokes().size(), 2u);
+  EXPECT_EQ(tip_point(*p.desk.strokes()[1], StrokeTip::kStart), (Point{50, 50}));
+}
+
+TEST(Pencil, AStrokeThatGoesWhileItAttractsIsForgotten) {
+  Pencil p;
+  p.desk.add(testing::straight_stroke({10, 50}, {50, 50}, 3, 3));
+  p.pen.along(way({51, 51}, {90, 80}));
+  p.desk.undo();
+  p.pen.along(way({90, 80}, {51, 50}));
+  p.pen.up({51, 50});
+  EXPECT_EQ(p.desk.strokes().size(), 1u);
+}
+
+TEST(Pencil, WetInkIsTheStrokeThatComes) {
+  Pencil p;
+  p.set("refine", false);
+  p.choose("snap", "off");
+  p.pen.up({0, 0});
+  std::size_t shown = 0;
+  for (const Point q : arc({60, 60}, 40, 0, 340)) {
+    p.pen.depth = 0.5 + 0.02 * std::fabs(q.x);
+    p.pen.down(q);
+    const Overlay o = p.overlay();
+    ASSERT_FALSE(o.ink.empty());
+    shown = o.ink.size();
+    EXPECT_LE(distance(o.ink.back().curve.p[3], q), 0.15);
+    for (std::size_t i = 1; i < o.ink.size(); ++i) {
+      ASSERT_LE(distance(o.ink[i - 1].curve.p[3], o.ink[i].curve.p[0]), 1e-9);
+      ASSERT_NEAR(o.ink[i - 1].end_width_mm, o.ink[i].start_width_mm, 1e-9);
+    }
+  }
+  EXPECT_GT(shown, 20u);
+  const Overlay wet = p.overlay();
+  p.pen.up({60, 60});
+  // Width and place of the wet ink, piece by piece, against the dry stroke.
+  for (const auto& piece : wet.ink) {
+    double best = 1e9, width = 0.0;
+    for (int k = 0; k <= 4000; ++k) {
+      const double u = p.stroke().segment_count() * k / 4000.0;
+      const double d = distance(p.stroke().position(u), piece.curve.p[0]);
+      if (d < best) {
+        best = d;
+        width = p.stroke().width_mm(u);
+      }
+    }
+    EXPECT_LE(best, 0.2);
+    EXPECT_NEAR(piece.start_width_mm, width, 0.3);
+  }
+}
+
+TEST(Pencil, RingsShowWhatAttracts) {
+  Pencil p;
+  p.desk.add(testing::straight_stroke({50, 50}, {50, 150}, 1, 1));
+  p.pen.at({45, 50, 2});
+  const Overlay o = p.overlay();
+  ASSERT_EQ(o.rings.size(), 2u);
+  EXPECT_EQ(o.rings[0].role, Overlay::Role::kReach);
+  EXPECT_EQ(o.rings[0].radius_mm, 8.0);
+  EXPECT_EQ(o.rings[1].role, Overlay::Role::kSnap);
+  EXPECT_EQ(o.rings[1].radius_mm, 2.0);
+  EXPECT_EQ(o.rings[1].center, (Point{50, 50}));
+  p.pen.at({45, 50, 20});
+  EXPECT_TRUE(p.overlay().rings.empty());
+}
+
+TEST(Pencil, TheFeelHasANewIdExactlyWhenItChanges) {
+  Pencil p;
+  p.desk.add(testing::straight_stroke({50, 50}, {50, 150}, 1, 1));
+  const auto id = [&] { return p.tool.force(p.desk.scene()).fade_id(); };
+  p.pen.at({20, 50, 2});
+  const auto free = id();
+  p.pen.at({21, 50, 2});
+  EXPECT_EQ(id(), free);
+  p.pen.down({22, 50});
+  EXPECT_EQ(id(), free);  // the same bricks know by themselves when the pen is down
+  p.pen.down({44, 50});
+  const auto attracted = id();
+  EXPECT_NE(attracted, free);
+  p.pen.down({46, 50});
+  EXPECT_EQ(id(), attracted);
+  p.pen.up({20, 20});
+  EXPECT_EQ(id(), free);
+  for (const auto& [option, value] :
+       std::vector<std::pair<const char*, OptionValue>>{{"material", std::string("chalk")},
+                                                        {"strength", 0.5},
+                                                        {"stabiliser", std::string("inertia")},
+                                                        {"stabiliser_mass_g", 70.0},
+                                                        {"stabiliser", std::string("towed")},
+                                                        {"stabiliser_length_mm", 9.0}}) {
+    const auto before = id();
+    p.set(option, value);
+    EXPECT_NE(id(), before) << option;
+  }
+  p.desk.surface = *find_surface("glass");
+  EXPECT_NE(id(), free);
+}
+
+TEST(Pencil, TheEndsJustDrawnAttractOnlyAfterThePenHasLeft) {
+  Pencil p;
+  p.pen.along(way({20, 50}, {50, 50}));
+  p.pen.at({50, 50, 1});
+  const auto pull = [&](double x) {
+    p.pen.at({x, 50, 1.0});
+    ForceMemory memory;
+    PenSample s;
+    s.position = {x, 50, 1.0};
+    return norm(p.tool.force(p.desk.scene())(s, memory));
+  };
+  EXPECT_EQ(p.pen.commits, 1);
+  for (double x = 50; x < 57; x += 0.5) EXPECT_EQ(pull(x), 0.0);
+  EXPECT_EQ(pull(60), 0.0);
+  EXPECT_GT(pull(54), 0.5);
+}
+
+TEST(Pencil, EveryOptionDoesSomething) {
+  // A drawing with an end nearby, tremor and changing pressure; what is seen and felt of it.
+  const auto fingerprint = [](const std::vector<std::pair<const char*, OptionValue>>& options,
+                              bool mouse) {
+    Pencil p;
+    if (mouse) p.desk.device.sensed_axes = 2;
+    for (const auto& [id, value] : options) p.set(id, value);
+    p.desk.add(testing::straight_stroke({84.7, 57.6}, {120, 50}, 1, 1));
+    testing::RandomStroke random(1);
+    Fnv1a hash;
+    const auto feel = [&](const Point q, double z) {
+      ForceMemory memory;
+      PenSample s;
+      s.position = {q.x, q.y, z};
+      const ForceModel model = p.tool.force(p.desk.scene());
+      for (int k = 0; k < 4; ++k) {
+        s.position.x += 1.5;
+        s.velocity = {1500, 0, 0};
+        memory.begin_tick(0.001);
+        const Force f = model(s, memory);
+        hash.add_value(f.x);
+        hash.add_value(f.y);
+      }
+    };
+    p.pen.up({20, 50});
+    for (const Point q : arc({50, 50}, 30, 180, 30) + arc({102, 80}, 30, 210, 232)) {
+      p.pen.depth = 1.0 + 0.02 * q.x;
+      p.pen.down(q + Vec{random.uniform(-.05, .05), random.uniform(-.05, .05)});
+      feel(q, -1.0);
+    }
+    p.pen.up({83.5, 56.4});
+    for (const StrokePtr& s : p.desk.strokes()) {
+      for (const Point c : s->data().points) hash.add_value(c);
+      for (const WidthKnot& k : s->widths()) hash.add_value(k);
+      for (const char c : s->material()) hash.add_value(c);
+    }
+    return hash.value();
+  };
+  const auto plain = fingerprint({}, false);
+  EXPECT_EQ(fingerprint({}, false), plain);
+  using Options = std::vector<std::pair<const char*, OptionValue>>;
+  const std::vector<Options> changes = {{{"material", std::string("chalk")}},
+                                        {{"min_width_mm", 0.5}},
+                                        {{"max_width_mm", 3.0}},
+                                        {{"gamma", 2.0}},
+                                        {{"tolerance_mm", 1.0}},
+                                        {{"snap", std::string("off")}},
+                                        {{"snap", std::string("force")}},
+                                        {{"snap", std::string("snap")}},
+                                        {{"reach_mm", 12.0}},
+                                        {{"snap_radius_mm", 0.5}},
+                                        {{"attraction_n", 0.2}},
+                                        {{"keep_separate", true}},
+                                        {{"stabiliser", std::string("inertia")}},
+                                        {{"stabiliser", std::string("towed")}},
+                                        {{"strength", 0.5}}};
+  for (const Options& o : changes) EXPECT_NE(fingerprint(o, false), plain) << o[0].first;
+  const OptionValue inertia = std::string("inertia"), towed = std::string("towed");
+  EXPECT_NE(fingerprint({{"stabiliser", inertia}}, false),
+            fingerprint({{"stabiliser", inertia}, {"stabiliser_mass_g", 90.0}}, false));
+  EXPECT_NE(fingerprint({{"stabiliser", towed}}, false),
+            fingerprint({{"stabiliser", towed}, {"stabiliser_length_mm", 8.0}}, false));
+  EXPECT_NE(fingerprint({{"mouse_pressure", 0.1}}, true), fingerprint({}, true));
+}
+
+TEST(Pencil, RefiningSavesSegments) {
+  const auto segments = [](bool refine) {
+    int count = 0;
+    for (int k = 1; k <= 8; ++k) {
+      Pencil p;
+      p.choose("snap", "off");
+      p.set("refine", refine);
+      std::vector<Point> points;
+      for (int i = 0; i <= 2000; ++i) {
+        const double t = 0.003 * i;
+        points.push_back({20 * t, 60 + 12 * std::sin(k * t) + 5 * std::sin(2.7 * k * t)});
+      }
+      p.pen.line(points);
+      EXPECT_LE(largest_gap(p.stroke(), points), 0.15 + 0.3);
+      count += p.stroke().segment_count();
+    }
+    return count;
+  };
+  EXPECT_LT(segments(true), segments(false));
+}
+
+TEST(Pencil, OptionsTakeEffectWithTheNextLine) {
+  Pencil p;
+  p.pen.along(way({0, 0}, {25, 0}));
+  p.set("max_width_mm", 0.5);
+  p.set("snap", std::string("off"));
+  p.pen.along(way({25, 0}, {50, 0}));
+  p.pen.up({50, 0});
+  EXPECT_GT(p.stroke().width_mm(p.stroke().segment_count()), 1.0);
+  p.pen.line(way({0, 20}, {50, 20}));
+  EXPECT_LE(p.desk.strokes()[1]->width_mm(0), 0.5);
+}
+
+TEST(Pencil, TheStabilisedLineReachesThePen) {
+  for (const char* kind : {"inertia", "towed"}) {
+    Pencil p;
+    p.choose("stabiliser", kind);
+    p.pen.along(way({0, 0}, {50, 0}) + way({50, 0}, {80, 30}));
+    ASSERT_EQ(p.overlay().lines.size(), 1u);
+    EXPECT_EQ(p.overlay().lines[0].role, Overlay::Role::kTether);
+    p.pen.up({80, 30});
+    EXPECT_LE(distance(tip_point(p.stroke(), StrokeTip::kEnd), {80, 30}), 0.15) << kind;
+    EXPECT_TRUE(check_invariants(p.stroke().data()));
+  }
+}
+
+TEST(Pencil, AMillionSamplesAreNoBurden) {
+  Pencil p;
+  p.choose("snap", "off");
+  p.pen.up({0, 0});
+  for (int k = 0; k < 1'000'000; ++k) {
+    const double t = 0.001 * k;
+    p.pen.down({100 + 80 * std::sin(1.3 * t), 100 + 80 * std::cos(1.7 * t)});
+  }
+  p.pen.up({0, 0});
+  EXPECT_EQ(p.pen.commits, 1);
+  EXPECT_GT(p.stroke().segment_count(), 1000);
+}
+
+// Hostile input: any sequence of samples, options, cancels and undos.
+
+class Hostile {
+ public:
+  explicit Hostile(std::uint64_t seed) : random_(seed) {}
+
+  void run(int steps) {
+    for (int k = 0; k < steps; ++k) step();
+    finish();
+  }
+  [[nodiscard]] const Document& document() const { return p_.desk.document; }
+  Pencil& pencil() { return p_; }
+  [[nodiscard]] int gestures() const { return gestures_; }
+
+ private:
+  void step() {
+    const double what = random_.uniform(0, 1);
+    if (what < 0.004) {
+      p_.tool.cancel();
+    } else if (what < 0.008) {
+      finish();
+    } else if (what < 0.012 && p_.desk.history.can_undo()) {
+      p_.desk.undo();
+    } else if (what < 0.016) {
+      set_any_option();
+    } else {
+      move();
+    }
+  }
+
+  void finish() {
+    const ToolResult result = p_.tool.finish(p_.desk.scene());
+    if (result.commit) commit(*result.commit);
+  }
+
+  void commit(const Edit& edit) {
+    ++gestures_;
+    p_.desk.apply(edit);
+    for (const StrokeChange& c : edit.changes) {
+      if (c.after) {
+        ASSERT_TRUE(check_invariants(c.after->data()));
+      }
+    }
+  }
+
+  void move() {
+    if (random_.chance(0.01)) down_ = !down_;
+    if (random_.chance(0.02)) velocity_ = {random_.uniform(-1, 1), random_.uniform(-1, 1)};
+    at_ += velocity_;
+    at_ = {std::clamp(at_.x, 0.0, 60.0), std::clamp(at_.y, 0.0, 60.0)};
+    PenSample s;
+    s.time_ns = time_ += random_.chance(0.01) ? -5'000'000 : random_.pick(0, 4'000'000);
+    s.position = {at_.x, at_.y, down_ ? random_.uniform(-3, 0.05) : random_.uniform(-0.01, 9)};
+    if (random_.chance(0.2)) s.pressure = random_.uniform(-0.5, 1.5);
+    if (random_.chance(0.01)) spoil(s);
+    const ToolResult result = p_.tool.sample(s, p_.desk.scene());
+    EXPECT_FALSE(result.preview);
+    if (result.commit) commit(*result.commit);
+    if (!random_.chance(0.02)) return;
+    overlay_.clear();
+    p_.tool.draw(overlay_);
+    for (const auto& ink : overlay_.ink) {
+      ASSERT_TRUE(is_finite(ink.curve));
+      ASSERT_GE(ink.start_width_mm, kMinWidthMm);
+      ASSERT_GE(ink.end_width_mm, kMinWidthMm);
+    }
+    ForceMemory memory;
+    ASSERT_TRUE(is_finite(p_.tool.force(p_.desk.scene())(s, memory)) || !is_finite(s.position));
+  }
+
+  void spoil(PenSample& s) {
+    constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+    switch (random_.pick(0, 5)) {
+      case 0:
+        s.position.x = kNan;
+        break;
+      case 1:
+        s.position.z = -std::numeric_limits<double>::infinity();
+        break;
+      case 2:
+        s.pressure = kNan;
+        break;
+      case 3:
+        s.time_ns = std::numeric_limits<std::int64_t>::max();
+        break;
+      case 4:
+        s.position.y = 1e300;
+        break;
+      default:
+        s.time_ns = std::numeric_limits<std::int64_t>::min();
+    }
+  }
+
+  void set_any_option() {
+    const auto options = p_.tool.info().options;
+    const OptionSpec& spec =
+        options[static_cast<std::size_t>(random_.pick(0, static_cast<int>(options.size()) - 1))];
+    OptionValue value = random_.uniform(spec.min, spec.max);
+    if (spec.kind == OptionKind::kSwitch) value = random_.chance(0.5);
+    if (spec.kind == OptionKind::kChoice) {
+      value = std::string(spec.choices[static_cast<std::size_t>(
+          random_.pick(0, static_cast<int>(spec.choices.size()) - 1))]);
+    }
+    EXPECT_TRUE(p_.tool.set_option(spec.id, value));
+  }
+
+  testing::RandomStroke random_;
+  Pencil p_;
+  Overlay overlay_;
+  Point at_{30, 30};
+  Vec velocity_;
+  bool down_ = false;
+  std::int64_t time_ = 0;
+  int gestures_ = 0;
+};
+
+TEST(PencilFuzz, R52_AnySamplesKeepTheInvariantsAndUndoRestoresAll) {
+  int gestures = 0;
+  for (std::uint64_t seed = 0; seed < 40; ++seed) {
+    SCOPED_TRACE(seed);
+    Hostile hostile(seed);
+    hostile.run(6000);
+    gestures += hostile.gestures();
+    Desk& desk = hostile.pencil().desk;
+    const Document full = desk.document;
+    const std::size_t steps = desk.history.undo_count();
+    while (desk.history.can_undo()) desk.undo();
+    EXPECT_EQ(desk.document, Document());
+    EXPECT_EQ(desk.index.tip_count(), 0u);
+    for (std::size_t k = 0; k < steps; ++k) {
+      ASSERT_TRUE(desk.history.redo(desk.document));
+    }
+    EXPECT_EQ(desk.document, full);
+  }
+  EXPECT_GT(gestures, 1000);
+}
+
+TEST(PencilFuzz, TheSameSamplesMakeTheSameDocument) {
+  for (std::uint64_t seed = 100; seed < 105; ++seed) {
+    Hostile a(seed), b(seed);
+    a.run(4000);
+    b.run(4000);
+    EXPECT_EQ(a.document(), b.document());
+    EXPECT_GT(a.document().stroke_count(), 0u);
+  }
+}
+
+}  // namespace
+}  // namespace felt

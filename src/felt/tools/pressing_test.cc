@@ -1,0 +1,99 @@
+#include "felt/tools/pressing.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "felt/stroke/width_map.h"
+
+namespace felt {
+namespace {
+
+const SurfaceMaterial& paper() {
+  return surface_materials().front();
+}
+
+PenSample at_depth(double mm) {
+  PenSample s;
+  s.position.z = -mm;
+  return s;
+}
+
+TEST(Pressing, R14_GrowsWithDepthAndIsExactAtTheClamps) {
+  const WidthMapOptions widths;
+  for (const SurfaceMaterial& surface : surface_materials()) {
+    SCOPED_TRACE(surface.id);
+    const Pressing pressing(surface, {});
+    double last = 0.0;
+    for (int k = -1000; k <= 10000; ++k) {
+      const double p = pressing.of(at_depth(0.001 * k)).value();
+      const double width = width_of_pressure(widths, p);
+      EXPECT_GE(width, last) << k;
+      last = width;
+    }
+    EXPECT_EQ(last, widths.max_mm);
+    const double k_mm = 0.001 * pressing.stiffness_n_per_m();
+    EXPECT_EQ(pressing.of(at_depth(0.1 / k_mm * (1 - 1e-12))).value(), 0.0);
+    EXPECT_EQ(width_of_pressure(widths, pressing.of(at_depth(0.0)).value()), widths.min_mm);
+    EXPECT_GT(pressing.of(at_depth(0.1 / k_mm + 0.001)).value(), 0.0);
+    EXPECT_LT(pressing.of(at_depth(2.0 / k_mm - 0.001)).value(), 1.0);
+    EXPECT_EQ(pressing.of(at_depth(2.0 / k_mm + 0.001)).value(), 1.0);
+  }
+}
+
+TEST(Pressing, R14_TheSpringForceDecidesNotTheDepth) {
+  const Pressing on_paper(*find_surface("paper"), {}), on_felt(*find_surface("felt"), {});
+  ASSERT_EQ(on_paper.stiffness_n_per_m(), 500.0);
+  ASSERT_EQ(on_felt.stiffness_n_per_m(), 300.0);
+  for (int k = 0; k <= 300; ++k) {
+    const double force = 0.01 * k;
+    const double p = on_paper.of(at_depth(force / 0.5)).value();
+    EXPECT_NEAR(p, on_felt.of(at_depth(force / 0.3)).value(), 1e-12);
+    EXPECT_NEAR(p, on_paper.of_force(force), 1e-12);
+  }
+  // The same depth is another force.
+  EXPECT_GT(on_paper.of(at_depth(2)).value(), on_felt.of(at_depth(2)).value() + 0.15);
+}
+
+TEST(Pressing, R14_TheStiffnessIsTheOneThatTheDeviceRenders) {
+  const SurfaceMaterial& board = *find_surface("blackboard");
+  EXPECT_EQ(Pressing(board, {}).stiffness_n_per_m(), 800.0);
+  EXPECT_EQ(Pressing(board, {.max_stiffness_n_per_m = 400}).stiffness_n_per_m(), 360.0);
+  EXPECT_EQ(Pressing(board, {.max_stiffness_n_per_m = 3000}).stiffness_n_per_m(), 800.0);
+}
+
+TEST(Pressing, R14_FullWidthComesBeforeTheMotorsTire) {
+  EXPECT_EQ(Pressing(paper(), {.continuous_force_n = 0.0}).most_n(), 2.0);
+  EXPECT_EQ(Pressing(paper(), {.continuous_force_n = 8.0}).most_n(), 2.0);
+  EXPECT_DOUBLE_EQ(Pressing(paper(), {.continuous_force_n = 0.88}).most_n(), 1.056);
+  // However weak, there is a range to press in.
+  const Pressing weak(paper(), {.continuous_force_n = 1e-6});
+  EXPECT_GT(weak.most_n(), 0.1);
+  EXPECT_EQ(weak.of_force(0.1), 0.0);
+  EXPECT_EQ(weak.of_force(1.0), 1.0);
+}
+
+TEST(Pressing, R18_ADeviceThatSensesPressureSaysIt) {
+  const Pressing pressing(paper(), {.senses_pressure = true});
+  PenSample s = at_depth(1.7);
+  for (int k = 0; k <= 100; ++k) {
+    s.pressure = 0.01 * k;
+    EXPECT_EQ(pressing.of(s).value(), 0.01 * k);
+  }
+  s.pressure = 7.0;
+  EXPECT_EQ(pressing.of(s).value(), 1.0);
+  s.pressure = -1.0;
+  EXPECT_EQ(pressing.of(s).value(), 0.0);
+  // Nonsense is no pressure: the depth decides.
+  s.pressure = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(pressing.of(s), pressing.of(at_depth(1.7)));
+}
+
+TEST(Pressing, R18_AMouseHasNone) {
+  const Pressing pressing(paper(), {.sensed_axes = 2});
+  EXPECT_FALSE(pressing.of(at_depth(1.0)));
+}
+
+}  // namespace
+}  // namespace felt
