@@ -1,0 +1,95 @@
+#include "felt/haptics/safety_limits.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+namespace felt {
+namespace {
+
+constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+constexpr double kInf = std::numeric_limits<double>::infinity();
+
+TEST(SafetyLimits, R49_ThePeakIsTheSmallestOfUserAdviceAndNineTenthsOfTheDevice) {
+  EXPECT_DOUBLE_EQ(limits_for({.max_force_n = 22.0}).peak_force_n, 3.0);
+  EXPECT_DOUBLE_EQ(limits_for({.max_force_n = 22.0}, 1.2).peak_force_n, 1.2);
+  EXPECT_DOUBLE_EQ(limits_for({.max_force_n = 22.0}, 9.0).peak_force_n, 3.0);
+  EXPECT_DOUBLE_EQ(limits_for({.max_force_n = 3.3}).peak_force_n, 0.9 * 3.3);
+  EXPECT_DOUBLE_EQ(limits_for({.max_force_n = 3.3, .advised_force_n = 2.5}).peak_force_n, 2.5);
+}
+
+TEST(SafetyLimits, R55_ReadsTheDevicesCaps) {
+  const SafetyLimits limits = limits_for({.max_force_n = 3.3,
+                                          .continuous_force_n = 0.88,
+                                          .max_stiffness_n_per_m = 400.0,
+                                          .max_damping_n_s_per_m = 4.0,
+                                          .period_ns = 500'000,
+                                          .delay_ticks = 2});
+  EXPECT_DOUBLE_EQ(limits.continuous_force_n, 0.8 * 0.88);
+  EXPECT_DOUBLE_EQ(limits.max_stiffness_n_per_m, 0.9 * 400.0);
+  EXPECT_DOUBLE_EQ(limits.max_damping_n_s_per_m, 2.0);
+  EXPECT_EQ(limits.period_ns, 500'000);
+  EXPECT_EQ(limits.delay_ticks, 2);
+  EXPECT_EQ(limits_for({}).peak_force_n, 0.0) << "a mouse gets no force";
+}
+
+TEST(SafetyLimits, NonsenseFromADeviceMeansNoForce) {
+  for (double odd : {kNan, -1.0, kInf}) {
+    const SafetyLimits limits = limits_for({.max_force_n = odd});
+    EXPECT_TRUE(is_sound(limits));
+    EXPECT_EQ(limits.peak_force_n, 0.0) << odd;
+    EXPECT_EQ(limits_for({.max_force_n = 5.0, .advised_force_n = odd}).peak_force_n, 0.0) << odd;
+    EXPECT_EQ(limits_for({.max_force_n = 5.0}, odd).peak_force_n, 0.0) << odd;
+  }
+  EXPECT_TRUE(is_sound(limits_for({.max_force_n = 5.0,
+                                   .continuous_force_n = kNan,
+                                   .max_stiffness_n_per_m = kInf,
+                                   .max_damping_n_s_per_m = kNan,
+                                   .period_ns = -5,
+                                   .delay_ticks = -7})));
+}
+
+// The defaults are upper bounds: no number may be raised, none may be missing.
+TEST(SafetyLimits, TheSelfTestFindsEveryNumberThatIsNoneOrTooBold) {
+  EXPECT_TRUE(is_sound(SafetyLimits{}));
+  double SafetyLimits::*const numbers[] = {&SafetyLimits::peak_force_n,
+                                           &SafetyLimits::continuous_force_n,
+                                           &SafetyLimits::rms_window_s,
+                                           &SafetyLimits::rms_fade_s,
+                                           &SafetyLimits::max_damping_n_s_per_m,
+                                           &SafetyLimits::max_stiffness_n_per_m,
+                                           &SafetyLimits::rise_n_per_ms,
+                                           &SafetyLimits::engage_rise_n_per_ms,
+                                           &SafetyLimits::soft_fall_n_per_ms,
+                                           &SafetyLimits::engage_below_n,
+                                           &SafetyLimits::engage_s,
+                                           &SafetyLimits::brake_from_m_per_s,
+                                           &SafetyLimits::brake_n_s_per_m,
+                                           &SafetyLimits::cut_m_per_s,
+                                           &SafetyLimits::cut_now_m_per_s,
+                                           &SafetyLimits::jump_mm_per_ms,
+                                           &SafetyLimits::jump_hold_s,
+                                           &SafetyLimits::silent_damp_s,
+                                           &SafetyLimits::silent_stop_s,
+                                           &SafetyLimits::silent_damping_n_s_per_m,
+                                           &SafetyLimits::late_s,
+                                           &SafetyLimits::very_late_s,
+                                           &SafetyLimits::soft_fault_window_s,
+                                           &SafetyLimits::budget_fast_n_per_m,
+                                           &SafetyLimits::budget_slow_n_per_m};
+  for (double SafetyLimits::*const number : numbers) {
+    for (double odd : {kNan, kInf, -kInf, -1.0, 1e9}) {
+      SafetyLimits limits;
+      limits.*number = odd;
+      EXPECT_FALSE(is_sound(limits)) << odd;
+    }
+  }
+  for (int odd : {-1, 0, 4}) {
+    SafetyLimits limits;
+    limits.soft_faults = odd;
+    EXPECT_FALSE(is_sound(limits)) << odd;
+  }
+}
+
+}  // namespace
+}  // namespace felt
