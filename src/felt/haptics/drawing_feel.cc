@@ -2,11 +2,11 @@
 
 #include <algorithm>
 
+#include "felt/haptics/safety_stages.h"
+
 namespace felt {
 namespace {
 
-constexpr double kFastBudget = 900.0;
-constexpr double kSlowBudget = 600.0;
 constexpr double kOneSpring = 300.0;
 
 double period_s(const Capabilities& device) noexcept {
@@ -15,15 +15,8 @@ double period_s(const Capabilities& device) noexcept {
 
 }  // namespace
 
-double loop_delay_s(const Capabilities& device) noexcept {
-  return (device.delay_ticks + 1) * period_s(device);
-}
-
 double stiffness_budget_n_per_m(const Capabilities& device) noexcept {
-  const double delay_ms = 1e3 * loop_delay_s(device);
-  if (delay_ms <= 2.0) return kFastBudget;
-  if (delay_ms <= 3.0) return kFastBudget + (delay_ms - 2.0) * (kSlowBudget - kFastBudget);
-  return kSlowBudget * 3.0 / delay_ms;
+  return stiffness_budget_n_per_m(limits_for(device));
 }
 
 PlaneOptions plane_for(const SurfaceMaterial& surface, const Capabilities& device) noexcept {

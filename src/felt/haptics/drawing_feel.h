@@ -14,10 +14,9 @@ namespace felt {
 /// it: Compose(make_sheet_force(...), Wells(...)).
 using SheetForce = Compose<Plane, Texture, Friction>;
 
-/// Time from reading a position to the middle of its force, s: (delay_ticks + 1) periods.
-double loop_delay_s(const Capabilities& device) noexcept;
-/// Sum of slopes along one axis that a device bears, N/m (R56): 900 up to 2 ms of loop delay, 600
-/// at 3 ms, straight in between, then in proportion to 1/delay.
+/// Sum of slopes along one axis that a device bears, N/m (R56): 900 up to 2 ms between reading a
+/// position and the end of its force, 600 at 3 ms, in proportion to 1/delay. The safety chain's own
+/// number: what is built within it is felt as built.
 double stiffness_budget_n_per_m(const Capabilities& device) noexcept;
 
 /// The plane of a surface on a device: K is at most 0.9 of the device's cap (R55) and the budget,

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "felt/haptics/feel_rig.h"
+#include "felt/haptics/safety_chain.h"
 #include "felt/haptics/spring.h"
 #include "felt/haptics/stabiliser.h"
 #include "felt/haptics/tether.h"
@@ -72,16 +73,6 @@ TEST(DrawingFeel, ASlowLoopGetsTheSofterBristle) {
   EXPECT_DOUBLE_EQ(slow.damping_n_s_per_m, 1.0);
 }
 
-/// The scales that keep a model to its budget: friction gives way first (specification 5d).
-StiffnessScale scale_for(const Slopes& slopes, double budget) {
-  StiffnessScale scale;
-  scale.normal = std::min(1.0, budget / std::max(slopes.normal_n_per_m, 1.0));
-  scale.lateral = std::min(1.0, budget / std::max(slopes.lateral_n_per_m, 1.0));
-  const double left = budget - scale.lateral * slopes.lateral_n_per_m;
-  scale.friction = std::clamp(left / std::max(slopes.friction_n_per_m, 1.0), 0.0, 1.0);
-  return scale;
-}
-
 /// Rest, slow circles, strokes under a model; the worst HF.
 template <class Make>
 double worst_hf(const rig::Setup& setup, const Make& make) {
@@ -90,7 +81,8 @@ double worst_hf(const rig::Setup& setup, const Make& make) {
     const ForceModel model(make(setup));
     const double budget = stiffness_budget_n_per_m(setup.capabilities());
     rig::Bench bench(setup, model, {0, 0, 1});
-    const StiffnessScale scale = scale_for(model.slopes(), budget);
+    SafetyChain chain(limits_for(setup.capabilities()));
+    const StiffnessScale scale = chain.budget(model.slopes());
     bench.memory().scale = scale;
     EXPECT_LE(scale.friction * model.slopes().friction_n_per_m +
                   scale.lateral * model.slopes().lateral_n_per_m,

@@ -29,11 +29,12 @@ void follow_speed(const PenSample& sample, ForceMemory& memory) noexcept {
 
 Force Plane::operator()(const PenSample& sample, ForceMemory& memory) const noexcept {
   follow_speed(sample, memory);
-  double stiffness = options_.stiffness_n_per_m;
+  // First the share of the budget, then the cap: where the chain has counted the cap already, it is
+  // not to be taken twice.
+  double stiffness = options_.stiffness_n_per_m * memory.scale.normal;
   if (memory.material_cap_n_per_m > 0.0) {
     stiffness = std::min(stiffness, memory.material_cap_n_per_m);
   }
-  stiffness *= memory.scale.normal;
   const double depth = depth_mm(sample);
   const double speed = std::clamp(memory.normal_speed_mm_per_s, -kFastestMmPerS, kFastestMmPerS);
 

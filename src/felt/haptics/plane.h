@@ -15,7 +15,7 @@ struct PlaneOptions {
 /// The sheet under the pen: a one-sided spring and damper in z (R11, R12).
 ///
 ///   F_z = max(0, K depth - B vz)   where depth > 0, else 0
-///   K   = min(K of the material, memory.material_cap_n_per_m) * memory.scale.normal
+///   K   = min(K of the material * memory.scale.normal, memory.material_cap_n_per_m)
 ///   vz  = difference of z, low-passed at 100 Hz; the pen goes in at vz < 0
 ///
 /// It never pulls the pen in, neither by its spring nor by its damper. At rest F_z = K depth.

@@ -54,8 +54,11 @@ TEST(Plane, R55_KeepsToTheCapOfTheDevice) {
   memory.material_cap_n_per_m = 360.0;
   EXPECT_DOUBLE_EQ(Plane({.stiffness_n_per_m = 800.0})(at_z(-1.0), memory).z, 0.36);
   EXPECT_DOUBLE_EQ(Plane({.stiffness_n_per_m = 300.0})(at_z(-1.0), memory).z, 0.30);
-  memory.scale.normal = 0.5;
-  EXPECT_DOUBLE_EQ(Plane({.stiffness_n_per_m = 800.0})(at_z(-1.0), memory).z, 0.18);
+  memory.scale.normal = 0.25;
+  EXPECT_DOUBLE_EQ(Plane({.stiffness_n_per_m = 800.0})(at_z(-1.0), memory).z, 0.2);
+  // A chain that has put the cap into its scale too does not take it twice.
+  memory.scale.normal = 360.0 / 800.0;
+  EXPECT_DOUBLE_EQ(Plane({.stiffness_n_per_m = 800.0})(at_z(-1.0), memory).z, 0.36);
 }
 
 TEST(Plane, ALandingPenIsBrakedFromTheFirstTick) {
