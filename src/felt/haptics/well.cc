@@ -69,7 +69,9 @@ Force Wells::operator()(const PenSample& sample, ForceMemory& memory) const noex
     if (distance > 1e-12) sum += (shape_.force_at_n(distance) / distance) * to_target;
     damped = std::max(damped, shape_.damped_share(distance));
   }
-  sum -= 1e-3 * damped * shape_.damping_n_s_per_m * known_velocity(sample);
+  if (shape_.force_n > 0.0) {
+    sum -= 1e-3 * damped * shape_.damping_n_s_per_m * known_velocity(sample);
+  }
   const Force force = memory.scale.lateral * Force{sum.x, sum.y, 0.0};
   memory.terms.add("snap", force);
   return force;
