@@ -72,15 +72,16 @@ PlotPanel ForcePlot::force_panel() const {
   panel.limits = {
       {fmt::format("peak limit, {:.3g} N", limits_.peak_force_n), limits_.peak_force_n}};
   if (limits_.continuous_force_n > 0.0 && limits_.continuous_force_n < limits_.peak_force_n) {
-    panel.limits.push_back({fmt::format("continuous limit (RMS), {:.3g} N", limits_.continuous_force_n),
-                            limits_.continuous_force_n});
+    panel.limits.push_back(
+        {fmt::format("continuous limit (RMS), {:.3g} N", limits_.continuous_force_n),
+         limits_.continuous_force_n});
   }
   panel.height = 130.0;
   panel.from_zero = true;
   return panel;
 }
 
-Result<Image> ForcePlot::draw() const {
+Result<Image> ForcePlot::draw(const PlotOptions& options) const {
   if (ticks_ == 0) return fail(ErrorCode::kInvalidData, "there is nothing to plot");
   Plot plot;
   plot.title = title_;
@@ -109,7 +110,7 @@ Result<Image> ForcePlot::draw() const {
   plot.panels.insert(plot.panels.end(), {std::move(position), std::move(height), std::move(width)});
   if (!terms_.empty()) plot.panels.push_back(std::move(terms));
   plot.panels.push_back(force_panel());
-  return draw_plot(plot);
+  return draw_plot(plot, options);
 }
 
 }  // namespace felt::cli

@@ -31,7 +31,7 @@ class ForcePlot {
   [[nodiscard]] double rate_hz() const noexcept { return 1.0 / period_s_; }
 
   /// The picture. Error: nothing was added.
-  [[nodiscard]] Result<Image> draw() const;
+  [[nodiscard]] Result<Image> draw(const PlotOptions& options = {}) const;
 
  private:
   struct Term {

@@ -33,6 +33,7 @@ void add_commands(CLI::App& app, Console& console) {
   add_convert_command(app, console);
   add_info_command(app, console);
   add_replay_command(app, console);
+  add_demo_command(app, console);
   add_tools_command(app, console);
   add_devices_command(app, console);
   add_bench_command(app, console);

@@ -84,6 +84,7 @@ std::string pencil_act() {
   set("pencil.min_width_mm", 0.25);
   set("pencil.max_width_mm", 2.2);
   set("pencil.gamma", 1.2);
+  set("sheet.color", std::string("#23262d"));
   set("pencil.snap", std::string("both"));
   script += recorded(hand, {ball.front()}, count);
   ball.erase(ball.begin());

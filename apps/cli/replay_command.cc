@@ -7,6 +7,7 @@
 #include "felt/io/png.h"
 #include "force_plot.h"
 #include "forces_csv.h"
+#include "replay_arguments.h"
 #include "replay_run.h"
 #include "sketch_output.h"
 
@@ -131,17 +132,7 @@ Result<void> play_scripts(const ReplayCommandArguments& args, ReplayMachine& mac
   for (const std::string& script : args.scripts) {
     if (Result<void> taken = run.file(script); !taken) return taken;
   }
-  return run.finish();
-}
-
-Result<void> write_sketch(const Sketch& sketch, Format format, SketchOutput& output) {
-  SketchPiece piece;
-  std::int64_t number = 0;
-  for (const SketchStroke& stroke : sketch) {
-    if (Result<void> done = encode(stroke, ++number, format, piece); !done) return done;
-  }
-  if (Result<void> done = output.append(piece); !done) return done;
-  return output.finish();
+  return run.play();
 }
 
 Result<void> write_outputs(const ReplayCommandArguments& args, ReplayOutputs& outputs,
@@ -158,11 +149,10 @@ Result<void> write_outputs(const ReplayCommandArguments& args, ReplayOutputs& ou
     if (Result<void> done = outputs.forces->finish(); !done) return done;
   }
   if (!outputs.sketch) return {};
-  return write_sketch(machine.session().sketch(), *outputs.format, *outputs.sketch);
+  return write_strokes(machine.session().sketch(), *outputs.format, *outputs.sketch);
 }
 
-ReplayMachine::Observer observer_of(ReplayOutputs& outputs, Console& console,
-                                    const ReplayStats*& stats) {
+ReplayMachine::Observer observer_of(ReplayOutputs& outputs, Console& console) {
   ReplayMachine::Observer observer;
   if (outputs.plot || outputs.forces) {
     observer.tick = [&outputs](const ReplayTick& tick) -> Result<void> {
@@ -170,9 +160,9 @@ ReplayMachine::Observer observer_of(ReplayOutputs& outputs, Console& console,
       return outputs.forces ? outputs.forces->add(tick.report, tick.pressure) : Result<void>();
     };
   }
-  observer.progress = [&console, &stats](double fraction) {
+  observer.turn = [&console](const Session& session, double fraction) {
     console.progress("playing", static_cast<std::int64_t>(1e6 * fraction), 1'000'000,
-                     stats->strokes_meant);
+                     static_cast<std::int64_t>(session.document().stroke_count()));
   };
   return observer;
 }
@@ -189,17 +179,17 @@ void run_replay(const ReplayCommandArguments& args, Console& console) {
   }
   Result<ReplayOutputs> outputs = open_outputs(args, settings);
   if (!outputs) return console.error(outputs.error().message);
-  const ReplayStats* stats = nullptr;
-  ReplayMachine machine(settings, std::move(document), observer_of(*outputs, console, stats));
-  stats = &machine.stats();
+  ReplayMachine machine(settings, std::move(document), observer_of(*outputs, console));
   set_options(args, machine);
   Result<void> done = play_scripts(args, machine);
   console.end_progress();
   if (done) done = write_outputs(args, *outputs, machine);
   if (!done) return console.error(done.error().message);
   const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - start;
-  machine.stats().wall_s = wall.count();
-  if (!args.stats.empty()) fmt::print("{}", stats_json(machine.stats()));
+  if (args.stats.empty()) return;
+  ReplayStats stats = machine.take_stats();
+  stats.wall_s = wall.count();
+  fmt::print("{}", stats_json(stats));
 }
 
 }  // namespace

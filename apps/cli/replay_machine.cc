@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <utility>
 
 #include "felt/io/ndjson_parser.h"
 #include "felt/tools/pressing.h"
@@ -82,11 +83,11 @@ PlayerOptions ReplayMachine::player_options() {
 }
 
 void ReplayMachine::see_turn() {
-  if (!observer_.progress || events_.empty()) return;
+  if (!observer_.turn || events_.empty()) return;
   const std::int64_t start_ns = events_.front().time_ns;
   const auto all = static_cast<double>(events_.back().time_ns - start_ns);
   const auto done = static_cast<double>(now_ns_ - start_ns);
-  observer_.progress(all > 0.0 ? std::clamp(done / all, 0.0, 1.0) : 1.0);
+  observer_.turn(session_, all > 0.0 ? std::clamp(done / all, 0.0, 1.0) : 1.0);
 }
 
 HandScriptOptions ReplayMachine::hand_options() const {
@@ -131,28 +132,26 @@ void ReplayMachine::note_aim(std::int64_t time_ns, const HandEvent& aim) {
   hand_is_down_ = is_down;
 }
 
-Result<bool> ReplayMachine::stroke_drawn(const std::vector<Point>& meant) {
+void ReplayMachine::stroke_drawn(const std::vector<Point>& meant) {
   // What was meant is the stroke, not the aims, by which the hand makes up for friction.
   if (!meant_.empty()) meant_.back().path = meant;
-  if (events_.size() < kManyEvents) return false;
-  if (Result<void> played = play(); !played) return tl::unexpected(played.error());
-  return true;
 }
 
-Result<void> ReplayMachine::finish() {
-  if (Result<void> played = play(); !played) return played;
+bool ReplayMachine::is_full() const noexcept {
+  return events_.size() >= kManyEvents;
+}
+
+ReplayStats ReplayMachine::take_stats() {
+  ReplayStats taken = std::exchange(stats_, {});
   for (const SketchStroke& stroke : session_.sketch()) {
-    ++stats_.strokes;
-    stats_.segments += stroke.stroke.segment_count();
+    ++taken.strokes;
+    taken.segments += stroke.stroke.segment_count();
   }
-  return {};
+  return taken;
 }
 
 Result<void> ReplayMachine::play() {
   if (events_.empty()) return {};
-  widths_ = WidthMap({.min_mm = number_option(session_, "pencil.min_width_mm", 0.3),
-                      .max_mm = number_option(session_, "pencil.max_width_mm", 6.0),
-                      .gamma = number_option(session_, "pencil.gamma", 1.0)});
   const Result<PlayReport> report = player_.play(events_);
   if (!report) return tl::unexpected(report.error());
   if (!observed_) return observed_;
@@ -164,6 +163,7 @@ Result<void> ReplayMachine::play() {
   stats_.hard_faults += report->safety.hard_faults;
   stats_.max_asked_n = std::max(stats_.max_asked_n, report->largest_asked_n);
   stats_.max_sent_n = std::max(stats_.max_sent_n, report->largest_sent_n);
+  next_ns_ = report->end_ns + settings_.device.capabilities.period_ns;
   compare_ink();
   events_.clear();
   return {};
@@ -185,7 +185,11 @@ std::optional<double> ReplayMachine::width_at(const TickReport& report,
                                               std::optional<double> pressure) {
   const bool was_down = std::exchange(pen_is_down_, in_contact(report.sample));
   if (!pen_is_down_) return std::nullopt;
-  if (!was_down) widths_.begin();
+  if (!was_down) {
+    widths_ = WidthMap({.min_mm = number_option(session_, "pencil.min_width_mm", 0.3),
+                        .max_mm = number_option(session_, "pencil.max_width_mm", 6.0),
+                        .gamma = number_option(session_, "pencil.gamma", 1.0)});
+  }
   return widths_.push({on_sheet(report.sample.position), pressure, report.sample.time_ns});
 }
 

@@ -27,14 +27,13 @@ struct ReplayTick {
 /// what happens is counted. The same events give the same ticks and the same document.
 ///
 /// An event that the session would refuse is an error when it is added. Events are kept until
-/// `finish`, or, where raw strokes are drawn, until there are many: then they are played, and the
-/// loop starts anew with what follows.
+/// `play`, after which the loop starts anew with what follows.
 class ReplayMachine {
  public:
   struct Observer {
     std::function<Result<void>(const ReplayTick&)> tick{};  ///< an error ends the play
-    /// About once in 4 ms: how far the play is in what was added, 0..1.
-    std::function<void(double fraction)> progress{};
+    /// Each 4 ms: how far the play is in what was added, 0..1.
+    std::function<void(const Session& session, double fraction)> turn{};
   };
 
   ReplayMachine(const ReplaySettings& settings, Document document, Observer observer);
@@ -47,16 +46,22 @@ class ReplayMachine {
 
   /// The next event; times never run backwards. An import's path must be one that can be opened.
   Result<void> add(const Event& event);
-  /// The hand has drawn this path since the last call: what comes of it is compared with it. True
-  /// when all that was added has been played.
-  Result<bool> stroke_drawn(const std::vector<Point>& meant);
-  /// Plays what is left. Then the counts are complete, but for the wall time.
-  Result<void> finish();
+  /// The hand has drawn this path since the last call: what comes of it is compared with it.
+  void stroke_drawn(const std::vector<Point>& meant);
+  /// So many events wait that they should be played as soon as the hand is in the air.
+  [[nodiscard]] bool is_full() const noexcept;
+  /// Plays what was added.
+  Result<void> play();
+  /// When the next event may come.
+  [[nodiscard]] std::int64_t next_ns() const noexcept { return next_ns_; }
+
+  /// What was counted since the last call, but for the wall time; strokes and segments are those of
+  /// the document as it is.
+  ReplayStats take_stats();
 
   /// How the hand draws with what has been chosen so far: friction and stiffness of the sheet.
   [[nodiscard]] HandScriptOptions hand_options() const;
   [[nodiscard]] const Session& session() const noexcept { return session_; }
-  [[nodiscard]] ReplayStats& stats() noexcept { return stats_; }
 
  private:
   /// A path that the hand meant to draw, from when to when.
@@ -71,7 +76,6 @@ class ReplayMachine {
 
   [[nodiscard]] PlayerOptions player_options();
   void see_turn();
-  Result<void> play();
   void see_tick(const TickReport& report);
   void see_edit(const Edit& edit);
   void note_aim(std::int64_t time_ns, const HandEvent& aim);
@@ -89,6 +93,7 @@ class ReplayMachine {
   bool hand_is_down_ = false;
   std::vector<Ink> ink_;  // of this play
   std::int64_t now_ns_ = 0;
+  std::int64_t next_ns_ = 0;
   bool pen_is_down_ = false;
   WidthMap widths_;
   Result<void> observed_;  // the observer's first error

@@ -17,10 +17,8 @@ FeedSink ReplayRun::sink() {
         return machine_.add({event.time_ns, ImportEvent{folder_ + "/" + import->path}});
       },
       .stroke_drawn = [this](const std::vector<Point>& meant) -> Result<void> {
-        const Result<bool> played = machine_.stroke_drawn(meant);
-        if (!played) return tl::unexpected(played.error());
-        if (*played) feed_.begin_play();
-        return {};
+        machine_.stroke_drawn(meant);
+        return machine_.is_full() ? play() : Result<void>();
       },
       .hand = [this] { return machine_.hand_options(); },
   };
@@ -39,9 +37,11 @@ Result<void> ReplayRun::file(const std::string& path) {
   return script(input->name(), folder, input->reader());
 }
 
-Result<void> ReplayRun::finish() {
-  if (Result<void> fed = feed_.finish(); !fed) return fed;
-  return machine_.finish();
+Result<void> ReplayRun::play() {
+  if (Result<void> rested = feed_.rest(); !rested) return rested;
+  if (Result<void> played = machine_.play(); !played) return played;
+  feed_.begin_play(machine_.next_ns());
+  return {};
 }
 
 }  // namespace felt::cli

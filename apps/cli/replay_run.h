@@ -18,8 +18,8 @@ class ReplayRun {
   Result<void> script(const std::string& name, const std::string& folder, ReadBytes read);
   /// Takes the script of a command line: a file, or "-".
   Result<void> file(const std::string& path);
-  /// After the last script: plays what is left.
-  Result<void> finish();
+  /// Plays what was taken so far; more may follow.
+  Result<void> play();
 
  private:
   FeedSink sink();

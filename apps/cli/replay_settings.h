@@ -1,10 +1,7 @@
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <cstdint>
 #include <optional>
-#include <string>
-#include <vector>
 
 #include "felt/devices/simulated/hand_script.h"
 #include "felt/devices/simulated/simulated_hand.h"
@@ -28,21 +25,5 @@ struct ReplaySettings {
 /// since nothing stops it.
 ReplaySettings replay_settings(const StylusPreset& device, const SimulatedHand& hand, bool force,
                                std::optional<double> rate_hz, std::optional<int> delay_ticks);
-
-/// The same as options of a command line.
-struct ReplayArguments {
-  std::string device = "touch";
-  std::string hand = "typical";
-  std::optional<double> rate_hz;
-  std::optional<int> delay_ticks;
-  bool no_force = false;
-
-  /// Adds --device and --hand.
-  void add_pen_to(CLI::App& command);
-  /// Adds --rate, --delay and --no-force.
-  void add_loop_to(CLI::App& command);
-  /// Requires that the command line was parsed: then the names are known.
-  [[nodiscard]] ReplaySettings settings() const;
-};
 
 }  // namespace felt::cli

@@ -10,8 +10,6 @@ namespace {
 constexpr double kAirMmPerS = 250.0;
 constexpr double kShortestWayS = 0.12;
 constexpr double kRestS = 0.25;  // after the last stroke
-constexpr double kEngageS =
-    0.7;  // until forces are there; the safety chain takes a little over 0.5 s
 
 }  // namespace
 
@@ -27,6 +25,11 @@ Result<void> ScriptFeed::read(const std::string& name, ReadBytes read) {
   return read_script(name, std::move(read), lines);
 }
 
+void ScriptFeed::begin_play(std::int64_t from_ns) noexcept {
+  now_ns_ = std::max(now_ns_, from_ns);
+  is_fresh_ = true;
+}
+
 Result<void> ScriptFeed::take_event(const Event& event) {
   Event timed = event;
   timed.time_ns = now_ns_ = std::max(now_ns_, file_start_ns_ + event.time_ns);
@@ -35,7 +38,9 @@ Result<void> ScriptFeed::take_event(const Event& event) {
 }
 
 Result<void> ScriptFeed::take_stroke(const RawStroke& stroke) {
-  if (sink_.hand) options_.hand = sink_.hand();
+  HandScriptOptions hand = sink_.hand ? sink_.hand() : options_.hand;
+  if (!is_fresh_) hand.lead_in_s = 0.0;
+  is_fresh_ = false;
   RecordedPath path;
   std::vector<Point> meant;
   for (const InkSample& sample : stroke.samples) {
@@ -44,25 +49,15 @@ Result<void> ScriptFeed::take_stroke(const RawStroke& stroke) {
     path.push_back({place, sample.pressure, sample.time_ns});
     meant.push_back(place);
   }
-  const std::vector<TimedAim> aims =
-      script_hand(std::span<const RecordedPath>(&path, 1), options_.hand);
+  const std::vector<TimedAim> aims = script_hand(std::span<const RecordedPath>(&path, 1), hand);
   if (aims.empty()) return {};
-  if (Result<void> there = move_above(aims.front().target_mm); !there) return there;
+  if (Result<void> there = travel_to(aims.front().target_mm); !there) return there;
   const std::int64_t start_ns = now_ns_;
   for (const TimedAim& aim : aims) {
     if (Result<void> taken = put(aim, start_ns); !taken) return taken;
   }
   ++strokes_;
   return sink_.stroke_drawn ? sink_.stroke_drawn(meant) : Result<void>();
-}
-
-Result<void> ScriptFeed::move_above(const Vec3& target) {
-  if (Result<void> there = travel_to(target); !there || !is_fresh_) return there;
-  is_fresh_ = false;
-  const TimedAim above{.time_ns = 0, .target_mm = target};
-  if (Result<void> taken = put(above, now_ns_); !taken) return taken;
-  now_ns_ += static_cast<std::int64_t>(1e9 * kEngageS);
-  return put(above, now_ns_);
 }
 
 Result<void> ScriptFeed::travel_to(const Vec3& target) {
@@ -90,7 +85,7 @@ Result<void> ScriptFeed::put(const TimedAim& aim, std::int64_t start_ns) {
                                          .pressure = aim.pressure}});
 }
 
-Result<void> ScriptFeed::finish() {
+Result<void> ScriptFeed::rest() {
   if (strokes_ == 0 || !hand_) return {};
   const auto rest_ns = static_cast<std::int64_t>(1e9 * kRestS);
   return put({.time_ns = rest_ns, .target_mm = *hand_}, now_ns_);

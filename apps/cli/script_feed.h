@@ -44,12 +44,12 @@ class ScriptFeed {
 
   /// Reads a script through; its name is for errors. Stops at the first one, "NAME:LINE: reason".
   Result<void> read(const std::string& name, ReadBytes read);
-  /// The loop starts afresh with the next event: the hand waits above the first stroke until forces
-  /// have faded in, so that this one feels like the others.
-  void begin_play() noexcept { is_fresh_ = true; }
-  /// After the last script: the hand that drew raw strokes stays a while, so that the pen, which
-  /// follows it, comes to rest too.
-  Result<void> finish();
+  /// The loop starts afresh with the next event, which comes at this time or later: the hand waits
+  /// above the first stroke until forces have faded in, so that this one feels like the others.
+  void begin_play(std::int64_t from_ns) noexcept;
+  /// Before a play: the hand that drew raw strokes stays a while, so that the pen, which follows
+  /// it, comes to rest too.
+  Result<void> rest();
 
   /// Time of the last event given.
   [[nodiscard]] std::int64_t now_ns() const noexcept { return now_ns_; }
@@ -58,7 +58,6 @@ class ScriptFeed {
  private:
   Result<void> take_event(const Event& event);
   Result<void> take_stroke(const RawStroke& stroke);
-  Result<void> move_above(const Vec3& target);
   Result<void> travel_to(const Vec3& target);
   Result<void> put(const TimedAim& aim, std::int64_t start_ns);
 

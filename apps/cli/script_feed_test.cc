@@ -32,7 +32,7 @@ Fed feed(const std::vector<std::string>& scripts, FeedOptions options = {}) {
     fed.result = feed.read("script", read_text(script));
     if (!fed.result) return fed;
   }
-  fed.result = feed.finish();
+  fed.result = feed.rest();
   return fed;
 }
 

@@ -110,4 +110,14 @@ Result<std::unique_ptr<SketchOutput>> open_sketch_output(const std::string& path
   return std::make_unique<NdjsonOutput>(*std::move(output));
 }
 
+Result<void> write_strokes(const Sketch& sketch, Format format, SketchOutput& output) {
+  SketchPiece piece;
+  std::int64_t number = 0;
+  for (const SketchStroke& stroke : sketch) {
+    if (Result<void> done = encode(stroke, ++number, format, piece); !done) return done;
+  }
+  if (Result<void> done = output.append(piece); !done) return done;
+  return output.finish();
+}
+
 }  // namespace felt::cli

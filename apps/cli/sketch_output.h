@@ -37,4 +37,7 @@ class SketchOutput {
 Result<std::unique_ptr<SketchOutput>> open_sketch_output(const std::string& path, Format format,
                                                          const PictureOptions& picture);
 
+/// Writes these strokes into an output of that format, and finishes it.
+Result<void> write_strokes(const Sketch& sketch, Format format, SketchOutput& output);
+
 }  // namespace felt::cli

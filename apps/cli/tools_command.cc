@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "commands.h"
+#include "felt/session/sheet_options.h"
 #include "felt/tools/tool.h"
 #include "json_text.h"
 #include "text_table.h"
@@ -37,17 +38,21 @@ std::string allowed_of(const OptionSpec& option) {
          (option.unit.empty() ? "" : " " + std::string(option.unit));
 }
 
+void print_options(std::string_view owner, std::span<const OptionSpec> options,
+                   const TextStyle& style) {
+  TextTable table({{"  option"}, {"default"}, {"allowed"}, {"what it does"}});
+  for (const OptionSpec& option : options) {
+    table.add_row({fmt::format("  {}.{}", owner, option.id), default_of(option), allowed_of(option),
+                   std::string(option.help)});
+  }
+  fmt::print("\n{}", table.text(style));
+}
+
 void print_text(const ToolInfo& tool, const TextStyle& style) {
   const std::string shortcut = tool.shortcut ? fmt::format("  [{}]", tool.shortcut) : "";
   fmt::print("{}{}\n{}\n", heading(std::string(tool.id), style), shortcut,
              wrapped(std::string(tool.help), style.width, 0));
-  if (tool.options.empty()) return;
-  TextTable options({{"  option"}, {"default"}, {"allowed"}, {"what it does"}});
-  for (const OptionSpec& option : tool.options) {
-    options.add_row({fmt::format("  {}.{}", tool.id, option.id), default_of(option),
-                     allowed_of(option), std::string(option.help)});
-  }
-  fmt::print("\n{}", options.text(style));
+  if (!tool.options.empty()) print_options(tool.id, tool.options, style);
 }
 
 std::string option_json(const OptionSpec& option) {
@@ -79,15 +84,19 @@ std::string option_json(const OptionSpec& option) {
   return object.text();
 }
 
+std::string options_json(std::span<const OptionSpec> options) {
+  std::vector<std::string> objects;
+  for (const OptionSpec& option : options) objects.push_back(option_json(option));
+  return json_array(objects);
+}
+
 std::string tool_json(const ToolInfo& tool) {
-  std::vector<std::string> options;
-  for (const OptionSpec& option : tool.options) options.push_back(option_json(option));
   JsonObject object;
   object.add_text("id", tool.id);
   object.add_text("label", tool.label);
   object.add_text("help", tool.help);
   object.add_text("shortcut", tool.shortcut ? std::string(1, tool.shortcut) : "");
-  object.add_raw("options", json_array(options));
+  object.add_raw("options", options_json(tool.options));
   return object.text();
 }
 
@@ -96,7 +105,8 @@ void print_tools(bool as_json) {
   if (as_json) {
     std::vector<std::string> objects;
     for (const auto& tool : tools) objects.push_back(tool_json(tool->info()));
-    fmt::print("{{\"tools\":{}}}\n", json_array(objects));
+    fmt::print("{{\"tools\":{},\"sheet\":{}}}\n", json_array(objects),
+               options_json(SheetOptions::table()));
     return;
   }
   const TextStyle style = TextStyle::of_stdout();
@@ -104,6 +114,9 @@ void print_tools(bool as_json) {
     if (tool != tools.front()) fmt::print("\n");
     print_text(tool->info(), style);
   }
+  fmt::print("\n{}\nWhat is drawn on; sheet.color, \"#rrggbb\", is the colour of new ink.\n",
+             heading("sheet", style));
+  print_options("sheet", SheetOptions::table(), style);
 }
 
 }  // namespace

@@ -43,10 +43,10 @@ bool is_sound(const PlotSpan& span) {
 
 Result<void> check(const Plot& plot, const PlotOptions& options) {
   if (plot.panels.empty()) return fail(ErrorCode::kInvalidArgument, "a plot without a panel");
-  if (!(options.width >= 200.0 && options.width <= 1e5 && options.scale >= 0.5 &&
+  if (!(options.width >= 200.0 && options.width <= 1e5 && options.scale >= 0.1 &&
         options.scale <= 100.0)) {
     return fail(ErrorCode::kInvalidArgument,
-                "a plot is 200 to 100000 units wide, of 0.5 to 100 px");
+                "a plot is 200 to 100000 units wide, of 0.1 to 100 px");
   }
   bool sound = is_sound(plot.span);
   for (const PlotPanel& panel : plot.panels) {

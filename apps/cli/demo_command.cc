@@ -1,0 +1,233 @@
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <filesystem>
+#include <memory>
+
+#include "commands.h"
+#include "demo_scripts.h"
+#include "felt/io/png.h"
+#include "felt/render/page.h"
+#include "force_plot.h"
+#include "forces_csv.h"
+#include "replay_arguments.h"
+#include "replay_run.h"
+#include "sketch_output.h"
+#include "text_table.h"
+
+namespace felt::cli {
+namespace {
+
+constexpr double kMarginMm = 6.0;
+constexpr Rgba kPaper{255, 254, 250, 255};
+constexpr Rgba kRingColor{0, 114, 178, 190};
+constexpr double kRingWidthMm = 0.3;
+constexpr double kPlotUnits = 900.0;
+/// What the plot shows: from shortly before the pen first touches.
+constexpr double kPlotBeforeS = 0.25;
+constexpr double kPlotS = 5.0;
+
+struct DemoArguments {
+  std::string folder;
+  int size_px = 1600;
+  ReplayArguments pen;
+};
+
+/// What is written while the acts are played.
+struct DemoRecorder {
+  ForcesCsv forces;
+  ForcePlot plot;
+  std::optional<double> first_contact_s{};
+  Overlay overlay{};                      // scratch
+  std::vector<Overlay::Ring> in_reach{};  // rings around the target of the gesture in work
+  std::vector<Overlay::Ring> rings{};     // those that ended a gesture
+
+  Result<void> see(const ReplayTick& tick) {
+    const PenSample& pen = tick.report.sample;
+    if (!first_contact_s && in_contact(pen)) {
+      first_contact_s = 1e-9 * static_cast<double>(pen.time_ns);
+    }
+    plot.add(tick.report, tick.width_mm);
+    return forces.add(tick.report, tick.pressure);
+  }
+
+  /// Notes the rings that a line ran into.
+  void see(const Session& session) {
+    if (!session.gesture_in_work()) {
+      rings.insert(rings.end(), in_reach.begin(), in_reach.end());
+      in_reach.clear();
+      return;
+    }
+    overlay.clear();
+    session.draw(overlay);
+    in_reach.clear();
+    for (const Overlay::Ring& ring : overlay.rings) {
+      if (ring.role == Overlay::Role::kSnap) in_reach.push_back(ring);
+    }
+  }
+};
+
+/// A ring of the overlay as a thin line, for a picture.
+SketchStroke ring_stroke(const Overlay::Ring& ring) {
+  constexpr double kHandle = 0.5522847498;  // of a quarter circle
+  const double r = ring.radius_mm, h = kHandle * r;
+  const auto at = [&ring](double x, double y) { return ring.center + Vec{x, y}; };
+  StrokeData data;
+  data.points = {at(r, 0),   at(r, h),   at(h, r),  at(0, r),  at(-h, r), at(-r, h), at(-r, 0),
+                 at(-r, -h), at(-h, -r), at(0, -r), at(h, -r), at(r, -h), at(r, 0)};
+  data.joints.assign(4, JointKind::kSmooth);
+  data.closed = true;
+  data.widths = {{0.0, kRingWidthMm}, {4.0, kRingWidthMm}};
+  data.color = kRingColor;
+  return {"ring", Stroke::create(std::move(data)).value()};
+}
+
+/// The table of what was done, a row an act.
+class Summary {
+ public:
+  void add(std::string_view act, const ReplayStats& stats) {
+    table_.add_row(
+        {std::string(act.substr(act.find('-') + 1)), std::to_string(stats.strokes_meant),
+         std::to_string(stats.ticks_in_contact), std::to_string(stats.strokes),
+         std::to_string(stats.segments), fmt::format("{:.2f}", stats.mean_sent_n()),
+         fmt::format("{:.2f}", stats.max_sent_n), fmt::format("{:.2f}", stats.distance.mean_mm()),
+         fmt::format("{:.2f}", stats.distance.p95_mm()), fmt::format("{:.0f}", stats.simulated_s),
+         fmt::format("{:.0f} x", stats.times_real_time())});
+    faults_ += stats.soft_faults + stats.hard_faults;
+  }
+  void print() const {
+    fmt::print("{}", table_.text(TextStyle::of_stdout()));
+    if (faults_ > 0) fmt::print("The safety chain stepped in {} times.\n", faults_);
+  }
+
+ private:
+  static constexpr TextTable::Align kRight = TextTable::Align::kRight;
+  TextTable table_{{{"act"},
+                    {"drawn", kRight},
+                    {"samples", kRight},
+                    {"strokes", kRight},
+                    {"segments", kRight},
+                    {"mean N", kRight},
+                    {"peak N", kRight},
+                    {"off mm", kRight},
+                    {"95 % mm", kRight},
+                    {"seconds", kRight},
+                    {"real time", kRight}}};
+  std::int64_t faults_ = 0;
+};
+
+std::string path_in(const DemoArguments& args, const char* name) {
+  return (std::filesystem::path(args.folder) / name).string();
+}
+
+Result<void> make_folder(const std::string& folder) {
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (error) return fail(ErrorCode::kIo, folder + ": " + error.message());
+  if (std::filesystem::is_directory(folder, error)) return {};
+  return fail(ErrorCode::kIo, folder + ": is no folder");
+}
+
+Result<void> write_picture(const std::string& path, const Sketch& sketch,
+                           const PictureOptions& picture) {
+  const Result<Format> format = format_of_path(path);
+  if (!format) return tl::unexpected(format.error());
+  Result<std::unique_ptr<SketchOutput>> output = open_sketch_output(path, *format, picture);
+  if (!output) return tl::unexpected(output.error());
+  return write_strokes(sketch, *format, **output);
+}
+
+Result<void> write_pictures(const DemoArguments& args, const Sketch& sketch,
+                            const DemoRecorder& recorder) {
+  PictureOptions picture;
+  picture.sheet = ink_bounds(sketch).inflated(kMarginMm);
+  picture.dpi = kMmPerInch * args.size_px / picture.sheet->width();
+  for (const char* name : {"sketch.ndjson", "sketch.svg"}) {
+    if (Result<void> done = write_picture(path_in(args, name), sketch, picture); !done) return done;
+  }
+  Sketch annotated = sketch;
+  for (const Overlay::Ring& ring : recorder.rings) annotated.push_back(ring_stroke(ring));
+  picture.paper = kPaper;
+  return write_picture(path_in(args, "sketch.png"), annotated, picture);
+}
+
+Result<void> write_plot(const DemoArguments& args, DemoRecorder& recorder) {
+  ForcePlot& plot = recorder.plot;
+  const PlotSpan whole = plot.whole();
+  const double start_s =
+      std::max(whole.start_s, recorder.first_contact_s.value_or(0.0) - kPlotBeforeS);
+  plot.set_span({start_s, std::min(start_s + kPlotS, whole.end_s)});
+  plot.set_title("What the hand feels",
+                 fmt::format("simulated {}, {} hand, pencil on paper, {:.0f} Hz", args.pen.device,
+                             args.pen.hand, plot.rate_hz()));
+  const double scale = args.size_px / kPlotUnits;
+  const Result<Image> image = plot.draw({.width = kPlotUnits, .scale = scale});
+  if (!image) return tl::unexpected(image.error());
+  return write_png(path_in(args, "forces.png"), *image, 96.0 * scale);
+}
+
+Result<void> play_acts(const DemoArguments& args, Console& console, DemoRecorder& recorder) {
+  ReplayMachine::Observer observer;
+  observer.tick = [&recorder](const ReplayTick& tick) { return recorder.see(tick); };
+  observer.turn = [&](const Session& session, double fraction) {
+    recorder.see(session);
+    console.progress("drawing", static_cast<std::int64_t>(1e6 * fraction), 1'000'000,
+                     static_cast<std::int64_t>(session.document().stroke_count()));
+  };
+  ReplayMachine machine(args.pen.settings(), Document(), observer);
+  ReplayRun run(machine, 1.0, 0);
+  Summary summary;
+  for (const DemoScript& act : demo_scripts()) {
+    const auto start = std::chrono::steady_clock::now();
+    const std::string name = "share/demo/" + std::string(act.name) + ".ndjson";
+    if (Result<void> read = run.script(name, "", read_text(act.text)); !read) return read;
+    if (Result<void> played = run.play(); !played) return played;
+    ReplayStats stats = machine.take_stats();
+    stats.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    summary.add(act.name, stats);
+  }
+  console.end_progress();
+  if (Result<void> done = write_pictures(args, machine.session().sketch(), recorder); !done) {
+    return done;
+  }
+  if (Result<void> done = write_plot(args, recorder); !done) return done;
+  if (Result<void> done = recorder.forces.finish(); !done) return done;
+  summary.print();
+  return {};
+}
+
+void run_demo(const DemoArguments& args, Console& console) {
+  if (Result<void> made = make_folder(args.folder); !made)
+    return console.error(made.error().message);
+  Result<ForcesCsv> forces = ForcesCsv::create(path_in(args, "forces.csv"));
+  if (!forces) return console.error(forces.error().message);
+  const Capabilities device = args.pen.settings().device.capabilities;
+  DemoRecorder recorder{*std::move(forces), ForcePlot(1e-9 * static_cast<double>(device.period_ns),
+                                                      limits_for(device))};
+  const Result<void> played = play_acts(args, console, recorder);
+  console.end_progress();
+  if (!played) return console.error(played.error().message);
+  fmt::print("\nIn {}: sketch.svg, sketch.png, sketch.ndjson, forces.csv, forces.png\n",
+             args.folder);
+}
+
+}  // namespace
+
+void add_demo_command(CLI::App& app, Console& console) {
+  CLI::App* command = app.add_subcommand("demo", "Let the simulated hand draw a picture");
+  const auto args = std::make_shared<DemoArguments>();
+  command->add_option("-o,--output", args->folder, "The folder for pictures and forces; it is made")
+      ->required();
+  command->add_option("--size", args->size_px, "Width of the pictures in pixels")
+      ->check(CLI::Range(200, 20000))
+      ->capture_default_str();
+  args->pen.add_pen_to(*command);
+  command->footer(
+      examples("feltline demo -o demo\n"
+               "feltline demo -o demo --hand light --device premium --size 3000"));
+  command->callback([args, &console] { run_demo(*args, console); });
+}
+
+}  // namespace felt::cli

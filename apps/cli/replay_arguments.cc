@@ -1,0 +1,46 @@
+#include "replay_arguments.h"
+
+#include <vector>
+
+#include "commands.h"
+
+namespace felt::cli {
+namespace {
+
+std::vector<std::string> device_names() {
+  std::vector<std::string> names;
+  for (const StylusPreset& preset : stylus_presets()) names.emplace_back(preset.name);
+  return names;
+}
+
+std::vector<std::string> hand_names() {
+  std::vector<std::string> names;
+  for (const SimulatedHand& hand : simulated_hands()) names.emplace_back(hand.name);
+  return names;
+}
+
+}  // namespace
+
+void ReplayArguments::add_pen_to(CLI::App& command) {
+  command.add_option("--device", device, "The simulated pen (see 'feltline devices')")
+      ->check(CLI::IsMember(device_names()))
+      ->capture_default_str();
+  command.add_option("--hand", hand, "The simulated hand that holds it")
+      ->check(CLI::IsMember(hand_names()))
+      ->capture_default_str();
+}
+
+void ReplayArguments::add_loop_to(CLI::App& command) {
+  command.add_option("--rate", rate_hz, "Ticks of the loop a second (default: the device's)")
+      ->check(number_between(250.0, 5000.0));
+  command.add_option("--delay", delay_ticks, "Ticks from a position to its force, likewise")
+      ->check(CLI::Range(0, 7));
+  command.add_flag("--no-force", no_force, "The pen pushes back with nothing");
+}
+
+ReplaySettings ReplayArguments::settings() const {
+  return replay_settings(*find_stylus_preset(device), *find_hand(hand), !no_force, rate_hz,
+                         delay_ticks);
+}
+
+}  // namespace felt::cli

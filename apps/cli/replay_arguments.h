@@ -1,0 +1,27 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <optional>
+#include <string>
+
+#include "replay_settings.h"
+
+namespace felt::cli {
+
+/// The settings of a replay as options of a command line.
+struct ReplayArguments {
+  std::string device = "touch";
+  std::string hand = "typical";
+  std::optional<double> rate_hz;
+  std::optional<int> delay_ticks;
+  bool no_force = false;
+
+  /// Adds --device and --hand.
+  void add_pen_to(CLI::App& command);
+  /// Adds --rate, --delay and --no-force.
+  void add_loop_to(CLI::App& command);
+  /// Requires that the command line was parsed: then the names are known.
+  [[nodiscard]] ReplaySettings settings() const;
+};
+
+}  // namespace felt::cli

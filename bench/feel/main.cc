@@ -1,0 +1,192 @@
+// Real strokes, felt: each is drawn by a simulated hand through a simulated pen, the haptic loop
+// and the pencil, with each drawing material and with forces on and off. Says whether every stroke
+// came out, how far the ink is from the path that the hand meant, what the hand felt, and how much
+// faster than real time the whole step runs on this machine.
+//   bench_feel [--file F]... [--mm-per-unit U] [--limit N] [--device NAME] [--hand NAME] [--csv F]
+// Without --file: share/samples. A stroke that is lost, or falls into several, is a failure.
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cstdlib>
+#include <fstream>
+#include <iterator>
+#include <string>
+#include <vector>
+
+#include "felt/io/ndjson_lines.h"
+#include "replay_run.h"
+#include "text_table.h"
+
+namespace felt::bench {
+namespace {
+
+using cli::ReplayStats;
+
+struct Options {
+  std::vector<std::string> files;
+  double mm_per_unit = 1.0;
+  std::size_t limit = 1'000'000'000;
+  std::string device = "touch", hand = "typical", csv;
+};
+
+[[noreturn]] void fail_usage() {
+  fmt::print(stderr,
+             "usage: bench_feel [--file F]... [--mm-per-unit U] [--limit N] [--device NAME] "
+             "[--hand NAME] [--csv F]\n");
+  std::exit(2);
+}
+
+Options options_of(int argc, char** argv) {
+  Options options;
+  for (int i = 1; i < argc; i += 2) {
+    const std::string name = argv[i];
+    if (i + 1 == argc) fail_usage();
+    const std::string value = argv[i + 1];
+    if (name == "--file") {
+      options.files.push_back(value);
+    } else if (name == "--mm-per-unit") {
+      options.mm_per_unit = std::strtod(value.c_str(), nullptr);
+    } else if (name == "--limit") {
+      options.limit = std::strtoull(value.c_str(), nullptr, 10);
+    } else if (name == "--device") {
+      options.device = value;
+    } else if (name == "--hand") {
+      options.hand = value;
+    } else if (name == "--csv") {
+      options.csv = value;
+    } else {
+      fail_usage();
+    }
+  }
+  if (options.files.empty()) {
+    for (const char* name : {"cat", "handwriting", "page"}) {
+      options.files.push_back(std::string("share/samples/") + name + ".ndjson");
+    }
+  }
+  const bool known = find_stylus_preset(options.device) && find_hand(options.hand);
+  if (!known || !(options.mm_per_unit > 0.0)) fail_usage();
+  return options;
+}
+
+/// The first lines of a file, as many as are left.
+Result<std::string> lines_of(const std::string& path, std::size_t& left) {
+  std::ifstream file(path);
+  if (!file) return fail(ErrorCode::kNotFound, path + ": cannot be opened");
+  std::string text, line;
+  while (left > 0 && std::getline(file, line)) {
+    if (line.find("\"points\"") != std::string::npos) --left;
+    text += line + "\n";
+  }
+  return text;
+}
+
+/// One row: all strokes with one material, forces on or off.
+struct Row {
+  std::string material;
+  bool forces = true;
+  ReplayStats stats;
+};
+
+Result<ReplayStats> draw(const Options& options, const std::string& material, bool forces) {
+  const cli::ReplaySettings settings = cli::replay_settings(
+      *find_stylus_preset(options.device), *find_hand(options.hand), forces, {}, {});
+  cli::ReplayMachine machine(settings, Document(), {});
+  // Lines that meet would become one; here each is to come out as it went in.
+  for (const auto& [id, value] :
+       {std::pair("pencil.snap", std::string("off")), std::pair("pencil.material", material)}) {
+    if (Result<void> set = machine.set_option(id, value); !set) return tl::unexpected(set.error());
+  }
+  const auto start = std::chrono::steady_clock::now();
+  cli::ReplayRun run(machine, options.mm_per_unit, 0);
+  std::size_t left = options.limit;
+  for (const std::string& path : options.files) {
+    const Result<std::string> text = lines_of(path, left);
+    if (!text) return tl::unexpected(text.error());
+    if (Result<void> read = run.script(path, "", read_text(*text)); !read) {
+      return tl::unexpected(read.error());
+    }
+  }
+  if (Result<void> played = run.play(); !played) return tl::unexpected(played.error());
+  ReplayStats stats = machine.take_stats();
+  stats.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return stats;
+}
+
+std::vector<std::string> cells_of(const Row& row) {
+  const ReplayStats& s = row.stats;
+  return {row.material,
+          row.forces ? "on" : "off",
+          std::to_string(s.strokes_meant),
+          std::to_string(s.strokes),
+          std::to_string(s.segments),
+          fmt::format("{:.3f}", s.distance.mean_mm()),
+          fmt::format("{:.3f}", s.distance.p95_mm()),
+          fmt::format("{:.3f}", s.distance.max_mm()),
+          fmt::format("{:.2f}", s.mean_sent_n()),
+          fmt::format("{:.2f}", s.max_sent_n),
+          std::to_string(s.soft_faults + s.hard_faults),
+          fmt::format("{:.0f}", s.simulated_s),
+          fmt::format("{:.0f}", s.times_real_time())};
+}
+
+constexpr std::array kColumns = {"material", "forces",  "strokes in", "out",    "segments",
+                                 "mean mm",  "95 % mm", "max mm",     "mean N", "peak N",
+                                 "faults",   "s",       "x real time"};
+
+void write_csv(const std::string& path, const std::vector<Row>& rows) {
+  std::ofstream file(path);
+  file << "material,forces,strokes_in,strokes_out,segments,mean_mm,p95_mm,max_mm,mean_n,peak_n,"
+          "faults,simulated_s,times_real_time\n";
+  for (const Row& row : rows) {
+    const std::vector<std::string> cells = cells_of(row);
+    for (std::size_t i = 0; i < cells.size(); ++i) file << (i > 0 ? "," : "") << cells[i];
+    file << "\n";
+  }
+}
+
+void print_table(const Options& options, const std::vector<Row>& rows) {
+  std::vector<cli::TextTable::Column> columns;
+  for (const char* name : kColumns) {
+    using Align = cli::TextTable::Align;
+    columns.push_back({name, columns.size() < 2 ? Align::kLeft : Align::kRight});
+  }
+  cli::TextTable table(columns);
+  for (const Row& row : rows) table.add_row(cells_of(row));
+  fmt::print("{}", table.text(cli::TextStyle::of_stdout()));
+  fmt::print(
+      "\nSimulated {}, {} hand, paper. mean, 95 %, max: between the path that the hand meant and "
+      "the ink,\nboth ways. N: sent while the pen is on the sheet. x real time: all of it, on one "
+      "thread of this machine.\n",
+      options.device, options.hand);
+}
+
+int run(int argc, char** argv) {
+  const Options options = options_of(argc, argv);
+  std::vector<Row> rows;
+  bool all_came_out = true;
+  for (const bool forces : {true, false}) {
+    for (const char* material : {"pencil", "chalk", "crayon", "felt-tip"}) {
+      const Result<ReplayStats> stats = draw(options, material, forces);
+      if (!stats) {
+        fmt::print(stderr, "bench_feel: {}\n", stats.error().message);
+        return 1;
+      }
+      rows.push_back({material, forces, *stats});
+      all_came_out = all_came_out && stats->strokes == stats->strokes_meant;
+    }
+  }
+  print_table(options, rows);
+  if (!options.csv.empty()) write_csv(options.csv, rows);
+  if (all_came_out) return 0;
+  fmt::print(stderr, "bench_feel: strokes went in that did not come out as one each\n");
+  return 1;
+}
+
+}  // namespace
+}  // namespace felt::bench
+
+int main(int argc, char** argv) {
+  return felt::bench::run(argc, argv);
+}

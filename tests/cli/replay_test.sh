@@ -1,0 +1,130 @@
+# Playing scripts and strokes through the simulated pen: outputs, columns, errors, determinism.
+. "$(dirname "$0")/helpers.sh"
+
+strokes 3 >in.ndjson
+cat >events.ndjson <<'END'
+{"feltline":1,"unit":"mm"}
+{"event":"tool","id":"pencil","t_ms":0}
+{"event":"option","id":"pencil.snap","value":"off","t_ms":0}
+{"event":"hand","x":20,"y":30,"z":5,"t_ms":0}
+{"event":"hand","x":20,"y":30,"z":5,"t_ms":700}
+{"event":"hand","x":20,"y":30,"z":-3,"t_ms":800}
+{"event":"hand","x":60,"y":40,"z":-3,"t_ms":1300}
+{"event":"hand","x":60,"y":40,"z":5,"t_ms":1400}
+END
+
+# Every raw stroke comes out as a stroke, and two runs give the same bytes of everything.
+for n in 1 2; do
+  run 0 "$feltline" replay in.ndjson -o "s$n.ndjson" --forces "f$n.csv" --plot "p$n.png" --set pencil.snap=off
+  is_empty out
+  is_empty err
+done
+same s1.ndjson s2.ndjson
+same f1.csv f2.csv
+same p1.png p2.png
+lines s1.ndjson 3
+run 0 "$feltline" replay - -o - --set pencil.snap=off <in.ndjson
+same out s1.ndjson
+run 0 "$feltline" replay in.ndjson --forces - --set pencil.snap=off
+same out f1.csv
+run 0 "$feltline" replay in.ndjson -o s.svg
+run 0 "$feltline" replay in.ndjson -o s.png --dpi 50
+
+# The contract of the columns: fixed ones first, a group a force term, a row a millisecond.
+header=t_ms,x,y,z,vx,vy,vz,pressure,ask_x,ask_y,ask_z,sent_x,sent_y,sent_z,
+[[ $(head -n 1 f1.csv) == "$header"* ]] || fail "columns: $(head -n 1 f1.csv)"
+for column in plane_x plane_y plane_z friction_x friction_y friction_z; do
+  [[ ,$(head -n 1 f1.csv), == *",$column,"* ]] || fail "no column $column"
+done
+awk -F, 'NR == 1 { n = NF; next }
+  NF != n { print "row " NR " has " NF " columns"; bad = 1; exit }
+  NR > 2 && $1 - last < 0.999 { print "row " NR ": time " $1 " after " last; bad = 1; exit }
+  { last = $1
+    force = sqrt($12 * $12 + $13 * $13 + $14 * $14)
+    if (force > largest) largest = force
+    if (force > 2.5 + 1e-9) { print "row " NR ": " force " N"; bad = 1; exit } }
+  END { if (largest < 0.2) { print "nothing was felt: " largest " N"; bad = 1 }
+        exit bad }' f1.csv >columns || fail "$(cat columns)"
+
+# Events, stdin, a sketch to begin with, options.
+run 0 "$feltline" replay events.ndjson -o e.ndjson
+lines e.ndjson 1
+run 0 "$feltline" replay - -o - <events.ndjson
+same out e.ndjson
+run 0 "$feltline" replay events.ndjson --on s1.ndjson -o on.ndjson
+lines on.ndjson 4
+run 0 "$feltline" replay events.ndjson events.ndjson -o twice.ndjson
+lines twice.ndjson 2
+run 0 "$feltline" replay events.ndjson -o glass.ndjson --material glass
+cmp -s glass.ndjson e.ndjson && fail "the sheet changes nothing"
+run 0 "$feltline" replay events.ndjson -o light.ndjson --hand light --device premium
+cmp -s light.ndjson e.ndjson && fail "hand and pen change nothing"
+run 0 "$feltline" replay events.ndjson -o fast.ndjson --rate 4000 --delay 2
+run 0 "$feltline" replay in.ndjson -o shaken.ndjson --seed 7 --set pencil.snap=off
+cmp -s shaken.ndjson s1.ndjson && fail "the tremor changes nothing"
+run 0 "$feltline" replay in.ndjson -o small.ndjson --mm-per-unit 0.1 --set pencil.snap=off
+run 0 "$feltline" replay in.ndjson --no-force --forces none.csv -o none.ndjson --set pencil.snap=off
+lines none.ndjson 3
+awk -F, 'NR > 1 && ($12 != 0 || $13 != 0 || $14 != 0) { exit 1 }' none.csv || fail "a force without force"
+mkdir folder
+cp s1.ndjson folder/sketch.ndjson
+echo '{"event":"import","path":"sketch.ndjson","t_ms":0}' >folder/import.ndjson
+run 0 "$feltline" replay folder/import.ndjson -o imported.ndjson
+lines imported.ndjson 3
+
+# What it counts.
+run 0 "$feltline" replay in.ndjson --stats json --set pencil.snap=off
+lines out 1
+for key in ticks simulated_s wall_s times_real_time soft_faults max_force_n; do
+  has out "\"$key\":"
+done
+has out '"strokes_meant":3,"strokes":3,'
+has out '"intended_to_ink_mm":{"mean":0.'
+
+# Errors name the file, the line and the reason, and write nothing.
+echo old >kept.ndjson
+bad() { # TEXT REASON
+  printf '%s\n' "$1" >bad.ndjson
+  run 1 "$feltline" replay events.ndjson bad.ndjson -o kept.ndjson
+  has err "$2"
+  [ "$(cat kept.ndjson)" = old ] || fail "an error wrote $(head -c 80 kept.ndjson)"
+}
+bad '{"event":"nonsense","t_ms":0}' "feltline: bad.ndjson:1: "
+bad '{"event":"hand","x":1,"y":2,"z":"high","t_ms":0}' "feltline: bad.ndjson:1: z"
+bad '{"event":"undo"}' 'bad.ndjson:1: key "t_ms" is missing'
+bad '{"event":"tool","id":"pencill","t_ms":0}' "bad.ndjson:1: "
+bad '{"event":"option","id":"pencil.snap","value":"maybe","t_ms":0}' "bad.ndjson:1: "
+bad '{"event":"import","path":"nowhere.ndjson","t_ms":0}' "nowhere.ndjson"
+bad 'no JSON' "bad.ndjson:1: "
+bad '{"points":[[1,"a"]]}' "bad.ndjson:1: points[0]"
+run 1 "$feltline" replay nowhere.ndjson -o x.ndjson
+has err "feltline: nowhere.ndjson: No such file"
+run 1 "$feltline" replay events.ndjson --on nowhere.ndjson -o x.ndjson
+run 1 "$feltline" replay events.ndjson -o nowhere/x.ndjson
+has err "nowhere/x.ndjson"
+
+# Wrong usage.
+run 2 "$feltline" replay events.ndjson
+has err "replay needs -o OUT"
+run 2 "$feltline" replay -o x.ndjson
+run 2 "$feltline" replay events.ndjson -o x.ndjson --device nonsense
+run 2 "$feltline" replay events.ndjson -o x.ndjson --hand nonsense
+run 2 "$feltline" replay events.ndjson -o x.ndjson --rate 10
+run 2 "$feltline" replay events.ndjson -o x.ndjson --delay 9
+run 2 "$feltline" replay events.ndjson -o x.ndjson --material cheese
+run 2 "$feltline" replay events.ndjson -o x.ndjson --set pencil.snap
+run 2 "$feltline" replay events.ndjson -o x.ndjson --set pencil.nonsense=1
+run 2 "$feltline" replay events.ndjson -o x.ndjson --set pencil.max_width_mm=wide
+run 2 "$feltline" replay events.ndjson -o - --stats json
+[ ! -e x.ndjson ] || fail "a wrong command line made a file"
+
+# Killed halfway, it leaves the older files as they were.
+strokes 600 >long.ndjson
+echo old >k.csv
+"$feltline" replay long.ndjson -o kept.ndjson --forces k.csv 2>/dev/null &
+pid=$!
+sleep 0.3
+kill -KILL "$pid" 2>/dev/null && wait "$pid" 2>/dev/null
+[ "$(cat kept.ndjson)" = old ] || fail "a killed replay left a sketch"
+[ "$(cat k.csv)" = old ] || fail "a killed replay left forces"
+finish
