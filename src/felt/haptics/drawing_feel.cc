@@ -8,6 +8,11 @@ namespace felt {
 namespace {
 
 constexpr double kOneSpring = 300.0;
+constexpr double kQuietStepN =
+    0.025;  // what one step of the sensor may add, spring and damper each
+constexpr double kSoftestPlane = 200.0;
+constexpr double kLeastB = 0.5;
+constexpr double kSpeedFilterS = 1.0 / (6.283185307179586 * 100.0);  // as in plane.cc
 
 double period_s(const Capabilities& device) noexcept {
   return 1e-9 * static_cast<double>(device.period_ns);
@@ -30,6 +35,14 @@ PlaneOptions plane_for(const SurfaceMaterial& surface, const Capabilities& devic
   }
   if (period_s(device) < 0.0005) {
     plane.damping_n_s_per_m = std::min(plane.damping_n_s_per_m, 2.0);
+  }
+  if (device.position_step_mm > 0.0) {
+    const double step_m = 1e-3 * device.position_step_mm;
+    const double seen_over_s = kSpeedFilterS + period_s(device);
+    plane.stiffness_n_per_m =
+        std::min(plane.stiffness_n_per_m, std::max(kQuietStepN / step_m, kSoftestPlane));
+    plane.damping_n_s_per_m =
+        std::min(plane.damping_n_s_per_m, std::max(kQuietStepN * seen_over_s / step_m, kLeastB));
   }
   return plane;
 }

@@ -21,7 +21,10 @@ double stiffness_budget_n_per_m(const Capabilities& device) noexcept;
 
 /// The plane of a surface on a device: K is at most 0.9 of the device's cap (R55) and the budget,
 /// so that a blackboard is softer where the loop is slow; B at most the device's, and 2 N s/m on
-/// loops faster than 0.5 ms, whose measured speed is noisier (specification 5b). The width of a
+/// loops faster than 0.5 ms (specification 5b). Where the sensor is coarse both are less: one of
+/// its steps may change the spring's push by 0.025 N at most, and the damper's, which sees it as a
+/// speed (step over 1.6 ms and a period), by as much again. Else a pen that slides hums between two
+/// steps at 60 to 100 Hz (docs/stability.md): 0.03 to 0.06 N on steps of 0.055 mm. The width of a
 /// line is made with this K.
 PlaneOptions plane_for(const SurfaceMaterial& surface, const Capabilities& device) noexcept;
 /// The friction of a pair on a device: k = 600 N/m where the budget leaves 300 N/m for one spring
