@@ -126,15 +126,25 @@ Result<void> ReplayMachine::add(const Event& event) {
 }
 
 void ReplayMachine::note_aim(std::int64_t time_ns, const HandEvent& aim) {
+  if (in_stroke_) {
+    if (meant_.back().start_ns < 0) meant_.back().start_ns = time_ns;
+    return;
+  }
   const bool is_down = presses(aim);
   if (is_down && !hand_is_down_) meant_.push_back({time_ns, {}});
   if (is_down) meant_.back().path.push_back(on_sheet(aim.target));
   hand_is_down_ = is_down;
 }
 
+void ReplayMachine::begin_stroke() {
+  in_stroke_ = true;
+  meant_.push_back({-1, {}});
+}
+
 void ReplayMachine::stroke_drawn(const std::vector<Point>& meant) {
-  // What was meant is the stroke, not the aims, by which the hand makes up for friction.
-  if (!meant_.empty()) meant_.back().path = meant;
+  // What was meant is the stroke, not the aims, by which the hand makes up for mass and friction.
+  meant_.back().path = meant;
+  in_stroke_ = hand_is_down_ = false;
 }
 
 bool ReplayMachine::is_full() const noexcept {

@@ -46,7 +46,10 @@ class ReplayMachine {
 
   /// The next event; times never run backwards. An import's path must be one that can be opened.
   Result<void> add(const Event& event);
-  /// The hand has drawn this path since the last call: what comes of it is compared with it.
+  /// The next events draw a stroke ...
+  void begin_stroke();
+  /// ... of this path: what comes of it is compared with the path. Elsewhere the hand means its
+  /// aims while it presses.
   void stroke_drawn(const std::vector<Point>& meant);
   /// So many events wait that they should be played as soon as the hand is in the air.
   [[nodiscard]] bool is_full() const noexcept;
@@ -91,6 +94,7 @@ class ReplayMachine {
   std::vector<Event> events_;  // not played yet
   std::vector<Meant> meant_;   // likewise
   bool hand_is_down_ = false;
+  bool in_stroke_ = false;
   std::vector<Ink> ink_;  // of this play
   std::int64_t now_ns_ = 0;
   std::int64_t next_ns_ = 0;

@@ -16,6 +16,7 @@ FeedSink ReplayRun::sink() {
         }
         return machine_.add({event.time_ns, ImportEvent{folder_ + "/" + import->path}});
       },
+      .stroke_begins = [this] { machine_.begin_stroke(); },
       .stroke_drawn = [this](const std::vector<Point>& meant) -> Result<void> {
         machine_.stroke_drawn(meant);
         return machine_.is_full() ? play() : Result<void>();

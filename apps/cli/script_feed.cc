@@ -52,6 +52,7 @@ Result<void> ScriptFeed::take_stroke(const RawStroke& stroke) {
   const std::vector<TimedAim> aims = script_hand(std::span<const RecordedPath>(&path, 1), hand);
   if (aims.empty()) return {};
   if (Result<void> there = travel_to(aims.front().target_mm); !there) return there;
+  if (sink_.stroke_begins) sink_.stroke_begins();
   const std::int64_t start_ns = now_ns_;
   for (const TimedAim& aim : aims) {
     if (Result<void> taken = put(aim, start_ns); !taken) return taken;

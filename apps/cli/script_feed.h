@@ -17,6 +17,8 @@ namespace felt::cli {
 struct FeedSink {
   /// The next thing that happens; times never run backwards, over all scripts.
   std::function<Result<void>(const Event&)> event;
+  /// The next events draw a raw stroke. May be null.
+  std::function<void()> stroke_begins{};
   /// All events of a raw stroke went out, and the hand has lifted the pen: `meant` is its path in
   /// mm. May be null.
   std::function<Result<void>(const std::vector<Point>& meant)> stroke_drawn{};

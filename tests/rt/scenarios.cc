@@ -14,6 +14,7 @@
 #include "felt/haptics/stabiliser.h"
 #include "felt/haptics/well.h"
 #include "felt/rt/null_device.h"
+#include "tests/rt/drawing_scenario.h"
 
 namespace felt::rt_test {
 namespace {
@@ -166,6 +167,7 @@ constexpr std::array kScenarios{
     Scenario{"paper, 4 kHz", true, [] { return std::unique_ptr<Session>(new Paper("omega")); }},
     Scenario{"all materials", true, make<AllMaterials>},
     Scenario{"all bricks, always fading", true, make<AllBricks>},
+    Scenario{"a drawing session, pencil", true, make_drawing_session},
     Scenario{"edit side hangs", true, make<HungEditSide>},
     Scenario{"device faults", true, make_faulty},
 };
