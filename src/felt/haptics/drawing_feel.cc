@@ -1,6 +1,7 @@
 #include "felt/haptics/drawing_feel.h"
 
 #include <algorithm>
+#include <limits>
 
 #include "felt/haptics/safety_stages.h"
 
@@ -8,14 +9,27 @@ namespace felt {
 namespace {
 
 constexpr double kOneSpring = 300.0;
-constexpr double kQuietStepN =
-    0.025;  // what one step of the sensor may add, spring and damper each
-constexpr double kSoftestPlane = 200.0;
+constexpr double kQuietStepN = 0.025;  // what one step of the sensor may change
+constexpr double kSoftest = 200.0;
 constexpr double kLeastB = 0.5;
 constexpr double kSpeedFilterS = 1.0 / (6.283185307179586 * 100.0);  // as in plane.cc
 
 double period_s(const Capabilities& device) noexcept {
   return 1e-9 * static_cast<double>(device.period_ns);
+}
+
+// Springs and dampers that answer one step of the sensor with kQuietStepN at most, each.
+struct QuietLimits {
+  double stiffness_n_per_m = std::numeric_limits<double>::infinity();
+  double damping_n_s_per_m = std::numeric_limits<double>::infinity();
+};
+
+QuietLimits quiet_limits(const Capabilities& device) noexcept {
+  if (!(device.position_step_mm > 0.0)) return {};
+  const double step_m = 1e-3 * device.position_step_mm;
+  const double seen_over_s = kSpeedFilterS + period_s(device);
+  return {std::max(kQuietStepN / step_m, kSoftest),
+          std::max(kQuietStepN * seen_over_s / step_m, kLeastB)};
 }
 
 }  // namespace
@@ -36,25 +50,22 @@ PlaneOptions plane_for(const SurfaceMaterial& surface, const Capabilities& devic
   if (period_s(device) < 0.0005) {
     plane.damping_n_s_per_m = std::min(plane.damping_n_s_per_m, 2.0);
   }
-  if (device.position_step_mm > 0.0) {
-    const double step_m = 1e-3 * device.position_step_mm;
-    const double seen_over_s = kSpeedFilterS + period_s(device);
-    plane.stiffness_n_per_m =
-        std::min(plane.stiffness_n_per_m, std::max(kQuietStepN / step_m, kSoftestPlane));
-    plane.damping_n_s_per_m =
-        std::min(plane.damping_n_s_per_m, std::max(kQuietStepN * seen_over_s / step_m, kLeastB));
-  }
+  const QuietLimits quiet = quiet_limits(device);
+  plane.stiffness_n_per_m = std::min(plane.stiffness_n_per_m, quiet.stiffness_n_per_m);
+  plane.damping_n_s_per_m = std::min(plane.damping_n_s_per_m, quiet.damping_n_s_per_m);
   return plane;
 }
 
 FrictionOptions friction_for(const ToolMaterial& tool, const SurfaceMaterial& surface,
                              const Capabilities& device) noexcept {
   const double budget = stiffness_budget_n_per_m(device);
-  const double stiffness =
-      std::min(tool.bristle_n_per_m, std::max(budget - kOneSpring, 0.5 * budget));
+  const QuietLimits quiet = quiet_limits(device);
+  const double stiffness = std::min(
+      {tool.bristle_n_per_m, quiet.stiffness_n_per_m, std::max(budget - kOneSpring, 0.5 * budget)});
+  const double damping = tool.bristle_n_s_per_m * stiffness / tool.bristle_n_per_m;
   return {.coefficient = friction_of(tool, surface),
           .stiffness_n_per_m = stiffness,
-          .damping_n_s_per_m = tool.bristle_n_s_per_m * stiffness / tool.bristle_n_per_m};
+          .damping_n_s_per_m = std::min(damping, quiet.damping_n_s_per_m)};
 }
 
 SheetForce make_sheet_force(const SurfaceMaterial& surface, const ToolMaterial& tool,

@@ -28,7 +28,8 @@ double stiffness_budget_n_per_m(const Capabilities& device) noexcept;
 /// line is made with this K.
 PlaneOptions plane_for(const SurfaceMaterial& surface, const Capabilities& device) noexcept;
 /// The friction of a pair on a device: k = 600 N/m where the budget leaves 300 N/m for one spring
-/// beside it (edit, snap), less on slower loops (300 at 3 ms), d in proportion (300/1).
+/// beside it (edit, snap), less on slower loops (300 at 3 ms), d in proportion (300/1); and like
+/// the plane less of both on a coarse sensor.
 FrictionOptions friction_for(const ToolMaterial& tool, const SurfaceMaterial& surface,
                              const Capabilities& device) noexcept;
 
