@@ -1,0 +1,86 @@
+#include "stability/stability_matrix.h"
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <thread>
+
+#include "felt/haptics/drawing_feel.h"
+
+namespace felt {
+namespace {
+
+constexpr std::array kDevices{"worst",   "touch", "premium", "falcon",
+                              "touch-x", "omega", "inverse3"};
+constexpr std::array<std::int64_t, 3> kPeriodsNs{1'000'000, 250'000, 200'000};
+
+// All surfaces and tools of one loop.
+void add_materials(StabilityCell cell, std::vector<StabilityCell>& cells) {
+  for (const SurfaceMaterial& surface : surface_materials()) {
+    for (const char* tool : {"pencil", "eraser"}) {
+      cell.surface = &surface;
+      cell.tool = find_tool_material(tool);
+      cells.push_back(cell);
+    }
+  }
+}
+
+template <class Values>
+bool has(const Values& values, std::string_view value) {
+  return std::find(values.begin(), values.end(), value) != values.end();
+}
+
+}  // namespace
+
+std::vector<StabilityCell> all_cells() {
+  std::vector<const SimulatedHand*> hands;
+  for (const SimulatedHand& hand : simulated_hands()) hands.push_back(&hand);
+  hands.push_back(nullptr);
+  std::vector<StabilityCell> cells;
+  for (const Trial trial : kTrials) {
+    for (const char* device : kDevices) {
+      for (const SimulatedHand* hand : hands) {
+        for (const std::int64_t period_ns : kPeriodsNs) {
+          for (const int delay : {0, 1, 2}) {
+            add_materials({.trial = trial,
+                           .device = find_stylus_preset(device),
+                           .hand = hand,
+                           .delay_ticks = delay,
+                           .period_ns = period_ns},
+                          cells);
+          }
+        }
+      }
+    }
+  }
+  return cells;
+}
+
+std::vector<StabilityCell> representative_cells(const std::vector<StabilityCell>& cells) {
+  constexpr std::array<std::string_view, 5> kOf{"worst", "touch", "premium", "falcon", "omega"};
+  std::vector<StabilityCell> some;
+  std::copy_if(cells.begin(), cells.end(), std::back_inserter(some), [&](const StabilityCell& c) {
+    const bool hand = c.hand == nullptr || c.hand->name == "light" || c.hand->name == "typical";
+    const bool loop =
+        c.period_ns == 1'000'000 ? c.delay_ticks > 0 : c.period_ns == 200'000 && c.delay_ticks == 1;
+    const bool surface = c.surface->id == "paper" || c.surface->id == "blackboard";
+    return has(kOf, c.device->name) && hand && loop && surface;
+  });
+  return some;
+}
+
+std::vector<StabilityResult> run_cells(const std::vector<StabilityCell>& cells, unsigned threads) {
+  for (const SurfaceMaterial& surface : surface_materials()) surface_grain(surface);  // once
+  std::vector<StabilityResult> results(cells.size());
+  std::atomic<std::size_t> next{0};
+  const auto work = [&] {
+    for (std::size_t i = next++; i < cells.size(); i = next++) results[i] = run_trial(cells[i]);
+  };
+  std::vector<std::jthread> workers;
+  for (unsigned i = 1; i < threads; ++i) workers.emplace_back(work);
+  work();
+  workers.clear();
+  return results;
+}
+
+}  // namespace felt
