@@ -3,14 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
-#include "felt/devices/simulated/hand_path.h"
+#include "felt/devices/simulated/script_knots.h"
 
 namespace felt {
 namespace {
 
-constexpr double kTopSpeed = 500.0;         // mm/s on the sheet
 constexpr double kAirSpeed = 250.0;         // mm/s on average, in the air
-constexpr double kPauseS = 1.0;             // longest rest within a stroke
 constexpr double kTravelS = 0.12;           // shortest way in the air
 constexpr double kLandS = 0.15;             // from hovering to the first pressure
 constexpr double kLiftS = 0.12;             // and back
@@ -19,84 +17,10 @@ constexpr double kShortestS = 0.06;         // of a stroke: a dot
 constexpr double kLookS = 0.008;            // over which speed and its change are planned
 constexpr double kFrictionFromSpeed = 5.0;  // mm/s: slower, and it counts less
 constexpr double kLeastPressure = 1e-3;     // that still counts as contact
-constexpr double kDenseMm = 0.05;           // what `pace` expects
-constexpr double kLargestMm = 1e4;          // points farther away are no points of a sheet
 
 double press_n(const HandScriptOptions& options, double pressure) noexcept {
   return options.light_n + std::clamp(pressure, 0.0, 1.0) * (options.full_n - options.light_n);
 }
-
-// A stroke as the hand draws it: every field finite, times from 0 on, never backwards.
-struct Knot {
-  Point position;
-  double pressure = 0.5;
-  double t_s = 0.0;
-};
-
-bool is_usable(const RecordedPoint& p) {
-  return is_finite(p.position) && std::fabs(p.position.x) <= kLargestMm &&
-         std::fabs(p.position.y) <= kLargestMm;
-}
-
-// Where an unhurried hand would be when, at each of the knots.
-void give_pace(std::vector<Knot>& knots) {
-  std::vector<Point> dense;
-  std::vector<std::size_t> place;
-  for (std::size_t i = 0; i < knots.size(); ++i) {
-    const Point to = knots[i].position, from = i > 0 ? knots[i - 1].position : to;
-    const auto parts = static_cast<std::size_t>(std::ceil(distance(from, to) / kDenseMm));
-    for (std::size_t k = 1; k < parts; ++k) {
-      dense.push_back(lerp(from, to, static_cast<double>(k) / static_cast<double>(parts)));
-    }
-    dense.push_back(to);
-    place.push_back(dense.size() - 1);
-  }
-  const std::vector<TimedPoint> timed = pace(dense, 1.0);
-  for (std::size_t i = 0; i < knots.size(); ++i) knots[i].t_s = timed[place[i]].t_s;
-}
-
-std::vector<Knot> knots_of(const RecordedPath& path, double absent_pressure) {
-  std::vector<Knot> knots;
-  bool timed = true;
-  std::optional<std::int64_t> last_ns;
-  double t_s = 0.0;
-  for (const RecordedPoint& p : path) {
-    if (!is_usable(p)) continue;
-    timed = timed && p.time_ns && (!last_ns || *p.time_ns >= *last_ns);
-    if (timed && last_ns) {
-      // In double: the difference of two hostile times does not fit into 64 bits.
-      const double dt_s = 1e-9 * (static_cast<double>(*p.time_ns) - static_cast<double>(*last_ns));
-      t_s += std::clamp(dt_s, distance(knots.back().position, p.position) / kTopSpeed,
-                        std::max(kPauseS, distance(knots.back().position, p.position) / kTopSpeed));
-    }
-    const double pressure =
-        p.pressure && std::isfinite(*p.pressure) ? *p.pressure : absent_pressure;
-    knots.push_back({p.position, std::clamp(pressure, 0.0, 1.0), t_s});
-    last_ns = p.time_ns;
-  }
-  const bool stands_still = knots.size() > 1 && knots.back().t_s <= 0.0;
-  if (!timed || stands_still) give_pace(knots);
-  return knots;
-}
-
-// Reads a stroke at growing times.
-class KnotReader {
- public:
-  explicit KnotReader(const std::vector<Knot>& knots) : knots_(knots) {}
-
-  Knot at(double t_s) {
-    while (next_ + 1 < knots_.size() && knots_[next_].t_s < t_s) ++next_;
-    const Knot& b = knots_[next_];
-    const Knot& a = knots_[next_ > 0 ? next_ - 1 : 0];
-    const double span = b.t_s - a.t_s;
-    const double part = span > 0.0 ? std::clamp((t_s - a.t_s) / span, 0.0, 1.0) : 1.0;
-    return {lerp(a.position, b.position, part), a.pressure + part * (b.pressure - a.pressure), t_s};
-  }
-
- private:
-  const std::vector<Knot>& knots_;
-  std::size_t next_ = 0;
-};
 
 // Where the pen is to be, and how hard it presses there.
 struct PenPlan {
@@ -110,14 +34,14 @@ class PenPlanner {
   explicit PenPlanner(const HandScriptOptions& options)
       : options_(options), interval_s_(1e-9 * static_cast<double>(options.interval_ns)) {}
 
-  void draw(const std::vector<Knot>& knots) {
-    const Knot first = knots.front(), last = knots.back();
+  void draw(const std::vector<ScriptKnot>& knots) {
+    const ScriptKnot first = knots.front(), last = knots.back();
     travel_above(first.position);
     glide(pressed(first), kLandS, 0.0);
     glide(pressed(first), kSettleS, first.pressure);
     KnotReader reader(knots);
     for (double t_s = interval_s_; t_s < last.t_s; t_s += interval_s_) {
-      const Knot knot = reader.at(t_s);
+      const ScriptKnot knot = reader.at(t_s);
       plan_.push_back({pressed(knot), contact_pressure(knot.pressure)});
     }
     glide(pressed(last), std::max(kSettleS, kShortestS - last.t_s), last.pressure);
@@ -129,7 +53,7 @@ class PenPlanner {
  private:
   static double contact_pressure(double pressure) { return std::max(pressure, kLeastPressure); }
 
-  [[nodiscard]] Vec3 pressed(const Knot& knot) const {
+  [[nodiscard]] Vec3 pressed(const ScriptKnot& knot) const {
     const double depth_mm = options_.contact == ContactBy::kPressure
                                 ? 0.0
                                 : 1e3 * press_n(options_, knot.pressure) / options_.plane_n_per_m;
@@ -262,7 +186,7 @@ std::vector<TimedAim> script_hand(std::span<const RecordedPath> strokes,
                                   const HandScriptOptions& options) {
   PenPlanner planner(options);
   for (const RecordedPath& path : strokes) {
-    const std::vector<Knot> knots = knots_of(path, options.absent_pressure);
+    const std::vector<ScriptKnot> knots = knots_of(path, options.absent_pressure);
     if (!knots.empty()) planner.draw(knots);
   }
   return aims_for(options, planner);
