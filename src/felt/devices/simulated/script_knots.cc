@@ -40,7 +40,7 @@ void give_pace(std::vector<ScriptKnot>& knots) {
 std::vector<ScriptKnot> knots_of(const RecordedPath& path, double absent_pressure) {
   std::vector<ScriptKnot> knots;
   bool timed = true;
-  std::optional<std::int64_t> last_ns;
+  std::optional<std::int64_t> first_ns, last_ns;
   double t_s = 0.0;
   for (const RecordedPoint& p : path) {
     if (!is_usable(p)) continue;
@@ -55,8 +55,9 @@ std::vector<ScriptKnot> knots_of(const RecordedPath& path, double absent_pressur
         p.pressure && std::isfinite(*p.pressure) ? *p.pressure : absent_pressure;
     knots.push_back({p.position, std::clamp(pressure, 0.0, 1.0), t_s});
     last_ns = p.time_ns;
+    if (!first_ns) first_ns = last_ns;
   }
-  const bool stands_still = knots.size() > 1 && knots.back().t_s <= 0.0;
+  const bool stands_still = knots.size() > 1 && first_ns == last_ns;
   if (!timed || stands_still) give_pace(knots);
   return knots;
 }
