@@ -14,13 +14,19 @@ constexpr std::array kDevices{"worst",   "touch", "premium", "falcon",
                               "touch-x", "omega", "inverse3"};
 constexpr std::array<std::int64_t, 3> kPeriodsNs{1'000'000, 250'000, 200'000};
 
-// All surfaces and tools of one loop.
-void add_materials(StabilityCell cell, std::vector<StabilityCell>& cells) {
-  for (const SurfaceMaterial& surface : surface_materials()) {
-    for (const char* tool : {"pencil", "eraser"}) {
-      cell.surface = &surface;
-      cell.tool = find_tool_material(tool);
-      cells.push_back(cell);
+// All loops, surfaces and tools of one trial, hand and device.
+void add_loops(StabilityCell cell, std::vector<StabilityCell>& cells) {
+  for (const std::int64_t period_ns : kPeriodsNs) {
+    for (const int delay : {0, 1, 2}) {
+      for (const SurfaceMaterial& surface : surface_materials()) {
+        for (const char* tool : {"pencil", "eraser"}) {
+          cell.period_ns = period_ns;
+          cell.delay_ticks = delay;
+          cell.surface = &surface;
+          cell.tool = find_tool_material(tool);
+          cells.push_back(cell);
+        }
+      }
     }
   }
 }
@@ -40,16 +46,11 @@ std::vector<StabilityCell> all_cells() {
   for (const Trial trial : kTrials) {
     for (const char* device : kDevices) {
       for (const SimulatedHand* hand : hands) {
-        for (const std::int64_t period_ns : kPeriodsNs) {
-          for (const int delay : {0, 1, 2}) {
-            add_materials({.trial = trial,
-                           .device = find_stylus_preset(device),
-                           .hand = hand,
-                           .delay_ticks = delay,
-                           .period_ns = period_ns},
-                          cells);
-          }
-        }
+        StabilityCell cell;
+        cell.trial = trial;
+        cell.device = find_stylus_preset(device);
+        cell.hand = hand;
+        add_loops(cell, cells);
       }
     }
   }

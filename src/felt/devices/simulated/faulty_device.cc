@@ -6,6 +6,25 @@
 #include "felt/devices/simulated/random.h"
 
 namespace felt {
+namespace {
+
+PenSample at_time(PenSample sample, std::int64_t time_ns) noexcept {
+  sample.time_ns = time_ns;
+  return sample;
+}
+
+Vec3 noise(std::uint64_t seed, double most_mm) noexcept {
+  Random random(seed);
+  const double x = random.between(-most_mm, most_mm), y = random.between(-most_mm, most_mm);
+  return {x, y, random.between(-most_mm, most_mm)};
+}
+
+Vec3 in_steps(const Vec3& p, double step_mm) noexcept {
+  const auto rounded = [step_mm](double v) { return step_mm * std::floor(v / step_mm + 0.5); };
+  return {rounded(p.x), rounded(p.y), rounded(p.z)};
+}
+
+}  // namespace
 
 const FaultWindow* FaultyDevice::active(InjectedFault fault) const noexcept {
   for (const FaultWindow& w : schedule_) {
@@ -26,42 +45,29 @@ void FaultyDevice::distort(PenSample& sample, const FaultWindow& window) noexcep
     case InjectedFault::kJump:
       p.x += window.amount;
       break;
-    case InjectedFault::kFrozen: {
-      const std::int64_t time_ns = sample.time_ns;
-      sample = last_;
-      sample.time_ns = time_ns;
+    case InjectedFault::kFrozen:
+      sample = at_time(last_, sample.time_ns);
       break;
-    }
     case InjectedFault::kStuckAxis:
       p.z = last_.position.z;
       break;
     case InjectedFault::kSignFlip:
       p = -p;
       break;
-    case InjectedFault::kNoise: {
-      Random random(reads_);
-      const double most = window.amount;
-      p += {random.between(-most, most), random.between(-most, most), random.between(-most, most)};
+    case InjectedFault::kNoise:
+      p += noise(reads_, window.amount);
       break;
-    }
-    case InjectedFault::kCoarse: {
-      const auto steps = [&](double v) {
-        return window.amount * std::floor(v / window.amount + 0.5);
-      };
-      p = {steps(p.x), steps(p.y), steps(p.z)};
+    case InjectedFault::kCoarse:
+      p = in_steps(p, window.amount);
       break;
-    }
     case InjectedFault::kTimeBackwards:
       sample.time_ns -= static_cast<std::int64_t>(1e6 * window.amount);
       break;
     case InjectedFault::kButtonBounce:
       sample.buttons ^= static_cast<std::uint32_t>(reads_ & 1u);
       break;
-    case InjectedFault::kReadError:
-    case InjectedFault::kWriteError:
-    case InjectedFault::kUnplugged:
-    case InjectedFault::kForceIgnored:
-      break;  // not in the sample
+    default:
+      break;  // the others are not in the sample
   }
 }
 

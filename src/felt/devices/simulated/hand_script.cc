@@ -40,8 +40,9 @@ class PenPlanner {
     glide(pressed(first), kLandS, 0.0);
     glide(pressed(first), kSettleS, first.pressure);
     KnotReader reader(knots);
-    for (double t_s = interval_s_; t_s < last.t_s; t_s += interval_s_) {
-      const ScriptKnot knot = reader.at(t_s);
+    const auto between = static_cast<int>(std::ceil(last.t_s / interval_s_));
+    for (int i = 1; i < between; ++i) {
+      const ScriptKnot knot = reader.at(interval_s_ * i);
       plan_.push_back({pressed(knot), contact_pressure(knot.pressure)});
     }
     glide(pressed(last), std::max(kSettleS, kShortestS - last.t_s), last.pressure);
@@ -63,9 +64,9 @@ class PenPlanner {
   // Minimum jerk to there; pressure 0 is in the air.
   void glide(const Vec3& to, double duration_s, double pressure) {
     const Vec3 from = plan_.back().pen;
-    const double steps = std::max(1.0, std::ceil(duration_s / interval_s_));
-    for (double i = 1.0; i <= steps; ++i) {
-      const double t = i / steps;
+    const int steps = std::max(1, static_cast<int>(std::ceil(duration_s / interval_s_)));
+    for (int i = 1; i <= steps; ++i) {
+      const double t = static_cast<double>(i) / steps;
       const bool in_air = pressure == 0.0 && to.z >= 0.0;
       plan_.push_back({lerp(from, to, t * t * t * (10.0 + t * (6.0 * t - 15.0))),
                        in_air || to != from ? 0.0 : contact_pressure(pressure)});

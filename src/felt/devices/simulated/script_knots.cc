@@ -1,7 +1,8 @@
 #include "felt/devices/simulated/script_knots.h"
 
+#include <algorithm>
 #include <cmath>
-#include <optional>
+#include <iterator>
 
 #include "felt/devices/simulated/hand_path.h"
 
@@ -35,30 +36,39 @@ void give_pace(std::vector<ScriptKnot>& knots) {
   for (std::size_t i = 0; i < knots.size(); ++i) knots[i].t_s = timed[place[i]].t_s;
 }
 
+// How long a hand takes from one point to the next, by their times and what a hand can do.
+double seconds_between(const RecordedPoint& a, const RecordedPoint& b) {
+  // In double: the difference of two hostile times does not fit into 64 bits.
+  const double dt_s = 1e-9 * (static_cast<double>(*b.time_ns) - static_cast<double>(*a.time_ns));
+  const double least_s = distance(a.position, b.position) / kTopSpeed;
+  return std::clamp(dt_s, least_s, std::max(kPauseS, least_s));
+}
+
+// Whether the times of a stroke say how it was drawn.
+bool has_pace(const RecordedPath& usable) {
+  for (std::size_t i = 0; i < usable.size(); ++i) {
+    if (!usable[i].time_ns) return false;
+    if (i > 0 && *usable[i].time_ns < *usable[i - 1].time_ns) return false;
+  }
+  return usable.size() < 2 || *usable.front().time_ns < *usable.back().time_ns;
+}
+
 }  // namespace
 
 std::vector<ScriptKnot> knots_of(const RecordedPath& path, double absent_pressure) {
+  RecordedPath usable;
+  std::copy_if(path.begin(), path.end(), std::back_inserter(usable), is_usable);
+  const bool paced = has_pace(usable);
   std::vector<ScriptKnot> knots;
-  bool timed = true;
-  std::optional<std::int64_t> first_ns, last_ns;
   double t_s = 0.0;
-  for (const RecordedPoint& p : path) {
-    if (!is_usable(p)) continue;
-    timed = timed && p.time_ns && (!last_ns || *p.time_ns >= *last_ns);
-    if (timed && last_ns) {
-      // In double: the difference of two hostile times does not fit into 64 bits.
-      const double dt_s = 1e-9 * (static_cast<double>(*p.time_ns) - static_cast<double>(*last_ns));
-      t_s += std::clamp(dt_s, distance(knots.back().position, p.position) / kTopSpeed,
-                        std::max(kPauseS, distance(knots.back().position, p.position) / kTopSpeed));
-    }
+  for (std::size_t i = 0; i < usable.size(); ++i) {
+    const RecordedPoint& p = usable[i];
+    if (paced && i > 0) t_s += seconds_between(usable[i - 1], p);
     const double pressure =
         p.pressure && std::isfinite(*p.pressure) ? *p.pressure : absent_pressure;
     knots.push_back({p.position, std::clamp(pressure, 0.0, 1.0), t_s});
-    last_ns = p.time_ns;
-    if (!first_ns) first_ns = last_ns;
   }
-  const bool stands_still = knots.size() > 1 && first_ns == last_ns;
-  if (!timed || stands_still) give_pace(knots);
+  if (!paced) give_pace(knots);
   return knots;
 }
 

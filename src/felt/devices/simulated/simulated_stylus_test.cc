@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <thread>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -354,6 +355,23 @@ TEST(SimulatedStylus, NoTouchIsLostBetweenTwoReads) {
     touched = touching;
   }
   EXPECT_EQ(touches, 5);
+}
+
+// For ThreadSanitizer: the hand on a thread of its own, as mouse and tablet have it.
+TEST(SimulatedStylus, IsAimedFromAnotherThread) {
+  SimulatedStylus stylus(preset("touch"));
+  stylus.aim({0, 20, 4}, {}, 0);
+  ASSERT_TRUE(stylus.read(0).has_value());
+  std::jthread hand([&stylus] {
+    for (int i = 1; i <= 2000; ++i) stylus.aim({0.01 * i, 20, 4}, {}, static_cast<unsigned>(i & 1));
+  });
+  Loop loop(stylus, kMs);
+  loop.run(2000);
+  hand.join();
+  loop.run(300);  // whatever still waits: each of them presses or releases the button
+  stylus.aim({20, 20, 4}, {}, 0);
+  loop.run(300);
+  EXPECT_NEAR(stylus.hand_aim().x, 20.0, 1e-9);
 }
 
 // A hand with a body does not leap, whatever a mouse does: the safety chain would take it for a
