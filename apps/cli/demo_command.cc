@@ -29,6 +29,11 @@ constexpr double kPlotUnits = 900.0;
 constexpr double kPlotBeforeS = 0.25;
 constexpr double kPlotS = 5.0;
 
+constexpr const char* kLegend =
+    "samples: of the pen on the sheet, one a tick. N: force sent meanwhile. off: mean distance "
+    "between "
+    "the path that the hand meant and the ink. real time: how much faster than life it was played.";
+
 struct DemoArguments {
   std::string folder;
   int size_px = 1600;
@@ -88,33 +93,36 @@ SketchStroke ring_stroke(const Overlay::Ring& ring) {
 class Summary {
  public:
   void add(std::string_view act, const ReplayStats& stats) {
+    const bool all_came = stats.strokes == drawn_ + stats.strokes_meant;
+    drawn_ += stats.strokes_meant;
     table_.add_row(
-        {std::string(act.substr(act.find('-') + 1)), std::to_string(stats.strokes_meant),
-         std::to_string(stats.ticks_in_contact), std::to_string(stats.strokes),
-         std::to_string(stats.segments), fmt::format("{:.2f}", stats.mean_sent_n()),
-         fmt::format("{:.2f}", stats.max_sent_n), fmt::format("{:.2f}", stats.distance.mean_mm()),
-         fmt::format("{:.2f}", stats.distance.p95_mm()), fmt::format("{:.0f}", stats.simulated_s),
+        {std::string(act.substr(act.find('-') + 1)),
+         all_came ? std::to_string(stats.strokes_meant)
+                  : fmt::format("{} of {}", stats.strokes, drawn_),
+         std::to_string(stats.ticks_in_contact), std::to_string(stats.segments),
+         fmt::format("{:.2f}", stats.mean_sent_n()), fmt::format("{:.2f}", stats.max_sent_n),
+         fmt::format("{:.3f}", stats.distance.mean_mm()), fmt::format("{:.1f}", stats.simulated_s),
          fmt::format("{:.0f} x", stats.times_real_time())});
     faults_ += stats.soft_faults + stats.hard_faults;
   }
   void print() const {
-    fmt::print("{}", table_.text(TextStyle::of_stdout()));
+    const TextStyle style = TextStyle::of_stdout();
+    fmt::print("{}\n{}\n", table_.text(style), wrapped(kLegend, style.width, 0));
     if (faults_ > 0) fmt::print("The safety chain stepped in {} times.\n", faults_);
   }
 
  private:
   static constexpr TextTable::Align kRight = TextTable::Align::kRight;
   TextTable table_{{{"act"},
-                    {"drawn", kRight},
-                    {"samples", kRight},
                     {"strokes", kRight},
+                    {"samples", kRight},
                     {"segments", kRight},
                     {"mean N", kRight},
                     {"peak N", kRight},
                     {"off mm", kRight},
-                    {"95 % mm", kRight},
                     {"seconds", kRight},
                     {"real time", kRight}}};
+  std::int64_t drawn_ = 0;
   std::int64_t faults_ = 0;
 };
 

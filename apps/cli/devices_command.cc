@@ -13,15 +13,10 @@ namespace {
 
 constexpr const char* kNote =
     "All of these are simulated: equations with the figures above, for --device and --hand of "
-    "'replay' and 'demo'. Drivers for real devices are still to come.";
+    "'replay' and 'demo'; --json tells more of them. Drivers for real devices are still to come.";
 
 std::string number_or_dash(double value) {
   return value > 0.0 ? json_number(value) : "-";
-}
-
-std::string size_text(const Capabilities& device) {
-  const Vec3 size = device.workspace_max - device.workspace_min;
-  return fmt::format("{:.0f} x {:.0f} x {:.0f}", size.x, size.y, size.z);
 }
 
 void print_text() {
@@ -31,18 +26,16 @@ void print_text() {
                      {"peak N", Align::kRight},
                      {"held N", Align::kRight},
                      {"wall N/m", Align::kRight},
-                     {"step mm", Align::kRight},
                      {"mass g", Align::kRight},
                      {"friction N", Align::kRight},
-                     {"workspace mm", Align::kRight},
                      {"stands for"}});
   for (const StylusPreset& preset : stylus_presets()) {
     const Capabilities& can = preset.capabilities;
-    devices.add_row(
-        {std::string(preset.name), number_or_dash(can.max_force_n),
-         number_or_dash(can.continuous_force_n), number_or_dash(can.max_stiffness_n_per_m),
-         number_or_dash(can.position_step_mm), number_or_dash(1000.0 * preset.mechanics.mass_kg),
-         number_or_dash(preset.mechanics.friction_n), size_text(can), std::string(preset.label)});
+    devices.add_row({std::string(preset.name), number_or_dash(can.max_force_n),
+                     number_or_dash(can.continuous_force_n),
+                     number_or_dash(can.max_stiffness_n_per_m),
+                     number_or_dash(1000.0 * preset.mechanics.mass_kg),
+                     number_or_dash(preset.mechanics.friction_n), std::string(preset.label)});
   }
   TextTable hands({{"hand"},
                    {"mass g", Align::kRight},

@@ -10,6 +10,33 @@ namespace {
 constexpr double kAirMmPerS = 250.0;
 constexpr double kShortestWayS = 0.12;
 constexpr double kRestS = 0.25;  // after the last stroke
+constexpr double kLongestWayS = 60.0;
+
+// What one raw stroke may ask of a hand: bounds memory, which follows the longest stroke.
+constexpr double kLongestMm = 20'000.0;
+constexpr double kLongestS = 600.0;
+constexpr double kLongestPauseS = 1.0;  // script_hand makes no longer ones
+
+/// Refuses strokes that would take a hand for ages.
+Result<void> check_length(const RecordedPath& path) {
+  double length_mm = 0.0, duration_s = 0.0;
+  for (std::size_t i = 1; i < path.size(); ++i) {
+    const RecordedPoint &a = path[i - 1], &b = path[i];
+    length_mm += distance(a.position, b.position);
+    if (!a.time_ns || !b.time_ns) continue;
+    const double pause_s =
+        1e-9 * (static_cast<double>(*b.time_ns) - static_cast<double>(*a.time_ns));
+    duration_s += std::clamp(pause_s, 0.0, kLongestPauseS);
+  }
+  if (!(length_mm <= kLongestMm)) {
+    return fail(ErrorCode::kLimitExceeded,
+                "points: the stroke is longer than 20 m, see --mm-per-unit");
+  }
+  if (!(duration_s <= kLongestS)) {
+    return fail(ErrorCode::kLimitExceeded, "points: the stroke takes longer than 10 minutes");
+  }
+  return {};
+}
 
 }  // namespace
 
@@ -38,9 +65,6 @@ Result<void> ScriptFeed::take_event(const Event& event) {
 }
 
 Result<void> ScriptFeed::take_stroke(const RawStroke& stroke) {
-  HandScriptOptions hand = sink_.hand ? sink_.hand() : options_.hand;
-  if (!is_fresh_) hand.lead_in_s = 0.0;
-  is_fresh_ = false;
   RecordedPath path;
   std::vector<Point> meant;
   for (const InkSample& sample : stroke.samples) {
@@ -49,6 +73,10 @@ Result<void> ScriptFeed::take_stroke(const RawStroke& stroke) {
     path.push_back({place, sample.pressure, sample.time_ns});
     meant.push_back(place);
   }
+  if (Result<void> fine = check_length(path); !fine) return fine;
+  HandScriptOptions hand = sink_.hand ? sink_.hand() : options_.hand;
+  if (!is_fresh_) hand.lead_in_s = 0.0;
+  is_fresh_ = false;
   const std::vector<TimedAim> aims = script_hand(std::span<const RecordedPath>(&path, 1), hand);
   if (aims.empty()) return {};
   if (Result<void> there = travel_to(aims.front().target_mm); !there) return there;
@@ -64,7 +92,8 @@ Result<void> ScriptFeed::take_stroke(const RawStroke& stroke) {
 Result<void> ScriptFeed::travel_to(const Vec3& target) {
   if (!hand_) return {};
   const Vec3 from = *hand_;
-  const double duration_s = kShortestWayS + norm(target - from) / kAirMmPerS;
+  const double duration_s =
+      std::min(kShortestWayS + norm(target - from) / kAirMmPerS, kLongestWayS);
   const double interval_s = 1e-9 * static_cast<double>(options_.hand.interval_ns);
   const double steps = std::ceil(duration_s / interval_s);
   const std::int64_t start_ns = now_ns_;

@@ -109,6 +109,21 @@ TEST(ScriptFeed, TheSeedShakesTheHandALittleAndAlwaysAlike) {
   EXPECT_LT(largest, 0.2);
 }
 
+TEST(ScriptFeed, AStrokeThatWouldTakeAgesIsAnError) {
+  const Fed vast = feed({R"({"points":[[0,0],[30000,0]]})"});
+  ASSERT_FALSE(vast.result);
+  EXPECT_EQ(vast.result.error().message,
+            "script:1: points: the stroke is longer than 20 m, see --mm-per-unit");
+  std::string slow = R"({"points":[[0,0,0.5,0])";
+  for (int i = 1; i < 700; ++i) {
+    slow += ",[0," + std::to_string(i) + ",0.5," + std::to_string(5000 * i) + "]";
+  }
+  const Fed ages = feed({slow + "]}"});
+  ASSERT_FALSE(ages.result);
+  EXPECT_EQ(ages.result.error().message,
+            "script:1: points: the stroke takes longer than 10 minutes");
+}
+
 TEST(ScriptFeed, ErrorsNameThePlaceAndEndIt) {
   const Fed fed = feed({std::string(kUndo) + "{\"event\":\"nonsense\",\"t_ms\":5}\n" + kStroke});
   ASSERT_FALSE(fed.result);

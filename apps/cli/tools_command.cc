@@ -38,12 +38,32 @@ std::string allowed_of(const OptionSpec& option) {
          (option.unit.empty() ? "" : " " + std::string(option.unit));
 }
 
+/// On a narrow terminal: what an option does stands below it.
+constexpr std::size_t kWideEnough = 110;
+constexpr std::size_t kHelpIndent = 6;
+
 void print_options(std::string_view owner, std::span<const OptionSpec> options,
                    const TextStyle& style) {
+  const bool is_narrow = style.width > 0 && style.width < kWideEnough;
+  const auto cells = [owner](const OptionSpec& option) {
+    return std::vector<std::string>{fmt::format("  {}.{}", owner, option.id), default_of(option),
+                                    allowed_of(option)};
+  };
+  if (is_narrow) {
+    fmt::print("\n");
+    for (const OptionSpec& option : options) {
+      const std::vector<std::string> row = cells(option);
+      fmt::print("{} = {}    {}\n", row[0], row[1], row[2]);
+      fmt::print("{}{}\n", std::string(kHelpIndent, ' '),
+                 wrapped(std::string(option.help), style.width - kHelpIndent, kHelpIndent));
+    }
+    return;
+  }
   TextTable table({{"  option"}, {"default"}, {"allowed"}, {"what it does"}});
   for (const OptionSpec& option : options) {
-    table.add_row({fmt::format("  {}.{}", owner, option.id), default_of(option), allowed_of(option),
-                   std::string(option.help)});
+    std::vector<std::string> row = cells(option);
+    row.emplace_back(option.help);
+    table.add_row(std::move(row));
   }
   fmt::print("\n{}", table.text(style));
 }
