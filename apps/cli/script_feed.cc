@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace felt::cli {
 namespace {
@@ -15,6 +16,7 @@ constexpr double kLongestWayS = 60.0;
 // What one raw stroke may ask of a hand: bounds memory, which follows the longest stroke.
 constexpr double kLongestMm = 20'000.0;
 constexpr double kLongestS = 600.0;
+constexpr double kFarthestMm = 1e4;
 constexpr double kLongestPauseS = 1.0;  // script_hand makes no longer ones
 
 /// Refuses strokes that would take a hand for ages.
@@ -36,6 +38,17 @@ Result<void> check_length(const RecordedPath& path) {
     return fail(ErrorCode::kLimitExceeded, "points: the stroke takes longer than 10 minutes");
   }
   return {};
+}
+
+/// The places above which a stroke begins and ends.
+std::pair<Point, Point> ends_of(const RecordedPath& path, const std::vector<TimedAim>& aims) {
+  const auto is_drawn = [](const RecordedPoint& p) {  // script_hand leaves the others out
+    return std::abs(p.position.x) <= kFarthestMm && std::abs(p.position.y) <= kFarthestMm;
+  };
+  const auto first = std::find_if(path.begin(), path.end(), is_drawn);
+  const auto last = std::find_if(path.rbegin(), path.rend(), is_drawn);
+  return {first != path.end() ? first->position : on_sheet(aims.front().target_mm),
+          last != path.rend() ? last->position : on_sheet(aims.back().target_mm)};
 }
 
 }  // namespace
@@ -79,12 +92,15 @@ Result<void> ScriptFeed::take_stroke(const RawStroke& stroke) {
   is_fresh_ = false;
   const std::vector<TimedAim> aims = script_hand(std::span<const RecordedPath>(&path, 1), hand);
   if (aims.empty()) return {};
-  if (Result<void> there = travel_to(aims.front().target_mm); !there) return there;
+  // Between strokes the hand is where the pen is to be; within one its aims lead the pen.
+  const auto [first, last] = ends_of(path, aims);
+  if (Result<void> there = travel_to({first.x, first.y, hand.hover_mm}); !there) return there;
   if (sink_.stroke_begins) sink_.stroke_begins();
   const std::int64_t start_ns = now_ns_;
   for (const TimedAim& aim : aims) {
     if (Result<void> taken = put(aim, start_ns); !taken) return taken;
   }
+  hand_ = Vec3{last.x, last.y, hand.hover_mm};
   ++strokes_;
   return sink_.stroke_drawn ? sink_.stroke_drawn(meant) : Result<void>();
 }
