@@ -120,9 +120,10 @@ Result<OptionValue> OptionValues::get(std::string_view id) const {
   const auto i = find(id);
   if (!i) return tl::unexpected(i.error());
   const OptionSpec& spec = table_[*i];
-  if (spec.kind == OptionKind::kSwitch) return OptionValue(is_on(*i));
-  if (spec.kind == OptionKind::kChoice) return OptionValue(std::string(spec.choices[choice(*i)]));
-  return OptionValue(number(*i));
+  OptionValue value = number(*i);
+  if (spec.kind == OptionKind::kSwitch) value = is_on(*i);
+  if (spec.kind == OptionKind::kChoice) value = std::string(spec.choices[choice(*i)]);
+  return value;
 }
 
 }  // namespace felt
