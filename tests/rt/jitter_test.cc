@@ -176,7 +176,7 @@ TEST(Jitter, R49_RecordedSchedulersNeitherExceedLimitsNorKick) {
   int limited_ticks = 0;
   for (const RecordedLateness& row : recorded_lateness()) {
     for (const std::size_t burst : {std::size_t{1}, std::size_t{10}}) {
-      for (const std::uint64_t seed : {1, 2}) {
+      for (const std::uint64_t seed : {1U, 2U}) {
         SCOPED_TRACE(std::string(row.name) + ", bursts of " + std::to_string(burst) + ", seed " +
                      std::to_string(seed));
         const auto lateness = draw_lateness(row, 10'000, seed, burst);
