@@ -1,8 +1,8 @@
 #include "forces_csv.h"
 
 #include <algorithm>
-#include <array>
 #include <cerrno>
+#include <span>
 #include <system_error>
 
 #include "felt/io/ndjson_writer.h"
@@ -82,29 +82,29 @@ Result<void> ForcesCsv::spool() {
   return {};
 }
 
-Result<void> ForcesCsv::copy_rows() {
-  std::array<char, std::size_t{64} << 10> buffer{};
-  auto next_growth = growth_.begin();
+std::string ForcesCsv::padding_of(std::int64_t row) const {
   std::size_t terms = 0;
-  std::string padding, text;
+  for (const Growth& growth : growth_) {
+    if (growth.row <= row) terms = growth.terms;
+  }
+  std::string padding;
+  for (std::size_t i = 3 * terms; i < 3 * names_.size(); ++i) padding += ",0";
+  return padding;
+}
+
+Result<void> ForcesCsv::copy_rows() {
+  std::vector<char> buffer(kBufferBytes);
+  std::string text, padding = padding_of(0);
   std::int64_t row = 0;
-  const auto begin_row = [&] {
-    while (next_growth != growth_.end() && next_growth->row <= row) terms = (next_growth++)->terms;
-    padding.clear();
-    for (std::size_t i = 3 * terms; i < 3 * names_.size(); ++i) padding += ",0";
-  };
-  begin_row();
   while (const std::size_t count = std::fread(buffer.data(), 1, buffer.size(), spool_.get())) {
     text.clear();
-    for (std::size_t i = 0; i < count; ++i) {
-      if (buffer[i] != '\n') {
-        text += buffer[i];
-        continue;
+    for (const char c : std::span(buffer.data(), count)) {
+      if (c == '\n') {
+        text += padding;
+        if (!padding.empty()) padding = padding_of(row + 1);
+        ++row;
       }
-      text += padding;
-      text += '\n';
-      ++row;
-      begin_row();
+      text += c;
     }
     if (Result<void> written = output_.write(text); !written) return written;
   }

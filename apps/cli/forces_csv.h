@@ -47,6 +47,8 @@ class ForcesCsv {
   explicit ForcesCsv(Output output) : output_(std::move(output)) {}
   std::size_t group_of(std::string_view name);
   Result<void> spool();
+  /// What a row lacks to be as wide as the header.
+  [[nodiscard]] std::string padding_of(std::int64_t row) const;
   Result<void> copy_rows();
 
   Output output_;

@@ -75,6 +75,7 @@ struct ReplayOutputs {
   std::unique_ptr<SketchOutput> sketch;
   std::optional<ForcesCsv> forces;
   std::optional<ForcePlot> plot;
+  const ReplayRun* run = nullptr;  ///< while it plays: how far it is
 };
 
 void check_outputs(const ReplayCommandArguments& args) {
@@ -127,8 +128,8 @@ void set_options(const ReplayCommandArguments& args, ReplayMachine& machine) {
   }
 }
 
-Result<void> play_scripts(const ReplayCommandArguments& args, ReplayMachine& machine) {
-  ReplayRun run(machine, args.mm_per_unit, args.seed);
+Result<void> play_scripts(const ReplayCommandArguments& args, ReplayRun& run) {
+  run.expect(args.scripts);
   for (const std::string& script : args.scripts) {
     if (Result<void> taken = run.file(script); !taken) return taken;
   }
@@ -160,8 +161,9 @@ ReplayMachine::Observer observer_of(ReplayOutputs& outputs, Console& console) {
       return outputs.forces ? outputs.forces->add(tick.report, tick.pressure) : Result<void>();
     };
   }
-  observer.turn = [&console](const Session& session, double fraction) {
-    console.progress("playing", static_cast<std::int64_t>(1e6 * fraction), 1'000'000,
+  observer.turn = [&console, &outputs](const Session& session, double part) {
+    const double done = outputs.run ? outputs.run->progress(part) : 0.0;
+    console.progress("playing", static_cast<std::int64_t>(1e6 * done), 1'000'000,
                      static_cast<std::int64_t>(session.document().stroke_count()));
   };
   return observer;
@@ -181,7 +183,9 @@ void run_replay(const ReplayCommandArguments& args, Console& console) {
   if (!outputs) return console.error(outputs.error().message);
   ReplayMachine machine(settings, std::move(document), observer_of(*outputs, console));
   set_options(args, machine);
-  Result<void> done = play_scripts(args, machine);
+  ReplayRun run(machine, args.mm_per_unit, args.seed);
+  outputs->run = &run;
+  Result<void> done = play_scripts(args, run);
   console.end_progress();
   if (done) done = write_outputs(args, *outputs, machine);
   if (!done) return console.error(done.error().message);

@@ -73,7 +73,7 @@ class ReplayMachine {
     std::vector<Point> path;
   };
   struct Ink {
-    std::int64_t time_ns;
+    std::int64_t time_ns = 0;
     Stroke stroke;
   };
 

@@ -1,5 +1,8 @@
 #include "replay_run.h"
 
+#include <algorithm>
+#include <filesystem>
+
 #include "input.h"
 
 namespace felt::cli {
@@ -27,7 +30,24 @@ FeedSink ReplayRun::sink() {
 
 Result<void> ReplayRun::script(const std::string& name, const std::string& folder, ReadBytes read) {
   folder_ = folder;
-  return feed_.read(name, std::move(read));
+  return feed_.read(name, [this, read = std::move(read)](std::span<char> into) {
+    Result<std::size_t> count = read(into);
+    if (count) taken_bytes_ += static_cast<double>(*count);
+    return count;
+  });
+}
+
+void ReplayRun::expect(const std::vector<std::string>& paths) {
+  for (const std::string& path : paths) {
+    std::error_code error;
+    const auto bytes = std::filesystem::file_size(path, error);
+    if (!error) expected_bytes_ += static_cast<double>(bytes);
+  }
+}
+
+double ReplayRun::progress(double part) const noexcept {
+  const double done = played_bytes_ + part * (taken_bytes_ - played_bytes_);
+  return std::clamp(done / std::max({expected_bytes_, taken_bytes_, 1.0}), 0.0, 1.0);
 }
 
 Result<void> ReplayRun::file(const std::string& path) {
@@ -42,6 +62,7 @@ Result<void> ReplayRun::play() {
   if (Result<void> rested = feed_.rest(); !rested) return rested;
   if (Result<void> played = machine_.play(); !played) return played;
   feed_.begin_play(machine_.next_ns());
+  played_bytes_ = taken_bytes_;
   return {};
 }
 

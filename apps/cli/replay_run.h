@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "replay_machine.h"
 #include "script_feed.h"
@@ -12,6 +13,11 @@ class ReplayRun {
  public:
   /// The machine must outlive this.
   ReplayRun(ReplayMachine& machine, double mm_per_unit, std::uint64_t seed);
+
+  /// These files will come: for progress.
+  void expect(const std::vector<std::string>& paths);
+  /// How far everything is, 0..1, when what is being played is at `part`, 0..1.
+  [[nodiscard]] double progress(double part) const noexcept;
 
   /// Takes a script: its name for errors, the folder from which it imports ("" is the present one).
   /// The error names the place.
@@ -27,6 +33,9 @@ class ReplayRun {
   ReplayMachine& machine_;
   ScriptFeed feed_;
   std::string folder_;
+  double expected_bytes_ = 0.0;  // of all files
+  double taken_bytes_ = 0.0;     // so far
+  double played_bytes_ = 0.0;    // before the present play
 };
 
 }  // namespace felt::cli

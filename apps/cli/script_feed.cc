@@ -111,12 +111,12 @@ Result<void> ScriptFeed::travel_to(const Vec3& target) {
   const double duration_s =
       std::min(kShortestWayS + norm(target - from) / kAirMmPerS, kLongestWayS);
   const double interval_s = 1e-9 * static_cast<double>(options_.hand.interval_ns);
-  const double steps = std::ceil(duration_s / interval_s);
+  const auto steps = static_cast<std::int64_t>(std::ceil(duration_s / interval_s));
   const std::int64_t start_ns = now_ns_;
-  for (double i = 1.0; i <= steps; ++i) {
-    const double t = i / steps;
+  for (std::int64_t i = 1; i <= steps; ++i) {
+    const double t = static_cast<double>(i) / static_cast<double>(steps);
     const double way = t * t * t * (10.0 + t * (6.0 * t - 15.0));
-    const TimedAim aim{.time_ns = options_.hand.interval_ns * static_cast<std::int64_t>(i),
+    const TimedAim aim{.time_ns = options_.hand.interval_ns * i,
                        .target_mm = lerp(from, target, way)};
     if (Result<void> taken = put(aim, start_ns); !taken) return taken;
   }

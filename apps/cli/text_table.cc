@@ -70,35 +70,41 @@ void TextTable::add_row(std::vector<std::string> cells) {
   rows_.push_back(std::move(cells));
 }
 
-std::string TextTable::text(const TextStyle& style) const {
+std::vector<std::size_t> TextTable::widths() const {
   std::vector<std::size_t> widths;
   for (std::size_t c = 0; c < columns_.size(); ++c) {
     std::size_t width = columns_[c].name.size();
     for (const auto& row : rows_) width = std::max(width, row[c].size());
     widths.push_back(width);
   }
-  std::size_t last_at = 0;  // where the last column begins
-  for (std::size_t c = 0; c + 1 < columns_.size(); ++c) last_at += widths[c] + kGap;
-  const std::size_t room = style.width > last_at + kNarrowestWrap ? style.width - last_at
-                           : style.width > 0                      ? 1000
-                                                                  : 0;
-  const auto line = [&](const std::vector<std::string>& cells) {
-    std::string text;
-    for (std::size_t c = 0; c < cells.size(); ++c) {
-      const bool is_last = c + 1 == cells.size();
-      if (c > 0) text += std::string(kGap, ' ');
-      if (is_last && columns_[c].align == Align::kLeft) {
-        text += wrapped(cells[c], room, last_at);
-      } else {
-        text += padded(cells[c], widths[c], columns_[c].align);
-      }
-    }
-    return text.substr(0, text.find_last_not_of(' ') + 1);
-  };
+  return widths;
+}
+
+/// `room`: columns for the last cell to wrap in; 0 is as many as it takes.
+std::string TextTable::line(const std::vector<std::string>& cells,
+                            const std::vector<std::size_t>& widths, std::size_t room) const {
+  std::string text;
+  std::size_t at = 0;
+  for (std::size_t c = 0; c < cells.size(); ++c) {
+    const bool wraps = c + 1 == cells.size() && columns_[c].align == Align::kLeft;
+    text += wraps ? wrapped(cells[c], room, at) : padded(cells[c], widths[c], columns_[c].align);
+    at += widths[c] + kGap;
+    if (c + 1 < cells.size()) text += std::string(kGap, ' ');
+  }
+  return text.substr(0, text.find_last_not_of(' ') + 1) + "\n";
+}
+
+std::string TextTable::text(const TextStyle& style) const {
+  const std::vector<std::size_t> widths = this->widths();
+  std::size_t last_at = 0;
+  for (std::size_t c = 0; c + 1 < widths.size(); ++c) last_at += widths[c] + kGap;
+  const std::size_t room = style.width > last_at + kNarrowestWrap ? style.width - last_at : 0;
   std::vector<std::string> names;
   for (const Column& column : columns_) names.push_back(column.name);
-  std::string all = heading(line(names), style) + "\n";
-  for (const auto& row : rows_) all += line(row) + "\n";
+  std::string top = line(names, widths, room);
+  top.pop_back();
+  std::string all = heading(top, style) + "\n";
+  for (const auto& row : rows_) all += line(row, widths, room);
   return all;
 }
 

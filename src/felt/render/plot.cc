@@ -60,17 +60,18 @@ Result<void> check(const Plot& plot, const PlotOptions& options) {
 }
 
 void draw_titles(PlotCanvas& canvas, const Plot& plot, double width) {
+  const PlotFont light{.size = kNoteSize, .color = kLightText};
   double y = kTop;
   if (!plot.title.empty()) {
-    canvas.text({kLeft, y + kTitleSize - 4.0}, plot.title, kTitleSize, kText, PlotAlign::kLeft,
-                1.3);
+    canvas.text({kLeft, y + kTitleSize - 4.0}, plot.title,
+                {.size = kTitleSize, .color = kText, .weight = 1.3});
     y += kTitleSize + 6.0;
   }
   const double base = y + kNoteSize - 2.0;
-  canvas.text({kLeft, base}, plot.note, kNoteSize, kLightText, PlotAlign::kLeft);
+  canvas.text({kLeft, base}, plot.note, light);
   if (plot.shade_name.empty()) return;
   const double x = width - kRight - canvas.text_width(plot.shade_name, kNoteSize);
-  canvas.text({x, base}, plot.shade_name, kNoteSize, kLightText, PlotAlign::kLeft);
+  canvas.text({x, base}, plot.shade_name, light);
   canvas.rectangle(x - 22.0, base - kNoteSize - 1.0, x - 6.0, base + 1.0, kShadeKey);
 }
 

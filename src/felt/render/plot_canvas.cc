@@ -13,6 +13,7 @@
 #include <agg2/agg_scanline_u.h>
 #include <agg2/agg_trans_affine.h>
 
+#include <array>
 #include <numbers>
 #include <string>
 
@@ -65,19 +66,16 @@ struct PlotCanvas::State {
     blend(outline, color);
   }
 
-  /// `turned` by a quarter to the left around the point.
-  void text(Vec at, const std::string& string, double size, Rgba color, PlotAlign align,
-            double weight, bool turned) {
+  /// `turn`: what is done to the text before it is put into its place.
+  void text(Vec at, std::string_view string, const PlotFont& font, agg::trans_affine turn) {
     agg::gsv_text letters;
-    letters.size(size * scale, size * scale * kTextNarrowing);
+    letters.size(font.size * scale, font.size * scale * kTextNarrowing);
     letters.flip(true);
-    letters.text(string.c_str());
-    letters.start_point(offset_of(align, letters.text_width()), 0.0);
-    agg::trans_affine place;
-    if (turned) place *= agg::trans_affine_rotation(-0.5 * std::numbers::pi);
-    place *= agg::trans_affine_translation(at.x * scale, at.y * scale);
-    agg::conv_transform<agg::gsv_text> placed(letters, place);
-    stroke(placed, kTextWeight * size * weight, color);
+    letters.text(std::string(string).c_str());
+    letters.start_point(offset_of(font.align, letters.text_width()), 0.0);
+    turn *= agg::trans_affine_translation(at.x * scale, at.y * scale);
+    agg::conv_transform<agg::gsv_text> placed(letters, turn);
+    stroke(placed, kTextWeight * font.size * font.weight, font.color);
   }
 
   agg::rendering_buffer buffer;
@@ -117,45 +115,33 @@ void PlotCanvas::rectangle(double x0, double y0, double x1, double y1, Rgba colo
   state_->blend(path, color);
 }
 
-void PlotCanvas::line(Vec from, Vec to, double width, Rgba color) {
-  const Vec points[] = {from, to};
-  polyline(points, width, color);
+void PlotCanvas::line(Vec from, Vec to, const PlotPen& pen) {
+  const std::array<Vec, 2> points = {from, to};
+  polyline(points, pen);
 }
 
-void PlotCanvas::dashed(Vec from, Vec to, double width, Rgba color, double on, double off) {
+void PlotCanvas::polyline(std::span<const Vec> points, const PlotPen& pen) {
+  if (points.size() < 2) return;
   const double s = state_->scale;
   agg::path_storage& path = state_->path;
   path.remove_all();
-  path.move_to(from.x * s, from.y * s);
-  path.line_to(to.x * s, to.y * s);
-  agg::conv_dash<agg::path_storage> dash(path);
-  dash.add_dash(on * s, off * s);
-  agg::conv_stroke<agg::conv_dash<agg::path_storage>> outline(dash);
-  outline.width(width * s);
-  state_->blend(outline, color);
-}
-
-void PlotCanvas::polyline(std::span<const Vec> points, double width, Rgba color) {
-  if (points.size() < 2) return;
-  agg::path_storage& path = state_->path;
-  path.remove_all();
-  bool first = true;
-  for (const Vec& p : points) {
-    const double x = p.x * state_->scale, y = p.y * state_->scale;
-    first ? path.move_to(x, y) : path.line_to(x, y);
-    first = false;
+  path.move_to(points[0].x * s, points[0].y * s);
+  for (const Vec& p : points.subspan(1)) path.line_to(p.x * s, p.y * s);
+  if (pen.on > 0.0) {
+    agg::conv_dash<agg::path_storage> dash(path);
+    dash.add_dash(pen.on * s, pen.off * s);
+    state_->stroke(dash, pen.width, pen.color);
+  } else {
+    state_->stroke(path, pen.width, pen.color);
   }
-  state_->stroke(path, width, color);
 }
 
-void PlotCanvas::text(Vec at, std::string_view text, double size, Rgba color, PlotAlign align,
-                      double weight) {
-  state_->text(at, std::string(text), size, color, align, weight, false);
+void PlotCanvas::text(Vec at, std::string_view text, const PlotFont& font) {
+  state_->text(at, text, font, agg::trans_affine());
 }
 
-void PlotCanvas::text_upwards(Vec at, std::string_view text, double size, Rgba color,
-                              PlotAlign align) {
-  state_->text(at, std::string(text), size, color, align, 1.0, true);
+void PlotCanvas::text_upwards(Vec at, std::string_view text, const PlotFont& font) {
+  state_->text(at, text, font, agg::trans_affine_rotation(-0.5 * std::numbers::pi));
 }
 
 double PlotCanvas::text_width(std::string_view text, double size) const {

@@ -12,6 +12,22 @@ namespace felt {
 /// Where a text stands relative to the point it is given.
 enum class PlotAlign { kLeft, kCenter, kRight };
 
+/// How a line looks: `on` and `off` are the lengths of dashes and gaps, 0 for none.
+struct PlotPen {
+  double width = 1.0;
+  Rgba color;
+  double on = 0.0;
+  double off = 0.0;
+};
+
+/// How a text looks: `size` is the height of a capital letter, `weight` makes its strokes broader.
+struct PlotFont {
+  double size = 8.0;
+  Rgba color;
+  PlotAlign align = PlotAlign::kLeft;
+  double weight = 1.0;
+};
+
 /// The pen that plots are drawn with: lines and plain ASCII text into a picture, in units that are
 /// `scale` pixels each, x right, y down. Text is made of strokes, so it needs no font of the
 /// machine and looks the same everywhere.
@@ -29,15 +45,13 @@ class PlotCanvas {
   void clip_nothing();
 
   void rectangle(double x0, double y0, double x1, double y1, Rgba color);
-  void line(Vec from, Vec to, double width, Rgba color);
-  void dashed(Vec from, Vec to, double width, Rgba color, double on, double off);
+  void line(Vec from, Vec to, const PlotPen& pen);
   /// Joined lines; fewer than two points are nothing.
-  void polyline(std::span<const Vec> points, double width, Rgba color);
-  /// One line of text whose base line runs through `at`; `size` is the height of a capital letter.
-  void text(Vec at, std::string_view text, double size, Rgba color, PlotAlign align,
-            double weight = 1.0);
+  void polyline(std::span<const Vec> points, const PlotPen& pen);
+  /// One line of text whose base line runs through `at`.
+  void text(Vec at, std::string_view text, const PlotFont& font);
   /// The same, turned so that it reads upwards; `at` is on its base line.
-  void text_upwards(Vec at, std::string_view text, double size, Rgba color, PlotAlign align);
+  void text_upwards(Vec at, std::string_view text, const PlotFont& font);
   /// How long a text is.
   [[nodiscard]] double text_width(std::string_view text, double size) const;
 

@@ -8,7 +8,7 @@ namespace {
 
 constexpr Rgba kText{38, 38, 42, 255};
 constexpr Rgba kLightText{105, 105, 112, 255};
-constexpr Rgba kAxis{120, 120, 126, 255};
+constexpr PlotPen kAxisPen{.width = 0.9, .color = {120, 120, 126, 255}};
 constexpr Rgba kGrid{0, 0, 0, 22};
 constexpr Rgba kZero{0, 0, 0, 70};
 constexpr Rgba kShade{226, 205, 160, 78};
@@ -95,32 +95,35 @@ void PlotPanelDrawing::draw_shades() {
 
 void PlotPanelDrawing::draw_grid() {
   for (const double time : times_.values) {
-    canvas_.line({x_of(time), y0_}, {x_of(time), bottom()}, 0.6, kGrid);
+    canvas_.line({x_of(time), y0_}, {x_of(time), bottom()}, {.width = 0.6, .color = kGrid});
   }
   for (const double value : values_.values) {
     const double y = y_of(value);
     const bool is_zero = std::abs(value) < 0.5 * values_.step;
-    canvas_.line({x0_, y}, {x1_, y}, is_zero ? 0.8 : 0.6, is_zero ? kZero : kGrid);
-    canvas_.line({x0_ - 3.0, y}, {x0_, y}, 0.9, kAxis);
-    canvas_.text({x0_ - 6.0, y + 0.45 * kTextSize}, values_.label(value), kTextSize, kText,
-                 PlotAlign::kRight);
+    canvas_.line({x0_, y}, {x1_, y},
+                 {.width = is_zero ? 0.8 : 0.6, .color = is_zero ? kZero : kGrid});
+    canvas_.line({x0_ - 3.0, y}, {x0_, y}, kAxisPen);
+    canvas_.text({x0_ - 6.0, y + 0.45 * kTextSize}, values_.label(value),
+                 {.size = kTextSize, .color = kText, .align = PlotAlign::kRight});
   }
-  canvas_.line({x0_, y0_}, {x0_, bottom()}, 0.9, kAxis);
-  canvas_.line({x0_, bottom()}, {x1_, bottom()}, 0.9, kAxis);
-  canvas_.text_upwards({x0_ - 38.0, 0.5 * (y0_ + bottom())}, panel_.unit, kTextSize, kLightText,
-                       PlotAlign::kCenter);
+  canvas_.line({x0_, y0_}, {x0_, bottom()}, kAxisPen);
+  canvas_.line({x0_, bottom()}, {x1_, bottom()}, kAxisPen);
+  canvas_.text_upwards({x0_ - 38.0, 0.5 * (y0_ + bottom())}, panel_.unit,
+                       {.size = kTextSize, .color = kLightText, .align = PlotAlign::kCenter});
 }
 
 void PlotPanelDrawing::draw_heading() {
   const double y = y0_ - 6.0;
-  canvas_.text({x0_, y}, panel_.title, kTitleSize, kText, PlotAlign::kLeft, 1.35);
+  canvas_.text({x0_, y}, panel_.title, {.size = kTitleSize, .color = kText, .weight = 1.35});
   double x = x1_;
-  for (auto line = panel_.lines.rbegin(); line != panel_.lines.rend(); ++line) {
-    if (line->name.empty()) continue;
-    x -= canvas_.text_width(line->name, kTextSize);
-    canvas_.text({x, y}, line->name, kTextSize, kText, PlotAlign::kLeft);
+  for (std::size_t i = panel_.lines.size(); i-- > 0;) {
+    const PlotLine& line = panel_.lines[i];
+    if (line.name.empty()) continue;
+    x -= canvas_.text_width(line.name, kTextSize);
+    canvas_.text({x, y}, line.name, {.size = kTextSize, .color = kText});
     x -= 6.0;
-    canvas_.line({x - 14.0, y - 0.4 * kTextSize}, {x, y - 0.4 * kTextSize}, 2.2, line->color);
+    canvas_.line({x - 14.0, y - 0.4 * kTextSize}, {x, y - 0.4 * kTextSize},
+                 {.width = 2.2, .color = line.color});
     x -= 14.0 + 14.0;
   }
 }
@@ -141,47 +144,46 @@ void PlotPanelDrawing::draw_line(const PlotLine& line) {
   for (std::size_t i = 0; i < trace.size(); i += merged) {
     const std::size_t end = std::min(i + merged, trace.size());
     if (trace.time_s(end) < span_.start_s || trace.time_s(i) > span_.end_s) continue;
-    PlotTrace::Stretch column;
-    for (std::size_t k = i; k < end; ++k) {
-      if (trace[k].empty()) continue;
-      column = column.empty() ? trace[k]
-                              : PlotTrace::Stretch{std::min(column.low, trace[k].low),
-                                                   std::max(column.high, trace[k].high)};
-    }
+    const PlotTrace::Stretch column = trace.merged(i, end);
     if (column.empty()) {
-      canvas_.polyline(points, line.width, line.color);
+      canvas_.polyline(points, {.width = line.width, .color = line.color});
       points.clear();
-      continue;
+    } else {
+      add_column(x_of(0.5 * (trace.time_s(i) + trace.time_s(end))), column, points);
     }
-    const double x = x_of(0.5 * (trace.time_s(i) + trace.time_s(end)));
-    Vec near{x, y_of(column.low)}, far{x, y_of(column.high)};
-    if (!points.empty() && std::abs(points.back().y - far.y) < std::abs(points.back().y - near.y)) {
-      std::swap(near, far);
-    }
-    points.push_back(near);
-    if (far.y != near.y) points.push_back(far);
   }
-  canvas_.polyline(points, line.width, line.color);
+  canvas_.polyline(points, {.width = line.width, .color = line.color});
+}
+
+/// From the end that is nearer to where the line is.
+void PlotPanelDrawing::add_column(double x, const PlotTrace::Stretch& column,
+                                  std::vector<Vec>& points) const {
+  Vec near{x, y_of(column.low)}, far{x, y_of(column.high)};
+  if (!points.empty() && std::abs(points.back().y - far.y) < std::abs(points.back().y - near.y)) {
+    std::swap(near, far);
+  }
+  points.push_back(near);
+  if (far.y != near.y) points.push_back(far);
 }
 
 void PlotPanelDrawing::draw_limit(const PlotLimit& limit) {
   const double y = y_of(limit.value);
-  canvas_.dashed({x0_, y}, {x1_, y}, 1.1, kLimit, 6.0, 4.0);
+  canvas_.line({x0_, y}, {x1_, y}, {.width = 1.1, .color = kLimit, .on = 6.0, .off = 4.0});
   const bool below = y - y0_ < kTextSize + 5.0;  // no room above
-  canvas_.text({x1_ - 4.0, below ? y + kTextSize + 4.0 : y - 4.0}, limit.name, kTextSize - 0.6,
-               kLimit, PlotAlign::kRight);
+  canvas_.text({x1_ - 4.0, below ? y + kTextSize + 4.0 : y - 4.0}, limit.name,
+               {.size = kTextSize - 0.6, .color = kLimit, .align = PlotAlign::kRight});
 }
 
 void PlotPanelDrawing::draw_times(bool with_name) {
   for (const double time : times_.values) {
     const double x = x_of(time);
-    canvas_.line({x, bottom()}, {x, bottom() + 3.0}, 0.9, kAxis);
-    canvas_.text({x, bottom() + 5.0 + kTextSize}, times_.label(time), kTextSize, kText,
-                 PlotAlign::kCenter);
+    canvas_.line({x, bottom()}, {x, bottom() + 3.0}, kAxisPen);
+    canvas_.text({x, bottom() + 5.0 + kTextSize}, times_.label(time),
+                 {.size = kTextSize, .color = kText, .align = PlotAlign::kCenter});
   }
   if (!with_name) return;
-  canvas_.text({0.5 * (x0_ + x1_), bottom() + 12.0 + 2.0 * kTextSize}, "time, s", kTextSize,
-               kLightText, PlotAlign::kCenter);
+  canvas_.text({0.5 * (x0_ + x1_), bottom() + 12.0 + 2.0 * kTextSize}, "time, s",
+               {.size = kTextSize, .color = kLightText, .align = PlotAlign::kCenter});
 }
 
 }  // namespace felt

@@ -35,6 +35,7 @@ class PlotPanelDrawing {
   void draw_grid();
   void draw_heading();
   void draw_line(const PlotLine& line);
+  void add_column(double x, const PlotTrace::Stretch& column, std::vector<Vec>& points) const;
   void draw_limit(const PlotLimit& limit);
 
   PlotCanvas& canvas_;

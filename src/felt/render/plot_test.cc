@@ -143,7 +143,8 @@ TEST(PlotCanvas, TextIsAsLongAsItSaysAndStaysInItsPlace) {
   const double width = canvas.text_width("Force, N", 12.0);
   EXPECT_GT(width, 40.0);
   EXPECT_NEAR(canvas.text_width("Force, NForce, N", 12.0), 2.0 * width, 3.0);
-  canvas.text({300.0, 40.0}, "Force, N", 12.0, {0, 0, 0, 255}, PlotAlign::kRight);
+  canvas.text({300.0, 40.0}, "Force, N",
+              {.size = 12.0, .color = {0, 0, 0, 255}, .align = PlotAlign::kRight});
   const int from = static_cast<int>(300.0 - width);
   const PixelRect place{from - 2, 24, 302, 46};
   const PixelRect all{0, 0, 400, 60};

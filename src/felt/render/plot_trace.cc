@@ -37,12 +37,16 @@ void PlotTrace::add(double value) {
 
 void PlotTrace::halve() {
   for (std::size_t i = 0; i < capacity_ / 2; ++i) {
-    Stretch merged = stretches_[2 * i];
-    extend(merged, stretches_[2 * i + 1]);
-    stretches_[i] = merged;
+    stretches_[i] = merged(2 * i, 2 * i + 2);
   }
   stretches_.resize(capacity_ / 2);
   per_stretch_ *= 2;
+}
+
+PlotTrace::Stretch PlotTrace::merged(std::size_t begin, std::size_t end) const noexcept {
+  Stretch all;
+  for (std::size_t i = begin; i < end; ++i) extend(all, stretches_[i]);
+  return all;
 }
 
 PlotTrace::Stretch PlotTrace::range(double from_s, double to_s) const noexcept {

@@ -35,6 +35,8 @@ class PlotTrace {
   [[nodiscard]] double time_s(std::size_t i) const noexcept {
     return start_s_ + static_cast<double>(i) * stretch_s();
   }
+  /// Smallest and largest value of the stretches from `begin` up to, not including, `end`.
+  [[nodiscard]] Stretch merged(std::size_t begin, std::size_t end) const noexcept;
   /// Smallest and largest value between two times; empty where there is none.
   [[nodiscard]] Stretch range(double from_s, double to_s) const noexcept;
 
