@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <span>
 #include <system_error>
 
 #include "felt/io/ndjson_writer.h"
@@ -92,20 +91,25 @@ std::string ForcesCsv::padding_of(std::int64_t row) const {
   return padding;
 }
 
+void ForcesCsv::pad_rows(std::span<const char> bytes, std::int64_t& row, std::string& text) const {
+  std::string padding = padding_of(row);
+  for (const char c : bytes) {
+    if (c == '\n') {
+      text += padding;
+      ++row;
+      if (!padding.empty()) padding = padding_of(row);
+    }
+    text += c;
+  }
+}
+
 Result<void> ForcesCsv::copy_rows() {
   std::vector<char> buffer(kBufferBytes);
-  std::string text, padding = padding_of(0);
+  std::string text;
   std::int64_t row = 0;
   while (const std::size_t count = std::fread(buffer.data(), 1, buffer.size(), spool_.get())) {
     text.clear();
-    for (const char c : std::span(buffer.data(), count)) {
-      if (c == '\n') {
-        text += padding;
-        if (!padding.empty()) padding = padding_of(row + 1);
-        ++row;
-      }
-      text += c;
-    }
+    pad_rows(std::span(buffer.data(), count), row, text);
     if (Result<void> written = output_.write(text); !written) return written;
   }
   return std::ferror(spool_.get()) ? failed("read") : Result<void>();

@@ -3,6 +3,7 @@
 #include <cstdio>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -49,6 +50,8 @@ class ForcesCsv {
   Result<void> spool();
   /// What a row lacks to be as wide as the header.
   [[nodiscard]] std::string padding_of(std::int64_t row) const;
+  /// Adds a piece of the rows, padded; `row` is the number of the one that it begins in.
+  void pad_rows(std::span<const char> bytes, std::int64_t& row, std::string& text) const;
   Result<void> copy_rows();
 
   Output output_;

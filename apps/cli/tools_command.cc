@@ -106,6 +106,7 @@ std::string option_json(const OptionSpec& option) {
 
 std::string options_json(std::span<const OptionSpec> options) {
   std::vector<std::string> objects;
+  objects.reserve(options.size());
   for (const OptionSpec& option : options) objects.push_back(option_json(option));
   return json_array(objects);
 }
@@ -124,6 +125,7 @@ void print_tools(bool as_json) {
   const std::vector<std::unique_ptr<Tool>> tools = make_tools();
   if (as_json) {
     std::vector<std::string> objects;
+    objects.reserve(tools.size());
     for (const auto& tool : tools) objects.push_back(tool_json(tool->info()));
     fmt::print("{{\"tools\":{},\"sheet\":{}}}\n", json_array(objects),
                options_json(SheetOptions::table()));

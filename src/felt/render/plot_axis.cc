@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <cstdio>
 
 namespace felt {
@@ -19,7 +20,8 @@ double nice_step(double width, int count) {
 }
 
 bool is_useful(double low, double high) noexcept {
-  return std::isfinite(low) && std::isfinite(high) && high - low >= 1e-9 && high - low <= 1e9;
+  return std::isfinite(low) && std::isfinite(high) && high - low >= 1e-9 && high - low <= 1e9 &&
+         std::abs(low) + std::abs(high) <= 1e9 * (high - low);
 }
 
 }  // namespace
@@ -39,9 +41,11 @@ PlotTicks plot_ticks(double low, double high, int count) {
   if (std::floor(high / ticks.step + 1e-9) - std::ceil(low / ticks.step - 1e-9) < 1.0) {
     ticks.step = nice_step(high - low, 2 * count + 1);  // a range between two ticks
   }
-  const double first = std::ceil(low / ticks.step - 1e-9);
-  const double last = std::floor(high / ticks.step + 1e-9);
-  for (double i = first; i <= last; i += 1.0) ticks.values.push_back(i * ticks.step);
+  const auto first = static_cast<std::int64_t>(std::ceil(low / ticks.step - 1e-9));
+  const auto last = static_cast<std::int64_t>(std::floor(high / ticks.step + 1e-9));
+  for (std::int64_t i = first; i <= last; ++i) {
+    ticks.values.push_back(static_cast<double>(i) * ticks.step);
+  }
   return ticks;
 }
 

@@ -15,8 +15,8 @@ struct PlotTicks {
 };
 
 /// Ticks of a range such that there are about `count` of them, at least 2 in any range that is
-/// wider than nothing. Requires low <= high, both finite, and 1e-9 <= high - low <= 1e9 for a
-/// useful answer; otherwise there are no ticks.
+/// wider than nothing. None where the range is narrower than 1e-9, wider than 1e9, a billionth of
+/// its distance from 0 or less, or not finite.
 PlotTicks plot_ticks(double low, double high, int count);
 
 }  // namespace felt
