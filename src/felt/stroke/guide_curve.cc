@@ -13,6 +13,30 @@ Point place_at(const FittedCurve& curve, double u) {
   return evaluate(curve.segment(i), u - i);
 }
 
+/// True when the line comes this close to p; looks first at the piece where that is likely.
+bool comes_near(std::span<const Point> line, std::size_t likely, Point p, double limit_squared) {
+  const std::size_t pieces = line.empty() ? 0 : line.size() - 1;
+  if (pieces == 0) return !line.empty() && distance_squared(line[0], p) <= limit_squared;
+  const auto piece_is_near = [&](std::size_t i) {
+    return nearest_on_line(line[i], line[i + 1], p).distance_squared <= limit_squared;
+  };
+  likely = std::min(likely, pieces - 1);
+  if (piece_is_near(likely)) return true;
+  for (std::size_t i = 0; i < pieces; ++i) {
+    if (i != likely && piece_is_near(i)) return true;
+  }
+  return false;
+}
+
+/// True when the line comes this close to each of the points, which run along it in step.
+bool comes_near_all(std::span<const Point> line, std::span<const Point> points,
+                    double limit_squared) {
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    if (!comes_near(line, k, points[k], limit_squared)) return false;
+  }
+  return true;
+}
+
 }  // namespace
 
 void GuideCurve::follow(const SampleWindow& window, const FittedCurve& curve) {
@@ -37,12 +61,7 @@ bool GuideCurve::is_close_before(std::size_t i, std::span<const Point> stretch,
                                  double limit_mm) const noexcept {
   const double limit = limit_mm * limit_mm;
   const std::span<const Point> mine(&places_[kPlaces * (i - 1)], kPlaces + 1);
-  const auto is_near = [limit](std::span<const Point> line) {
-    return
-        [line, limit](Point p) { return nearest_on_polyline(line, p).distance_squared <= limit; };
-  };
-  return std::all_of(stretch.begin(), stretch.end(), is_near(mine)) &&
-         std::all_of(mine.begin(), mine.end(), is_near(stretch));
+  return comes_near_all(mine, stretch, limit) && comes_near_all(stretch, mine, limit);
 }
 
 }  // namespace felt
