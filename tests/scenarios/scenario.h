@@ -1,0 +1,48 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "felt/io/event_reader.h"
+#include "felt/session/player.h"
+
+namespace felt {
+
+/// Everything that came of a script, so that two plays can be compared.
+struct ScenarioResult {
+  PlayReport report;
+  Sketch sketch;
+  std::string sketch_text;  ///< as a file
+  std::string recording;    ///< as a script
+  std::uint64_t ticks = 0;  ///< fingerprint of poses and forces
+  std::size_t undo_count = 0;
+  std::size_t redo_count = 0;
+};
+
+struct ScenarioOptions {
+  std::string device = "touch";  ///< a simulated stylus, in a typical hand
+  bool forces = true;
+  std::int64_t edit_period_ns = 4'000'000;
+};
+
+/// Plays a script from an empty document on.
+Result<ScenarioResult> play_scenario(const std::vector<Event>& events,
+                                     const ScenarioOptions& options);
+
+/// Tells a session the events of a recording directly, without device and loop. The sketch.
+Result<Sketch> tell_session(const std::vector<Event>& events, const std::string& device);
+
+/// A sketch as an .ndjson file.
+std::string text_of(const Sketch& sketch);
+
+/// What must come of a script: the lines of a .expect file, in words.
+using Expectations = std::vector<std::vector<std::string>>;
+
+/// The words of each line; comments and empty lines left out.
+Expectations parse_expectations(const std::string& text);
+
+/// Empty when this expectation is met, else what is wrong.
+std::string check_expectation(const std::vector<std::string>& words, const ScenarioResult& result);
+
+}  // namespace felt

@@ -1,0 +1,131 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <set>
+
+#include "tests/scenarios/scenario.h"
+
+namespace felt {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string content_of(const fs::path& path) {
+  std::ifstream in(path, std::ios::binary);
+  EXPECT_TRUE(in) << path;
+  return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
+}
+
+struct Scenario {
+  std::string name;
+  std::vector<Event> events;
+  Expectations expected;
+  std::string device = "touch";
+
+  [[nodiscard]] bool has_hand() const {
+    return std::any_of(events.begin(), events.end(), [](const Event& event) {
+      return std::holds_alternative<HandEvent>(event.what);
+    });
+  }
+};
+
+std::vector<Scenario> scenarios() {
+  std::set<fs::path> scripts;
+  for (const auto& entry : fs::directory_iterator("tests/scenarios")) {
+    if (entry.path().extension() == ".ndjson") scripts.insert(entry.path());
+  }
+  std::vector<Scenario> all;
+  for (const fs::path& path : scripts) {
+    Scenario scenario{path.stem().string(), {}, {}};
+    const std::string text = content_of(path);
+    Result<std::vector<Event>> events = read_events(path.string(), read_text(text));
+    EXPECT_TRUE(events) << events.error().message;
+    if (events) scenario.events = std::move(*events);
+    fs::path expected = path;
+    scenario.expected = parse_expectations(content_of(expected.replace_extension(".expect")));
+    for (const auto& words : scenario.expected) {
+      if (words[0] == "device" && words.size() > 1) scenario.device = words[1];
+    }
+    all.push_back(std::move(scenario));
+  }
+  EXPECT_GE(all.size(), 10U);
+  return all;
+}
+
+ScenarioResult play(const Scenario& scenario, ScenarioOptions options = {}) {
+  options.device = scenario.device;
+  Result<ScenarioResult> result = play_scenario(scenario.events, options);
+  EXPECT_TRUE(result) << scenario.name << ": " << result.error().message;
+  return result ? *std::move(result) : ScenarioResult{};
+}
+
+TEST(Scenarios, GiveWhatTheyMust) {
+  for (const Scenario& scenario : scenarios()) {
+    const ScenarioResult result = play(scenario);
+    EXPECT_FALSE(scenario.expected.empty()) << scenario.name;
+    for (const auto& words : scenario.expected) {
+      std::string line;
+      for (const std::string& word : words) line += word + " ";
+      EXPECT_EQ(check_expectation(words, result), "") << scenario.name << ": " << line;
+    }
+  }
+}
+
+TEST(Scenarios, GiveTheSameBytesAgain) {
+  for (const Scenario& scenario : scenarios()) {
+    const ScenarioResult a = play(scenario);
+    const ScenarioResult b = play(scenario);
+    EXPECT_EQ(a.sketch_text, b.sketch_text) << scenario.name;
+    EXPECT_EQ(a.recording, b.recording) << scenario.name;
+    EXPECT_EQ(a.ticks, b.ticks) << scenario.name;
+    EXPECT_EQ(a.report, b.report) << scenario.name;
+  }
+}
+
+TEST(Scenarios, ARecordingThatIsWrittenAndReadGivesTheSameSketch) {
+  for (const Scenario& scenario : scenarios()) {
+    const ScenarioResult played = play(scenario);
+    const Result<std::vector<Event>> events =
+        read_events(scenario.name, read_text(played.recording));
+    ASSERT_TRUE(events) << events.error().message;
+    const Result<Sketch> told = tell_session(*events, scenario.device);
+    ASSERT_TRUE(told) << told.error().message;
+    EXPECT_EQ(text_of(*told), played.sketch_text) << scenario.name;
+    // Through the loop again, the pen led as it went.
+    const Result<ScenarioResult> replayed = play_scenario(*events, {.device = scenario.device});
+    ASSERT_TRUE(replayed) << replayed.error().message;
+    EXPECT_EQ(replayed->sketch_text, played.sketch_text) << scenario.name;
+  }
+}
+
+TEST(Scenarios, PortionsOfTheEditSideDoNotMatterToAPen) {
+  for (const Scenario& scenario : scenarios()) {
+    if (scenario.has_hand()) continue;  // its forces come later, and move it
+    const ScenarioResult usual = play(scenario);
+    for (const std::int64_t portion_ms : {1, 7, 100}) {
+      EXPECT_EQ(play(scenario, {.edit_period_ns = portion_ms * 1'000'000}).sketch_text,
+                usual.sketch_text)
+          << scenario.name << ", " << portion_ms << " ms";
+    }
+  }
+}
+
+TEST(Scenarios, R51_ForcesDoNotMatterToAPen) {
+  std::size_t felt = 0;
+  for (const Scenario& scenario : scenarios()) {
+    if (scenario.has_hand()) continue;  // it is there to be moved
+    const ScenarioResult with = play(scenario);
+    const ScenarioResult without = play(scenario, {.forces = false});
+    EXPECT_EQ(with.sketch_text, without.sketch_text) << scenario.name;
+    EXPECT_EQ(with.recording, without.recording) << scenario.name;
+    EXPECT_EQ(without.report.largest_sent_n, 0.0) << scenario.name;
+    felt += with.report.largest_sent_n > 0.1 ? 1 : 0;
+  }
+  EXPECT_GE(felt, 4U) << "scripts in which there was a force to ignore";
+}
+
+}  // namespace
+}  // namespace felt
