@@ -1,7 +1,7 @@
 /// How much faster than real time a script plays: device, hand, plane, friction, safety chain,
 /// session and fit (`real_time_factor`), and what of it is whose (the loop alone, the pen alone).
 ///
-///   build/release/bin/session_bench
+///   build/release/bin/bench_play
 
 #include <benchmark/benchmark.h>
 
