@@ -7,12 +7,15 @@
 #include <cmath>
 #include <utility>
 
+#include "felt/base/check.h"
 #include "felt/io/ndjson_parser.h"
 #include "felt/tools/pressing.h"
 #include "input.h"
 
 namespace felt::cli {
 namespace {
+
+constexpr const char* kSnapOption = "pencil.snap";
 
 /// Some 200 s of aims, 20 MB.
 constexpr std::size_t kManyEvents = 200'000;
@@ -107,6 +110,7 @@ Result<void> ReplayMachine::set_option(const std::string& id, const std::string&
   const Result<OptionValue> value = value_like(*present, text);
   if (!value) return fail(value.error().code, id + ": " + value.error().message);
   const Event event{0, SetOption{id, *value}};
+  if (id == kSnapOption) snap_is_chosen_ = true;
   if (Result<void> known = probe_.apply(event); !known) return known;
   return session_.apply(event);
 }
@@ -118,6 +122,8 @@ Result<void> ReplayMachine::add(const Event& event) {
   } else if (std::holds_alternative<SelectTool>(event.what) ||
              std::holds_alternative<SetOption>(event.what)) {
     if (Result<void> known = probe_.apply(event); !known) return known;
+    const auto* option = std::get_if<SetOption>(&event.what);
+    if (option && option->id == kSnapOption) snap_is_chosen_ = true;
   } else if (const auto* aim = std::get_if<HandEvent>(&event.what)) {
     note_aim(event.time_ns, *aim);
   }
@@ -137,6 +143,11 @@ void ReplayMachine::note_aim(std::int64_t time_ns, const HandEvent& aim) {
 }
 
 void ReplayMachine::begin_stroke() {
+  if (!snap_is_chosen_) {
+    const std::int64_t time_ns = events_.empty() ? next_ns_ : events_.back().time_ns;
+    const Result<void> known = add({time_ns, SetOption{kSnapOption, std::string("off")}});
+    FELT_CHECK(known);  // the pencil has this option
+  }
   in_stroke_ = true;
   meant_.push_back({-1, {}});
 }

@@ -46,7 +46,8 @@ class ReplayMachine {
 
   /// The next event; times never run backwards. An import's path must be one that can be opened.
   Result<void> add(const Event& event);
-  /// The next events draw a stroke ...
+  /// The next events draw a stroke ... Recorded lines were lines of their own: unless something has
+  /// been said about "pencil.snap", they do not snap to each other.
   void begin_stroke();
   /// ... of this path: what comes of it is compared with the path. Elsewhere the hand means its
   /// aims while it presses.
@@ -95,6 +96,7 @@ class ReplayMachine {
   std::vector<Meant> meant_;   // likewise
   bool hand_is_down_ = false;
   bool in_stroke_ = false;
+  bool snap_is_chosen_ = false;
   std::vector<Ink> ink_;  // of this play
   std::int64_t now_ns_ = 0;
   std::int64_t next_ns_ = 0;

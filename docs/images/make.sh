@@ -14,3 +14,6 @@ trap 'rm -rf "$scratch"' EXIT
 python3 "$here/detail.py" "$samples/page.ndjson" "$scratch/page.ndjson" 82.2 98.4 36.2 17.8 \
   >"$scratch/detail.svg"
 rsvg-convert --width 1000 "$scratch/detail.svg" -o "$here/detail.png"
+"$feltline" demo -o "$scratch/demo"
+cp "$scratch/demo/sketch.png" "$here/demo.png"
+cp "$scratch/demo/forces.png" "$here/forces.png"

@@ -47,7 +47,6 @@ enum SafetyStage : std::uint32_t {
   kLimitedByContinuous = 1u << 3,
   kLimitedBySpeed = 1u << 4,
   kLimitedByEngaging = 1u << 5,
-  kLimitedByPassivity = 1u << 6,
 };
 
 struct SafetyReport {
