@@ -20,9 +20,9 @@ constexpr double kHoldS = 0.002;
 constexpr double kEps = 1e-9;
 
 long double length3(double x, double y, double z) {
-  const long double a = x;
-  const long double b = y;
-  const long double c = z;
+  const auto a = static_cast<long double>(x);
+  const auto b = static_cast<long double>(y);
+  const auto c = static_cast<long double>(z);
   return std::sqrt(a * a + b * b + c * c);
 }
 double length(const Force& f) {
