@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <cstdlib>
+#include <filesystem>
 #include <fstream>
 #include <sstream>
 
@@ -13,9 +14,8 @@ namespace {
 /// A file that goes away with the test.
 struct TemporaryFile {
   TemporaryFile() {
-    char name[] = "/tmp/felt_forces_XXXXXX";
-    ::close(::mkstemp(name));
-    path = name;
+    path = (std::filesystem::temp_directory_path() / "felt-forces-XXXXXX").string();
+    ::close(::mkstemp(path.data()));
   }
   ~TemporaryFile() { ::unlink(path.c_str()); }
   TemporaryFile(const TemporaryFile&) = delete;

@@ -114,7 +114,9 @@ Result<void> write_strokes(const Sketch& sketch, Format format, SketchOutput& ou
   SketchPiece piece;
   std::int64_t number = 0;
   for (const SketchStroke& stroke : sketch) {
-    if (Result<void> done = encode(stroke, ++number, format, piece); !done) return done;
+    if (Result<void> done = encode(stroke, ++number, format, piece); !done) {
+      return tl::unexpected(with_context(done.error(), "stroke " + stroke.id + " of the sketch"));
+    }
   }
   if (Result<void> done = output.append(piece); !done) return done;
   return output.finish();

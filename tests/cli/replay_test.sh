@@ -127,4 +127,13 @@ sleep 0.3
 kill -KILL "$pid" 2>/dev/null && wait "$pid" 2>/dev/null
 [ "$(cat kept.ndjson)" = old ] || fail "a killed replay left a sketch"
 [ "$(cat k.csv)" = old ] || fail "a killed replay left forces"
+# Ink that a format cannot hold is named; nothing is written.
+cat >far.ndjson <<'END'
+{"event":"hand","t_ms":0,"x":1e9,"y":1e9,"z":-1e9}
+{"event":"hand","t_ms":1000,"x":-1e9,"y":1,"z":-3}
+END
+run 1 "$feltline" replay far.ndjson -o far.svg
+has err "stroke s1 of the sketch: "
+[ ! -e far.svg ] || fail "a sketch that failed was written"
+
 finish
