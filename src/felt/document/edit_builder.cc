@@ -30,6 +30,14 @@ Edit EditBuilder::build(std::string label) && {
   return {std::move(label), std::move(changes_)};
 }
 
+StrokeReplacement::StrokeReplacement(const Document& document, StrokeId id)
+    : id_(id), before_(document.find(id)), place_(document.place(id)) {}
+
+Edit StrokeReplacement::with(StrokePtr after, std::string label) const {
+  const StrokePlace after_place = after ? place_ : StrokePlace{};
+  return {std::move(label), {{id_, before_, std::move(after), place_, after_place}}};
+}
+
 void EditBuilder::find_places() {
   std::map<StrokeId, StrokeChange*> present;
   std::map<LayerId, std::vector<StrokeChange*>> made;

@@ -37,4 +37,23 @@ class EditBuilder {
   std::uint64_t made_ = 0;
 };
 
+/// Says what becomes of one stroke, again and again while a gesture lasts, without looking its
+/// place up each time: previews at 1 kHz in a layer of 10^5 strokes. The document must not change.
+class StrokeReplacement {
+ public:
+  /// Linear in the layer. Requires that the stroke is there.
+  StrokeReplacement(const Document& document, StrokeId id);
+
+  [[nodiscard]] StrokeId id() const noexcept { return id_; }
+  /// The stroke as it is in the document.
+  [[nodiscard]] const StrokePtr& before() const noexcept { return before_; }
+  /// The stroke becomes this, in its place; null removes it.
+  [[nodiscard]] Edit with(StrokePtr after, std::string label) const;
+
+ private:
+  StrokeId id_;
+  StrokePtr before_;
+  StrokePlace place_;
+};
+
 }  // namespace felt

@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include "felt/geometry/nearest.h"
+
 namespace felt {
 namespace {
 
@@ -16,11 +18,27 @@ constexpr double kLastLine = 1e12;
 
 StrokeIndex::StrokeIndex(const Document& document, double cell_mm) : cell_mm_(cell_mm) {
   for (const Layer& layer : document.layers()) {
-    for (StrokeId id : layer.strokes) add(id, *document.find(id));
+    for (StrokeId id : layer.strokes) {
+      add(id, *document.find(id));
+      if (layer.visible && !layer.locked) editable_[id] = document.find(id);
+    }
   }
 }
 
-void StrokeIndex::update(const Edit& edit) {
+void StrokeIndex::update(const Edit& edit, const Document& document) {
+  for (const StrokeChange& c : edit.changes) editable_.erase(c.id);
+  for (const StrokeChange& c : edit.changes) {
+    if (!c.after) continue;
+    const Layer& layer = *document.layer(document.layer_of(c.id));
+    if (layer.visible && !layer.locked) editable_[c.id] = c.after;
+  }
+  for (const LayerChange& c : edit.layers) {
+    if (!c.after) continue;
+    for (const StrokeId id : document.layer(c.id)->strokes) {
+      editable_.erase(id);
+      if (c.after->visible && !c.after->locked) editable_[id] = document.find(id);
+    }
+  }
   for (const StrokeChange& c : edit.changes) {
     if (c.before) remove(c.id, *c.before);
     if (c.after) add(c.id, *c.after);
@@ -56,6 +74,28 @@ void StrokeIndex::remove(StrokeId id, const Stroke& stroke) {
     if (entries.empty()) cells_.erase(cell);
     --tips_;
   }
+}
+
+std::optional<StrokeHit> StrokeIndex::nearest(Point place, double radius_mm) const {
+  std::optional<StrokeHit> best;
+  double limit = radius_mm * radius_mm;
+  for (const auto& [id, stroke] : editable_) {
+    for (int i = 0; i < stroke->segment_count(); ++i) {
+      const auto hit = nearest_within(stroke->segment(i), place, limit);
+      if (!hit || (best && hit->distance_squared >= limit)) continue;
+      limit = hit->distance_squared;
+      best = StrokeHit{id, i + hit->t, hit->point, std::sqrt(limit)};
+    }
+  }
+  return best;
+}
+
+std::vector<StrokeId> StrokeIndex::strokes_in(const Rect& area) const {
+  std::vector<StrokeId> found;
+  for_each_segment_in(area, [&](StrokeId id, int) { found.push_back(id); });
+  std::sort(found.begin(), found.end());
+  found.erase(std::unique(found.begin(), found.end()), found.end());
+  return found;
 }
 
 std::optional<TipHit> StrokeIndex::nearest_tip(const Document& document, Point place,

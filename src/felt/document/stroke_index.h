@@ -27,19 +27,45 @@ struct TipHit {
   double distance_mm = 0.0;
 };
 
-/// Where the strokes of a document are, for tools: so far the ends of open strokes, for snapping.
+/// A place on a stroke that was found.
+struct StrokeHit {
+  StrokeId stroke;
+  double u = 0.0;  ///< segment index + t
+  Point point;
+  double distance_mm = 0.0;
+};
+
+/// Where the strokes of a document are, for tools: the ends of open strokes, for snapping, and the
+/// segments of all strokes that may be edited, those of visible and unlocked layers.
 ///
-/// A uniform grid. An update costs the changed strokes only; a query the cells that its circle
-/// covers and that are not empty, and the ends in them. Answers do not depend on the order in which
-/// strokes came. One thread.
+/// Ends lie in a uniform grid: a query costs the cells that its circle covers and that are not
+/// empty, and the ends in them. Answers do not depend on the order in which strokes came. One
+/// thread.
 class StrokeIndex {
  public:
   /// Of an empty document. Cells are about as large as the usual radius (specification 5g, M).
-  explicit StrokeIndex(double cell_mm = 8.0) noexcept : cell_mm_(cell_mm) {}
+  explicit StrokeIndex(double cell_mm = 8.0) : cell_mm_(cell_mm) {}
   explicit StrokeIndex(const Document& document, double cell_mm = 8.0);
 
-  /// Follows an edit that was applied to the document. Must see all of them, in order.
-  void update(const Edit& edit);
+  /// Follows an edit that was applied, `document` being what it made. Must see all of them, in
+  /// order.
+  void update(const Edit& edit, const Document& document);
+
+  /// The place on a stroke that may be edited nearest to `place`, within radius_mm, or nothing
+  /// (R19, R20). Of several at the same distance the lower stroke and u, as far as they were met.
+  [[nodiscard]] std::optional<StrokeHit> nearest(Point place, double radius_mm) const;
+  /// Calls visit(StrokeId, int segment) for every segment of a stroke that may be edited whose box
+  /// (of the curve, without its width) meets the area; in no particular order.
+  template <class Visit>
+  void for_each_segment_in(const Rect& area, Visit visit) const {
+    for (const auto& [id, stroke] : editable_) {
+      for (int i = 0; i < stroke->segment_count(); ++i) {
+        if (felt::bounds(stroke->segment(i)).intersects(area)) visit(id, i);
+      }
+    }
+  }
+  /// The strokes that may be edited with a segment there, ascending.
+  [[nodiscard]] std::vector<StrokeId> strokes_in(const Rect& area) const;
 
   /// The nearest end within radius_mm of a place on visible layers, or nothing. Ends in `except`
   /// do not count. Of several at the same distance the lowest id. `document` is the one indexed.
@@ -60,6 +86,7 @@ class StrokeIndex {
   void add(StrokeId id, const Stroke& stroke);
   void remove(StrokeId id, const Stroke& stroke);
 
+  std::map<StrokeId, StrokePtr> editable_;
   double cell_mm_;
   std::map<Cell, std::vector<Entry>> cells_;
   std::size_t tips_ = 0;

@@ -54,7 +54,7 @@ TEST(StrokeIndex, FindsTheNearestTipAfterAnyEdits) {
       const bool back = !done.empty() && random.chance(0.3);
       const Edit edit = back ? done.back().inverse() : edits.next(d);
       ASSERT_TRUE(d.apply(edit));
-      index.update(edit);
+      index.update(edit, d);
       if (back) {
         done.pop_back();
       } else {
@@ -116,7 +116,7 @@ TEST(StrokeIndex, TheHundredThousandthStrokeCostsNoMoreThanTheFirst) {
     }
     const Edit done = std::move(edit).build("Draw");
     ASSERT_TRUE(d.apply(done));
-    index.update(done);
+    index.update(done, d);
   }
   EXPECT_EQ(index.tip_count(), 200000u);
   int hits = 0;

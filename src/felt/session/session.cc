@@ -182,10 +182,13 @@ void Session::cancel() {
 }
 
 Result<void> Session::take(ToolResult result) {
-  preview_ = std::move(result.preview);
-  if (!result.commit) return {};
-  gesture_is_open_ = false;
-  Result<void> done = commit(std::move(*result.commit));
+  if (result.preview || !result.same_preview) preview_ = std::move(result.preview);
+  Result<void> done;
+  if (result.commit) {
+    gesture_is_open_ = false;
+    done = commit(std::move(*result.commit));
+  }
+  if (done && result.selection) selection_ = std::move(*result.selection);
   if (!done) {
     return tl::unexpected(with_context(done.error(), std::string(tool().info().id)));
   }
@@ -202,7 +205,8 @@ Result<void> Session::commit(Edit edit) {
 
 void Session::follow(const Edit& applied) {
   ++edits_;
-  index_.update(applied);
+  index_.update(applied, document_);
+  selection_.follow(applied);
   if (options_.on_edit) options_.on_edit(applied);
 }
 
@@ -235,7 +239,8 @@ Sketch Session::sketch() const {
 }
 
 Scene Session::scene() const {
-  return {document_, index_, layer(), sheet_.material(), options_.device, sheet_.color()};
+  return {document_,         index_,          selection_,    layer(),
+          sheet_.material(), options_.device, sheet_.color()};
 }
 
 LayerId Session::layer() const {

@@ -79,6 +79,7 @@ class Session {
   [[nodiscard]] const std::optional<Edit>& preview() const noexcept { return preview_; }
 
   [[nodiscard]] const Document& document() const noexcept { return document_; }
+  [[nodiscard]] const Selection& selection() const noexcept { return selection_; }
   [[nodiscard]] const History& history() const noexcept { return history_; }
   [[nodiscard]] const SheetOptions& sheet() const noexcept { return sheet_; }
   [[nodiscard]] std::span<const std::unique_ptr<Tool>> tools() const noexcept { return tools_; }
@@ -122,6 +123,7 @@ class Session {
   SheetOptions sheet_;
   Document document_;
   StrokeIndex index_;
+  Selection selection_;
   History history_;
   std::optional<Edit> preview_;
   VelocityFilter velocity_;

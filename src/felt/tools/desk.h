@@ -23,20 +23,28 @@ namespace felt::testing {
 struct Desk {
   Document document;
   StrokeIndex index;
+  Selection selection;
   History history;
   SurfaceMaterial surface = surface_materials().front();
   Capabilities device{.max_force_n = 3.3, .continuous_force_n = 0.0, .max_stiffness_n_per_m = 0.0};
   LayerId layer{1};
   Rgba color{};
 
-  [[nodiscard]] Scene scene() const { return {document, index, layer, surface, device, color}; }
+  [[nodiscard]] Scene scene() const {
+    return {document, index, selection, layer, surface, device, color};
+  }
 
   void apply(const Edit& edit) {
     ASSERT_TRUE(document.apply(edit));
-    index.update(edit);
+    follow(edit);
     history.record(edit);
   }
-  void undo() { index.update(history.undo(document).value()); }
+  void undo() { follow(history.undo(document).value()); }
+  void redo() { follow(history.redo(document).value()); }
+  void follow(const Edit& edit) {
+    index.update(edit, document);
+    selection.follow(edit);
+  }
 
   /// Adds a stroke, as an import would.
   StrokeId add(Stroke stroke) {
@@ -79,6 +87,7 @@ class Pen {
   }
   ToolResult give(const PenSample& s) {
     ToolResult result = tool_.sample(s, desk_.scene());
+    if (result.selection) desk_.selection = *result.selection;
     if (result.commit) {
       ++commits;
       desk_.apply(*result.commit);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "felt/geometry/cubic.h"
@@ -18,10 +19,15 @@ struct Overlay {
     double end_width_mm = 0.0;
   };
   enum class Role {
-    kReach,   ///< a radius within which something acts
-    kSnap,    ///< a place that attracts
-    kTether,  ///< what holds
-    kGuide,   ///< where the hand is led
+    kReach,     ///< a radius within which something acts
+    kSnap,      ///< a place that attracts
+    kTether,    ///< what holds
+    kGuide,     ///< where the hand is led
+    kSpan,      ///< what of a stroke an edit reaches
+    kVector,    ///< from where a gesture took hold to where it is
+    kSelected,  ///< what is selected, or is about to be
+    kHandle,    ///< a place to take hold of
+    kCut,       ///< what goes
   };
   struct Ring {
     Point center;
@@ -33,16 +39,48 @@ struct Overlay {
     Role role = Role::kGuide;
   };
 
+  /// A piece of a stroke that is marked.
+  struct Span {
+    Cubic curve;
+    double width_mm = 0.0;  ///< of the ink there
+    Role role = Role::kSpan;
+  };
+  struct Outline {
+    std::vector<Point> points;
+    bool closed = false;
+    Role role = Role::kSelected;
+  };
+  struct Dot {
+    Point at;
+    Role role = Role::kHandle;
+  };
+  /// A short text beside a place: a number with its unit.
+  struct Label {
+    Point at;
+    std::string text;
+  };
+
   std::vector<InkSegment> ink;
   Rgba ink_color{};
   std::vector<Ring> rings;
   std::vector<Line> lines;
+  std::vector<Span> spans;
+  std::vector<Outline> outlines;
+  std::vector<Dot> dots;
+  std::vector<Label> labels;
 
   void clear() noexcept {
     ink.clear();
     rings.clear();
     lines.clear();
+    spans.clear();
+    outlines.clear();
+    dots.clear();
+    labels.clear();
   }
 };
+
+/// Marks the part [u0, u1] of a stroke; on a closed one u1 <= u0 goes through the seam.
+void add_span(Overlay& overlay, const Stroke& stroke, double u0, double u1, Overlay::Role role);
 
 }  // namespace felt

@@ -3,6 +3,7 @@
 #include <string>
 
 #include "felt/document/document.h"
+#include "felt/document/selection.h"
 #include "felt/document/stroke_index.h"
 #include "felt/haptics/capabilities.h"
 #include "felt/haptics/material.h"
@@ -14,6 +15,7 @@ namespace felt {
 struct Scene {
   const Document& document;
   const StrokeIndex& index;        ///< of this document, up to date
+  const Selection& selection;      ///< of this document, up to date
   LayerId layer;                   ///< where new ink goes
   const SurfaceMaterial& surface;  ///< the sheet
   const Capabilities& device;

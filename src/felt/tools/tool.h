@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <span>
@@ -15,6 +16,11 @@
 
 namespace felt {
 
+/// Buttons of the pen that change what a gesture does, each room says how; a desktop sets them for
+/// keys too (Shift, Ctrl).
+inline constexpr std::uint32_t kFirstModifier = 1U << 0;
+inline constexpr std::uint32_t kSecondModifier = 1U << 1;
+
 /// What a tool is, for menus, the command line and the documents.
 struct ToolInfo {
   std::string_view id;     ///< "pencil"
@@ -27,9 +33,14 @@ struct ToolInfo {
 /// What came of one sample.
 struct ToolResult {
   /// The document with this edit is what the user should see now; replaces the previous preview.
-  std::optional<Edit> preview;
+  std::optional<Edit> preview = {};
   /// The gesture is over and this is what it did: one undo step.
-  std::optional<Edit> commit;
+  std::optional<Edit> commit = {};
+  /// What is selected from now on, after `commit`.
+  std::optional<Selection> selection = {};
+  /// No preview here means that the last one stays, instead of none: an answer to a sample that
+  /// changes nothing.
+  bool same_preview = false;
 };
 
 /// A tool: a state machine over pen samples, without threads, clock, files or widgets. What it does

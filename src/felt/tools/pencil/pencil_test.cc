@@ -67,7 +67,7 @@ TEST(Pencil, OneLineIsOneStrokeAndOneUndoStep) {
   const StrokePtr drawn = p.desk.strokes()[0];
   p.desk.undo();
   EXPECT_EQ(p.desk.document, Document());
-  p.desk.index.update(p.desk.history.redo(p.desk.document).value());
+  p.desk.redo();
   EXPECT_EQ(p.desk.strokes()[0], drawn);
 }
 

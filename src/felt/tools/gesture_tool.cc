@@ -1,0 +1,92 @@
+#include "felt/tools/gesture_tool.h"
+
+#include <cmath>
+#include <utility>
+
+namespace felt {
+namespace {
+
+bool is_usable(const PenSample& sample) {
+  // NaN compares false.
+  return std::fabs(sample.position.x) <= GestureTool::kFarthestMm &&
+         std::fabs(sample.position.y) <= GestureTool::kFarthestMm &&
+         std::fabs(sample.position.z) <= GestureTool::kFarthestMm;
+}
+
+}  // namespace
+
+GestureTool::GestureTool(const ToolInfo& info) : info_(info), options_(info.options) {
+  gap_.reserve(Contact::kMaxGapSamples);
+}
+
+ToolResult GestureTool::sample(const PenSample& sample, const Scene& scene) {
+  if (!is_usable(sample)) return {.same_preview = true};
+  if (!in_gesture_ && std::exchange(has_new_options_, false)) take_options(options_);
+  const Contact::Change change = contact_.update(sample);
+  if (change == Contact::Change::kTouched && !waiting_) {
+    in_gesture_ = true;
+    gap_.clear();
+    return begin(sample, scene);
+  }
+  if (change == Contact::Change::kLifted) {
+    waiting_ = false;
+    if (in_gesture_) return close(scene);
+  }
+  if (in_gesture_) return add(sample, scene);
+  if (contact_.is_down()) return {};
+  return hover(sample, scene);
+}
+
+ToolResult GestureTool::add(const PenSample& sample, const Scene& scene) {
+  if (!in_contact(sample)) {
+    gap_.push_back(sample);
+    return {.same_preview = true};
+  }
+  ToolResult result{.same_preview = true};
+  const auto take = [&](const PenSample& s) {
+    ToolResult next = move(s, scene);
+    if (next.preview) result.preview = std::move(next.preview);
+    if (next.selection) result.selection = std::move(next.selection);
+  };
+  for (const PenSample& between : gap_) take(between);
+  gap_.clear();
+  take(sample);
+  return result;
+}
+
+ToolResult GestureTool::close(const Scene& scene) {
+  ToolResult result = end(scene);
+  stop();
+  return result;
+}
+
+void GestureTool::stop() {
+  in_gesture_ = false;
+  gap_.clear();
+}
+
+ToolResult GestureTool::finish(const Scene& scene) {
+  waiting_ = contact_.is_down();
+  return in_gesture_ ? close(scene) : ToolResult{};
+}
+
+void GestureTool::cancel() {
+  waiting_ = contact_.is_down();
+  if (!in_gesture_) return;
+  drop();
+  stop();
+}
+
+Result<void> GestureTool::set_option(std::string_view id, const OptionValue& value) {
+  Result<void> result = options_.set(id, value);
+  if (!result) return result;
+  has_new_options_ = true;
+  if (!in_gesture_ && std::exchange(has_new_options_, false)) take_options(options_);
+  return result;
+}
+
+Result<OptionValue> GestureTool::option(std::string_view id) const {
+  return options_.get(id);
+}
+
+}  // namespace felt

@@ -1,0 +1,69 @@
+#pragma once
+
+#include <vector>
+
+#include "felt/tools/contact.h"
+#include "felt/tools/tool.h"
+
+namespace felt {
+
+/// The states that all editing tools share: from touch to lift is one gesture.
+///
+///   air --touch--> gesture --lift, finish--> air     begin(), move() for each sample, end()
+///                     |
+///                     +--cancel--> waiting for the lift --> air     drop()
+///
+/// Samples without a place (not finite, or farther than 1e9 mm) are ignored. Samples out of contact
+/// that may be a bounce (Contact) are held back: they are told when the pen is back, and forgotten
+/// when it was the lift. A button that changes within a gesture changes its samples only. Options
+/// that are set during a gesture take effect after it.
+class GestureTool : public Tool {
+ public:
+  static constexpr double kFarthestMm = 1e9;
+
+  /// `info` must outlive the tool.
+  explicit GestureTool(const ToolInfo& info);
+
+  [[nodiscard]] const ToolInfo& info() const noexcept final { return info_; }
+  ToolResult sample(const PenSample& sample, const Scene& scene) final;
+  ToolResult finish(const Scene& scene) final;
+  void cancel() final;
+  Result<void> set_option(std::string_view id, const OptionValue& value) final;
+  [[nodiscard]] Result<OptionValue> option(std::string_view id) const final;
+
+ protected:
+  /// A sample in the air, while no gesture is in work. A preview is allowed.
+  virtual ToolResult hover(const PenSample& sample, const Scene& scene) = 0;
+  /// The first sample of a gesture.
+  virtual ToolResult begin(const PenSample& sample, const Scene& scene) = 0;
+  /// Each further one. Without a preview the last one stays.
+  virtual ToolResult move(const PenSample& sample, const Scene& scene) = 0;
+  /// The pen was lifted: commit, or nothing.
+  virtual ToolResult end(const Scene& scene) = 0;
+  /// The gesture never was.
+  virtual void drop() = 0;
+  /// Options are as options() says from now on; never during a gesture.
+  virtual void take_options(const OptionValues& options) = 0;
+
+  /// True from begin() to the return of end() or drop().
+  [[nodiscard]] bool in_gesture() const noexcept { return in_gesture_; }
+  /// True while the pen must be lifted before it begins anything: nothing is to be felt but the
+  /// sheet.
+  [[nodiscard]] bool is_waiting() const noexcept { return waiting_; }
+  [[nodiscard]] const OptionValues& options() const noexcept { return options_; }
+
+ private:
+  ToolResult add(const PenSample& sample, const Scene& scene);
+  ToolResult close(const Scene& scene);
+  void stop();
+
+  const ToolInfo& info_;
+  OptionValues options_;
+  bool has_new_options_ = true;  // the constructor of a base cannot tell its derived class
+  Contact contact_;
+  bool in_gesture_ = false;
+  bool waiting_ = false;
+  std::vector<PenSample> gap_;  // out of contact, perhaps only for a moment
+};
+
+}  // namespace felt

@@ -1,0 +1,117 @@
+#include "felt/tools/gesture_tool.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <string>
+
+#include "felt/tools/desk.h"
+
+namespace felt {
+namespace {
+
+constexpr OptionSpec kOptions[] = {
+    {"size_mm", "Size", "mm", OptionKind::kNumber, 0.1, 5.0, 1.0, {}, "Of something."}};
+constexpr ToolInfo kInfo{.id = "told", .label = "Told", .help = "Tells.", .options = kOptions};
+
+/// Writes down what it is told: h in the air, b, m, e, d; an option as its value.
+class Told final : public GestureTool {
+ public:
+  Told() : GestureTool(kInfo) {}
+  [[nodiscard]] ForceModel force(const Scene&) const override { return {}; }
+  void draw(Overlay&) const override {}
+  std::string said;
+  double size_mm = 0.0;
+  using GestureTool::in_gesture;
+
+ protected:
+  ToolResult hover(const PenSample&, const Scene&) override { return say('h'); }
+  ToolResult begin(const PenSample&, const Scene&) override { return say('b'); }
+  ToolResult move(const PenSample&, const Scene&) override {
+    say('m');
+    return {.preview = Edit{"m", {}}};
+  }
+  ToolResult end(const Scene&) override { return say('e'); }
+  void drop() override { say('d'); }
+  void take_options(const OptionValues& options) override { size_mm = options.number(0); }
+
+ private:
+  ToolResult say(char c) {
+    said += c;
+    return {};
+  }
+};
+
+struct Table {
+  Told tool;
+  testing::Desk desk;
+  testing::Pen pen{tool, desk};
+};
+
+TEST(GestureTool, FromTouchToLiftIsOneGesture) {
+  Table t;
+  t.pen.up({0, 0});
+  t.pen.along({{0, 0}, {1, 0}, {2, 0}});
+  t.pen.up({2, 0});
+  t.pen.up({2, 0});
+  EXPECT_EQ(t.tool.said, "hbmmeh");
+}
+
+TEST(GestureTool, ABounceIsHeldBackAndThenTold) {
+  Table t;
+  t.pen.down({0, 0});
+  const ToolResult in_gap = t.pen.at({0.5, 0, 0.1});
+  EXPECT_TRUE(in_gap.same_preview);
+  EXPECT_EQ(t.tool.said, "b");
+  t.pen.down({1, 0});
+  EXPECT_EQ(t.tool.said, "bmm");
+}
+
+TEST(GestureTool, CancelWaitsForTheLift) {
+  Table t;
+  t.pen.down({0, 0});
+  t.tool.cancel();
+  t.pen.along({{1, 0}, {2, 0}});
+  EXPECT_EQ(t.tool.said, "bd");
+  t.pen.up({2, 0});
+  t.pen.down({2, 0});
+  EXPECT_EQ(t.tool.said, "bdhb");
+}
+
+TEST(GestureTool, FinishEndsAsIfLiftedAndThenWaits) {
+  Table t;
+  t.pen.along({{0, 0}, {1, 0}});
+  t.tool.finish(t.desk.scene());
+  t.pen.down({2, 0});
+  EXPECT_EQ(t.tool.said, "bme");
+}
+
+TEST(GestureTool, OptionsWaitForTheEndOfTheGesture) {
+  Table t;
+  t.pen.up({0, 0});
+  EXPECT_EQ(t.tool.size_mm, 1.0);
+  t.pen.down({0, 0});
+  ASSERT_TRUE(t.tool.set_option("size_mm", 3.0));
+  EXPECT_EQ(t.tool.size_mm, 1.0);
+  EXPECT_EQ(std::get<double>(*t.tool.option("size_mm")), 3.0);
+  t.pen.up({0, 0});
+  t.pen.up({0, 0});
+  EXPECT_EQ(t.tool.size_mm, 3.0);
+  ASSERT_TRUE(t.tool.set_option("size_mm", 4.0));
+  EXPECT_EQ(t.tool.size_mm, 4.0) << "in the air at once";
+  EXPECT_FALSE(t.tool.set_option("size_mm", 9.0));
+}
+
+TEST(GestureTool, PlacesThatAreNoneAreIgnored) {
+  Table t;
+  const double nan = std::nan("");
+  t.pen.at({nan, 0, -1});
+  t.pen.at({0, std::numeric_limits<double>::infinity(), -1});
+  t.pen.at({0, 0, -1e300});
+  EXPECT_EQ(t.tool.said, "");
+  EXPECT_FALSE(t.tool.in_gesture());
+}
+
+}  // namespace
+}  // namespace felt

@@ -1,0 +1,18 @@
+tool_room(pencil
+  SOURCES
+    connect_ink.cc
+    pencil_options.cc
+    pencil_tool.cc
+    stabiliser.cc
+    wet_ink.cc
+  HEADERS
+    connect_ink.h
+    pencil_force.h
+    pencil_options.h
+    pencil_tool.h
+    stabiliser.h
+    wet_ink.h
+  TESTS
+    connect_ink_test.cc
+    pencil_test.cc
+    stabiliser_test.cc)
