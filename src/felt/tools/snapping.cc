@@ -22,6 +22,11 @@ void SnapFinder::begin(Point start, std::optional<TipId> connected) noexcept {
   connected_ = connected;
 }
 
+void SnapFinder::drag(TipId tip) noexcept {
+  *this = {};
+  connected_ = tip;
+}
+
 const std::optional<SnapTarget>& SnapFinder::update(Point pen, const SnapOptions& options,
                                                     const Document& document,
                                                     const StrokeIndex& index) {

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <array>
 #include <optional>
+#include <string_view>
 
 #include "felt/document/stroke_index.h"
 #include "felt/haptics/pen_sample.h"
@@ -11,6 +13,8 @@ namespace felt {
 /// What ends of strokes do to a pen that comes near (paper, eq. 11; specification 5g; R43). With
 /// the force alone a person can draw near an end and resist being connected to it.
 enum class SnapMode { kOff, kForce, kSnap, kBoth };
+/// Their names, in that order.
+inline constexpr std::array<std::string_view, 4> kSnapModes = {"off", "force", "snap", "both"};
 
 constexpr bool attracts(SnapMode mode) noexcept {
   return mode == SnapMode::kForce || mode == SnapMode::kBoth;
@@ -56,7 +60,10 @@ class SnapFinder {
   /// A stroke begins here. `connected` is the end that its start was put on, if any: it is no
   /// target of this stroke, whose own start lies there.
   void begin(Point start, std::optional<TipId> connected) noexcept;
-  /// The pen is here now. Returns the target, or nothing.
+  /// An end of a stroke of the document is dragged from here on: it is no target of itself. The
+  /// other end of its stroke counts at once, since closing is what a person drags it for.
+  void drag(TipId tip) noexcept;
+  /// The pen (or the end that it drags) is here now. Returns the target, or nothing.
   const std::optional<SnapTarget>& update(Point pen, const SnapOptions& options,
                                           const Document& document, const StrokeIndex& index);
   [[nodiscard]] const std::optional<SnapTarget>& target() const noexcept { return target_; }

@@ -4,25 +4,10 @@
 
 #include "felt/document/edit_builder.h"
 #include "felt/stroke/join.h"
-#include "felt/stroke/split.h"
+#include "felt/tools/connecting.h"
 
 namespace felt {
 namespace {
-
-/// The stroke of an end if the end is there (now closed strokes have none), or null.
-StrokePtr stroke_of(const std::optional<TipId>& tip, const Document& document) {
-  if (!tip) return nullptr;
-  StrokePtr stroke = document.find(tip->stroke);
-  return stroke && !stroke->closed() ? stroke : nullptr;
-}
-
-/// `base` with `ink` appended at one of its ends. The ink's `at` lies there; base keeps its
-/// direction.
-Result<Stroke> extended(const Stroke& base, StrokeTip tip, const Stroke& ink, StrokeTip at) {
-  const bool turn = tip == at;
-  const Stroke more = turn ? reversed(ink) : ink;
-  return tip == StrokeTip::kEnd ? joined(base, more) : joined(more, base);
-}
 
 class Connector {
  public:
@@ -42,13 +27,13 @@ class Connector {
 
   /// Moves the ends onto what they were put on; forgets what cannot be reached.
   void place_ends() {
-    place(StrokeTip::kStart, to_.start, stroke_of(to_.start, scene_.document));
+    place(StrokeTip::kStart, to_.start, stroke_with_tip(scene_.document, to_.start));
     if (to_.closes) {
       to_.closes = move(StrokeTip::kEnd, tip_point(ink_, StrokeTip::kStart));
       to_.end.reset();
     } else {
       if (to_.end == to_.start) to_.end.reset();
-      place(StrokeTip::kEnd, to_.end, stroke_of(to_.end, scene_.document));
+      place(StrokeTip::kEnd, to_.end, stroke_with_tip(scene_.document, to_.end));
     }
   }
 
@@ -76,7 +61,7 @@ class Connector {
     const Stroke& other = *scene_.document.find(on->stroke);
     const Layer* layer = scene_.document.layer(scene_.layer);
     return scene_.document.layer_of(on->stroke) == scene_.layer && layer && !layer->locked &&
-           other.material() == ink_.material() && other.color() == ink_.color();
+           look_alike(other, ink_);
   }
 
   bool add_joined() {
@@ -87,7 +72,7 @@ class Connector {
   }
 
   bool add_to(TipId on, StrokeTip mine) {
-    auto one = extended(*scene_.document.find(on.stroke), on.tip, ink_, mine);
+    auto one = joined_at(*scene_.document.find(on.stroke), on.tip, ink_, mine);
     if (one) edit_.replace(on.stroke, share(*std::move(one)));
     return one.has_value();
   }
@@ -95,7 +80,7 @@ class Connector {
   /// Both ends lie on strokes: two become one, or one becomes a ring.
   bool add_between() {
     const TipId a = *to_.start, b = *to_.end;
-    auto one = extended(*scene_.document.find(a.stroke), a.tip, ink_, StrokeTip::kStart);
+    auto one = joined_at(*scene_.document.find(a.stroke), a.tip, ink_, StrokeTip::kStart);
     if (!one) return false;
     if (a.stroke == b.stroke) {
       auto ring = closed(*one);
@@ -104,7 +89,7 @@ class Connector {
       return true;
     }
     // The ink's free end is where the first stroke was extended.
-    auto both = extended(*one, a.tip, *scene_.document.find(b.stroke), b.tip);
+    auto both = joined_at(*one, a.tip, *scene_.document.find(b.stroke), b.tip);
     if (!both) return false;
     edit_.replace(a.stroke, share(*std::move(both)));
     edit_.remove(b.stroke);

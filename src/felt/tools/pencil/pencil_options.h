@@ -14,7 +14,6 @@ namespace felt {
 /// Drawing materials, by the ids of tool_materials().
 inline constexpr std::array<std::string_view, 4> kPencilMaterials = {"pencil", "chalk", "crayon",
                                                                      "felt-tip"};
-inline constexpr std::array<std::string_view, 4> kSnapModes = {"off", "force", "snap", "both"};
 inline constexpr std::array<std::string_view, 3> kStabilisers = {"off", "inertia", "towed"};
 
 /// Rows of kPencilOptions.
