@@ -30,27 +30,29 @@ class GrabPull {
   GrabPull(StrokePtr snapshot, double u0, const GrabOptions& options);
 
   /// The stroke with the point taken hold of displaced by that much, mm; the very snapshot at 0.
-  /// Error: the displacement is not finite, or the shape would break an invariant.
+  /// Error: the displacement is not finite, or the shape would break an invariant, or nothing that
+  /// may move moves the point.
   [[nodiscard]] Result<Stroke> at(Vec displacement) const;
   /// The same with ill-shaped segments fitted anew (refit.h): what is committed.
   [[nodiscard]] Result<Stroke> finished(Vec displacement) const;
 
   /// The point that was taken hold of, in the snapshot.
   [[nodiscard]] Point origin() const noexcept { return origin_; }
-  /// Its place on strokes made by at().
-  [[nodiscard]] double u() const noexcept { return segment_ + t_; }
+  /// Its place on strokes made by at(), but for the snapshot.
+  [[nodiscard]] double u() const noexcept { return place_.segment + place_.t; }
   /// The part of strokes made by at() that may differ from the snapshot; on a closed stroke
   /// last <= first goes through the seam. Joint numbers.
   [[nodiscard]] int first_joint() const noexcept;
   [[nodiscard]] int last_joint() const noexcept;
 
  private:
-  [[nodiscard]] Strand bent(Vec displacement) const;
+  [[nodiscard]] Result<Strand> bent(Vec displacement) const;
+  [[nodiscard]] bool moves_left() const noexcept;
+  [[nodiscard]] bool moves_right() const noexcept;
 
   StrokePtr snapshot_;
   Strand strand_;
-  int segment_ = 0;
-  double t_ = 0.0;
+  StrandPlace place_;
   Point origin_;
   EditWeights weights_;
 };

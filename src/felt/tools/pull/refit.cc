@@ -1,0 +1,209 @@
+#include "felt/tools/pull/refit.h"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <optional>
+#include <utility>
+
+#include "felt/geometry/nearest.h"
+#include "felt/stroke/subdivide.h"
+
+namespace felt {
+namespace {
+
+constexpr double kLengthAccuracy = 1e-4;
+/// Pieces that one ill-shaped segment becomes at most.
+constexpr int kMostPieces = 6;
+constexpr int kSamples = 24;
+constexpr int kRounds = 4;
+
+bool is_short(double handle_mm, double length_mm, JointKind joint, const SegmentShape& shape) {
+  return joint == JointKind::kSmooth && handle_mm < shape.least_handle * length_mm;
+}
+
+bool winds(const Cubic& c, double length_mm, const SegmentShape& shape) {
+  return std::max(distance(c.p[0], c.p[1]), distance(c.p[2], c.p[3])) >
+             shape.most_handle * length_mm ||
+         length_mm > shape.most_winding * distance(c.p[0], c.p[3]);
+}
+
+/// The lengths of both handles that bring `c` with its ends and tangents nearest to itself, as
+/// sums of least squares; its parameters may wander.
+class HandleFit {
+ public:
+  explicit HandleFit(const Cubic& c)
+      : old_(c), start_(tangent(c, 0.0)), end_(tangent(c, 1.0)), now_(c) {}
+
+  /// A curve with both handles at least `least_mm`, or nothing when none is near enough.
+  std::optional<Cubic> fit(double least_mm) {
+    now_ = with(std::max(least_mm, distance(old_.p[0], old_.p[1])),
+                std::max(least_mm, distance(old_.p[2], old_.p[3])));
+    for (int round = 0; round < kRounds; ++round) {
+      const auto [a, b] = solve();
+      now_ = with(std::max(a, least_mm), std::max(b, least_mm));
+    }
+    return farthest() <= kRefitToleranceMm ? std::optional(now_) : std::nullopt;
+  }
+
+ private:
+  [[nodiscard]] Cubic with(double a, double b) const {
+    return {{old_.p[0], old_.p[0] + a * start_, old_.p[3] - b * end_, old_.p[3]}};
+  }
+  [[nodiscard]] Point sample(int k) const { return evaluate(old_, (k + 1.0) / (kSamples + 1.0)); }
+
+  /// One round: samples of the old curve at their nearest places on the new one.
+  [[nodiscard]] std::pair<double, double> solve() const {
+    double aa = 0.0, ab = 0.0, bb = 0.0, ra = 0.0, rb = 0.0;
+    for (int k = 0; k < kSamples; ++k) {
+      const double t = nearest(now_, sample(k)).t, s = 1.0 - t;
+      const Vec da = 3.0 * t * s * s * start_, db = -3.0 * t * t * s * end_;
+      const Vec rest = sample(k) - evaluate(with(0.0, 0.0), t);
+      aa += dot(da, da);
+      ab += dot(da, db);
+      bb += dot(db, db);
+      ra += dot(da, rest);
+      rb += dot(db, rest);
+    }
+    const double det = aa * bb - ab * ab;
+    if (!(det > 1e-12 * aa * bb)) return {0.0, 0.0};  // straight: any handles will do
+    return {(ra * bb - rb * ab) / det, (rb * aa - ra * ab) / det};
+  }
+  [[nodiscard]] double farthest() const {
+    double far = 0.0;
+    for (int k = 0; k < kSamples; ++k) {
+      far = std::max(far, nearest(now_, sample(k)).distance_squared);
+      const Point back = evaluate(now_, (k + 1.0) / (kSamples + 1.0));
+      far = std::max(far, nearest(old_, back).distance_squared);
+    }
+    return std::sqrt(far);
+  }
+
+  Cubic old_;
+  Vec start_, end_;
+  Cubic now_;
+};
+
+/// Divides segment i until its pieces do not wind; the number of pieces.
+int unwind(Strand& strand, int i) {
+  int pieces = 1;
+  for (int k = 0; k < pieces && pieces < kMostPieces;) {
+    const Cubic c = strand.segment(i + k);
+    if (winds(c, arc_length(c, kLengthAccuracy), {}) && strand.divide(i + k, 0.5)) {
+      ++pieces;
+    } else {
+      ++k;
+    }
+  }
+  return pieces;
+}
+
+/// Gives segments with a short handle others, where that leaves the ink in place.
+void lengthen_handles(const Stroke& stroke, int i, StrokeData& data) {
+  const Cubic c = stroke.segment(i);
+  const double length = arc_length(c, kLengthAccuracy);
+  const SegmentShape shape;
+  if (!is_short(distance(c.p[0], c.p[1]), length, stroke.joint(i), shape) &&
+      !is_short(distance(c.p[2], c.p[3]), length, stroke.joint(i + 1), shape)) {
+    return;
+  }
+  // The new curve is a little shorter or longer: a margin.
+  const std::optional<Cubic> better = HandleFit(c).fit(1.1 * shape.least_handle * length);
+  if (!better || winds(*better, length, shape)) return;
+  const auto k = 3 * static_cast<std::size_t>(i);
+  data.points[k + 1] = better->p[1];
+  data.points[k + 2] = better->p[2];
+}
+
+/// Segments [first, first + count), round a closed stroke.
+struct Range {
+  int first = 0, count = 0;
+};
+
+/// The runs of changed segments, ascending; one through the seam comes last by that.
+std::vector<Range> changed_ranges(const Strand& strand) {
+  const int n = strand.count();
+  int start = 0;  // where no run is cut in two
+  while (strand.closed() && start < n && strand.is_changed(start)) ++start;
+  if (start == n) return {{0, n}};
+  std::vector<Range> ranges;
+  for (int k = 0; k < n; ++k) {
+    const int i = (start + k) % n;
+    if (!strand.is_changed(i)) continue;
+    if (k > 0 && strand.is_changed((i + n - 1) % n)) {
+      ++ranges.back().count;
+    } else {
+      ranges.push_back({i, 1});
+    }
+  }
+  std::sort(ranges.begin(), ranges.end(),
+            [](const Range& a, const Range& b) { return a.first < b.first; });
+  return ranges;
+}
+
+/// The stroke with fewer segments in the range, which follows.
+Stroke merged(const Stroke& stroke, Range& range) {
+  const int n = stroke.segment_count();
+  const int last = (range.first + range.count - 1) % n + 1;
+  auto fewer = with_fewer_segments(stroke, range.first, last, kRefitToleranceMm);
+  if (!fewer) return stroke;
+  const int now = fewer->segment_count();
+  // Through the seam, what lies before the range in number is what follows it on the stroke.
+  if (range.first + range.count > n) range.first = std::max(0, now - (n - range.first));
+  range.count = std::clamp(range.count - (n - now), 1, now);
+  return *std::move(fewer);
+}
+
+/// The stroke with the segments of a range in good shape.
+Stroke mended(const Stroke& stroke, Range range) {
+  const Stroke fewer = merged(stroke, range);
+  Strand strand(std::make_shared<const Stroke>(fewer));
+  std::vector<int> is_mended;  // by segment of the strand
+  const int n = fewer.segment_count();
+  if (strand.count() != n) return fewer;  // a ring of one segment
+  for (int k = 0, i = 0; i < n; ++i) {
+    const bool inside = (i - range.first + n) % n < range.count;
+    const int made = inside ? unwind(strand, k) : 1;
+    is_mended.insert(is_mended.end(), static_cast<std::size_t>(made), inside ? 1 : 0);
+    k += made;
+  }
+  const Result<Stroke> unwound = strand.stroke();
+  if (!unwound) return fewer;
+  StrokeData data = unwound->data();
+  for (int i = 0; i < unwound->segment_count(); ++i) {
+    if (is_mended[static_cast<std::size_t>(i)] != 0) lengthen_handles(*unwound, i, data);
+  }
+  Result<Stroke> done = Stroke::create(std::move(data));
+  return done ? *std::move(done) : *unwound;
+}
+
+}  // namespace
+
+bool is_well_shaped(const Stroke& stroke, int i, const SegmentShape& shape) noexcept {
+  const Cubic c = stroke.segment(i);
+  const double length = arc_length(c, kLengthAccuracy);
+  return !winds(c, length, shape) &&
+         !is_short(distance(c.p[0], c.p[1]), length, stroke.joint(i), shape) &&
+         !is_short(distance(c.p[2], c.p[3]), length, stroke.joint(i + 1), shape);
+}
+
+Result<Stroke> with_good_shapes(const Strand& strand) {
+  Result<Stroke> stroke = strand.stroke();
+  if (!stroke) return stroke;
+  const std::vector<Range> ranges = changed_ranges(strand);
+  // From the last one on, so that the numbers of those before stay; the one through the seam, if
+  // there is one, is the last of all and has the highest number: it comes at the end, and moves on.
+  const bool has_seam =
+      !ranges.empty() && ranges.back().first + ranges.back().count > strand.count();
+  for (std::size_t k = ranges.size() - (has_seam ? 1 : 0); k-- > 0;) {
+    stroke = mended(*stroke, ranges[k]);
+  }
+  if (has_seam) {
+    Range range = ranges.back();
+    range.first += stroke->segment_count() - strand.count();
+    stroke = mended(*stroke, range);
+  }
+  return stroke;
+}
+
+}  // namespace felt

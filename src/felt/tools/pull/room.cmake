@@ -1,0 +1,24 @@
+tool_room(pull
+  SOURCES
+    edit_weights.cc
+    grab_gesture.cc
+    grab_pull.cc
+    nib_push.cc
+    push_gesture.cc
+    refit.cc
+    strand.cc
+    sweep_gesture.cc
+    sweep_pull.cc
+  HEADERS
+    edit_weights.h
+    grab_gesture.h
+    grab_pull.h
+    nib_push.h
+    pull_gesture.h
+    push_gesture.h
+    refit.h
+    strand.h
+    sweep_gesture.h
+    sweep_pull.h
+  TESTS
+    edit_weights_test.cc)

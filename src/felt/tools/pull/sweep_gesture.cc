@@ -1,0 +1,104 @@
+#include "felt/tools/pull/sweep_gesture.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "felt/document/edit_builder.h"
+#include "felt/tools/pull/sweep_pull.h"
+
+namespace felt {
+namespace {
+
+constexpr const char* kLabel = "Redraw";
+
+/// The pen's way is walked in steps of this, so that the rate of samples means nothing.
+constexpr double kStepNs = 1e6;
+/// Steps that one sample takes at most; after a longer pause they are longer.
+constexpr double kMostSteps = 50.0;
+
+Point place_of(const PenSample& pen) noexcept {
+  return {pen.position.x, pen.position.y};
+}
+
+class SweepGesture final : public PullGesture {
+ public:
+  SweepGesture(const PenSample& touch, const Scene& scene, const StrokeHit& hit,
+               const SweepOptions& options)
+      : stroke_(scene.document, hit.stroke),
+        sweep_(stroke_.before(), hit.u),
+        shown_(stroke_.before()),
+        time_constant_ns_(1e9 * options.time_constant_s),
+        last_(place_of(touch)),
+        last_ns_(touch.time_ns) {}
+
+  std::optional<Edit> move(const PenSample& pen, const Scene& /*scene*/) override {
+    const Point now = place_of(pen);
+    // In double: the difference of two hostile times does not fit into 64 bits.
+    const double passed = static_cast<double>(pen.time_ns) - static_cast<double>(last_ns_);
+    const SweepPull before = sweep_;
+    const bool moved = passed > 0.0 && walk(now, passed);
+    last_ = now;
+    last_ns_ = pen.time_ns;
+    if (!moved) return std::nullopt;
+    Result<Stroke> stroke = sweep_.stroke();
+    if (!stroke) {  // the last good shape stays
+      sweep_ = before;
+      return std::nullopt;
+    }
+    shown_ = std::make_shared<const Stroke>(*std::move(stroke));
+    return stroke_.with(shown_, kLabel);
+  }
+
+  Edit end(const Scene& /*scene*/) override {
+    if (shown_ == stroke_.before()) return {};
+    Result<Stroke> done = sweep_.finished();
+    if (done) shown_ = std::make_shared<const Stroke>(*std::move(done));
+    return stroke_.with(shown_, kLabel);
+  }
+
+  [[nodiscard]] PullFeel feel() const override {
+    return {.kind = PullFeel::Kind::kSweep, .gesture = 0};
+  }
+
+  void draw(Overlay& overlay) const override {
+    const Point at = sweep_.point();
+    const int segment = sweep_.place().segment;
+    if (segment < shown_->segment_count()) {
+      add_span(overlay, *shown_, segment, segment + 1, Overlay::Role::kSpan);
+    }
+    overlay.dots.push_back({at, Overlay::Role::kHandle});
+    overlay.lines.push_back({at, last_, Overlay::Role::kTether});
+  }
+
+ private:
+  /// The way from the last sample to this one, in steps on a grid of time that began at the touch.
+  bool walk(Point now, double passed_ns) {
+    const double step = std::max(kStepNs, passed_ns / kMostSteps);
+    const double part = 1.0 - std::exp(-step / time_constant_ns_);
+    bool moved = false;
+    double at = next_ns_;  // from the last sample on
+    for (; at <= passed_ns; at += step) {
+      moved = sweep_.step(lerp(last_, now, at / passed_ns), part) || moved;
+    }
+    next_ns_ = at - passed_ns;
+    return moved;
+  }
+
+  StrokeReplacement stroke_;
+  SweepPull sweep_;
+  StrokePtr shown_;
+  double time_constant_ns_;
+  Point last_;
+  std::int64_t last_ns_;
+  double next_ns_ = kStepNs;  // until the next step, from the last sample on
+};
+
+}  // namespace
+
+std::unique_ptr<PullGesture> make_sweep(const PenSample& touch, const Scene& scene,
+                                        const StrokeHit& hit, const SweepOptions& options) {
+  return std::make_unique<SweepGesture>(touch, scene, hit, options);
+}
+
+}  // namespace felt

@@ -1,0 +1,75 @@
+#include "felt/tools/pull/sweep_pull.h"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <utility>
+
+#include "felt/geometry/nearest.h"
+#include "felt/tools/pull/refit.h"
+
+namespace felt {
+namespace {
+
+/// Longer than a piece should be, so that what is divided is not divided again at once.
+constexpr double kTooLong = 1.5;
+
+}  // namespace
+
+SweepPull::SweepPull(StrokePtr snapshot, double u0) : strand_(std::move(snapshot)) {
+  place_ = strand_.locate(std::clamp(u0, 0.0, strand_.snapshot_u(strand_.count())));
+}
+
+Point SweepPull::point() const noexcept {
+  return evaluate(strand_.segment(place_.segment), place_.t);
+}
+
+void SweepPull::track(Point pen) {
+  const int here = place_.segment;
+  double best = std::numeric_limits<double>::infinity();
+  for (const int i : {strand_.previous(here), here, strand_.next(here)}) {
+    if (i < 0) continue;
+    const Nearest near = nearest(strand_.segment(i), pen);
+    if (near.distance_squared >= best) continue;
+    best = near.distance_squared;
+    place_ = {i, near.t};
+  }
+}
+
+void SweepPull::keep_short() {
+  const double from = strand_.snapshot_u(place_.segment);
+  const double u = from + place_.t * (strand_.snapshot_u(place_.segment + 1) - from);
+  std::array<int, 3> parts{strand_.previous(place_.segment), place_.segment,
+                           strand_.next(place_.segment)};
+  // The later ones first, so that the numbers of the others stay.
+  std::sort(parts.rbegin(), parts.rend());
+  const auto end = std::unique(parts.begin(), parts.end());
+  for (auto i = parts.begin(); i != end; ++i) {
+    if (*i < 0 || strand_.count() >= kMostSegments) continue;
+    // The arc is no longer than its control polygon.
+    if (control_length(strand_.segment(*i)) <= kTooLong * kPieceMm) continue;
+    strand_.divide_evenly(*i, kPieceMm, kMostSegments - strand_.count() + 1);
+  }
+  place_ = strand_.locate(u);
+}
+
+bool SweepPull::step(Point pen, double part) {
+  track(pen);
+  keep_short();
+  track(pen);
+  const auto [i, t] = place_;
+  const Vec pull = part * (pen - point());
+  if (pull == Vec{}) return false;
+  strand_.prepare(i);
+  if (!strand_.bend(i, t, soft_weights(t, strand_.compliance(i, t, true)), pull)) return false;
+  for (const int k : {strand_.previous(i), i, strand_.next(i)}) {
+    if (k >= 0) strand_.limit_handles(k, kLongestHandle);
+  }
+  return true;
+}
+
+Result<Stroke> SweepPull::finished() const {
+  return with_good_shapes(strand_);
+}
+
+}  // namespace felt
