@@ -1,0 +1,48 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "felt/geometry/rect.h"
+#include "felt/stroke/stroke.h"
+
+namespace felt {
+
+/// The inside of a lasso, prepared for many questions: the edges lie in strips across the sheet, so
+/// that a question looks at those beside the point only. The same answers as felt::contains() with
+/// FillRule::kEvenOdd (R31: even-odd, a point on an edge is inside).
+class LassoArea {
+ public:
+  /// The outline is closed by itself. It may cross itself. Of fewer than three points nothing.
+  explicit LassoArea(std::vector<Point> outline);
+
+  [[nodiscard]] bool contains(Point p) const noexcept;
+  /// True when any part of the curve is inside, within the flattening of 1/64 of a segment.
+  [[nodiscard]] bool touches(const Stroke& stroke) const noexcept;
+  [[nodiscard]] const Rect& bounds() const noexcept { return bounds_; }
+  [[nodiscard]] std::span<const Point> outline() const noexcept { return outline_; }
+
+ private:
+  struct Edge {
+    Point a, b;
+  };
+
+  [[nodiscard]] std::size_t strip_of(double y) const noexcept;
+  [[nodiscard]] Edge edge(std::size_t i) const noexcept;
+  [[nodiscard]] std::span<const std::uint32_t> edges_in(std::size_t strip) const noexcept;
+  [[nodiscard]] bool crosses(Point a, Point b) const noexcept;
+  [[nodiscard]] bool touches(const Cubic& curve) const noexcept;
+
+  std::vector<Point> outline_;
+  Rect bounds_;
+  double strip_mm_ = 0.0;
+  std::vector<std::uint32_t> begins_;  // of each strip in edges_, and the end
+  std::vector<std::uint32_t> edges_;   // by their first point
+};
+
+/// Area that a path sweeps as seen from its start, without signs: 0 for a straight line, and more
+/// than 0 for an eight, whose signed area is 0.
+double swept_area_mm2(std::span<const Point> path) noexcept;
+
+}  // namespace felt

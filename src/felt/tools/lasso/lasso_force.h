@@ -1,0 +1,25 @@
+#pragma once
+
+#include "felt/haptics/drawing_feel.h"
+#include "felt/tools/feel_id.h"
+#include "felt/tools/lasso/lasso_options.h"
+#include "felt/tools/scene.h"
+
+namespace felt {
+
+/// The lasso leaves no ink and glides: two fifths of the pencil's friction and of its grain.
+inline constexpr double kLassoGlide = 0.4;
+
+/// What the hand feels with a lasso: the sheet, more slippery than under a pencil, and nothing
+/// else, since pointing must not be pulled. The same before and during the gesture.
+inline ForceModel make_lasso_force(const LassoSettings& settings, const Scene& scene) {
+  ToolMaterial material = tool_materials().front();
+  material.friction *= kLassoGlide * settings.strength;
+  material.grain *= kLassoGlide * settings.strength;
+  ForceModel model(
+      make_sheet_force(scene.surface, material, scene.device, surface_grain(scene.surface)));
+  model.set_fade_id(FeelId("lasso").with(scene.surface.id).with(settings.strength).value());
+  return model;
+}
+
+}  // namespace felt

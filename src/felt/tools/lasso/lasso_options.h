@@ -1,0 +1,78 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <string_view>
+
+#include "felt/tools/lasso/lasso_take.h"
+#include "felt/tools/tool_options.h"
+
+namespace felt {
+
+/// How an area is drawn.
+enum class LassoMode : std::uint8_t { kFree, kRectangle };
+
+inline constexpr std::array<std::string_view, 2> kLassoModes = {"free", "rectangle"};
+inline constexpr std::array<std::string_view, 3> kLassoTakes = {"points", "on-curve", "strokes"};
+inline constexpr std::array<std::string_view, 3> kLassoCombines = {"replace", "add", "subtract"};
+
+/// Rows of kLassoOptions.
+struct LassoOption {
+  enum Row : std::size_t { kMode, kTake, kCombine, kClickRadius, kStrength, kCount };
+};
+
+inline constexpr std::array<OptionSpec, LassoOption::kCount> kLassoOptions = {{
+    {.id = "mode",
+     .label = "Shape",
+     .unit = "",
+     .kind = OptionKind::kChoice,
+     .fallback = 0,
+     .choices = kLassoModes,
+     .help = "A line drawn round what is to be selected, or a rectangle from corner to corner."},
+    {.id = "take",
+     .label = "Select",
+     .unit = "",
+     .kind = OptionKind::kChoice,
+     .fallback = 0,
+     .choices = kLassoTakes,
+     .help = "The parts of lines inside by their control points (points) or by their joints only "
+             "(on-curve), or whole lines of which any part is inside (strokes)."},
+    {.id = "combine",
+     .label = "Combine",
+     .unit = "",
+     .kind = OptionKind::kChoice,
+     .fallback = 0,
+     .choices = kLassoCombines,
+     .help = "What becomes of what was selected before; the first button of the pen adds, the "
+             "second takes away."},
+    {.id = "click_radius_mm",
+     .label = "Reach of a click",
+     .unit = "mm",
+     .min = 0.5,
+     .max = 20.0,
+     .fallback = 4.0,
+     .help = "A short touch selects the whole nearest line within this distance."},
+    {.id = "strength",
+     .label = "Strength of forces",
+     .unit = "",
+     .min = 0.0,
+     .max = 1.0,
+     .fallback = 1.0,
+     .help = "Share of the sheet's friction and grain that is felt; the sheet stays as hard as it "
+             "is."},
+}};
+
+/// The options as the tool uses them.
+struct LassoSettings {
+  LassoMode mode = LassoMode::kFree;
+  LassoTake take = LassoTake::kPoints;
+  LassoCombine combine = LassoCombine::kReplace;
+  double click_radius_mm = 4.0;
+  double strength = 1.0;
+};
+
+/// Reads them. Requires values of kLassoOptions.
+LassoSettings lasso_settings(const OptionValues& values);
+
+}  // namespace felt

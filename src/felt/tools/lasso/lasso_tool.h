@@ -1,0 +1,52 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+
+#include "felt/tools/gesture_tool.h"
+#include "felt/tools/lasso/lasso_options.h"
+#include "felt/tools/lasso/lasso_outline.h"
+#include "felt/tools/lasso/lasso_preview.h"
+#include "felt/tools/selection_view.h"
+
+namespace felt {
+
+/// Selects control points by a line drawn round them, by a rectangle, or whole strokes by a click
+/// (paper, "Transformations": the lasso selects control points, not pixels; lasso.md; R31, R32).
+/// What comes of a gesture is a selection: no edit, no undo step.
+class LassoTool final : public GestureTool {
+ public:
+  /// A touch whose way stays within a square of this size, and encloses less than kLeastAreaMm2, is
+  /// a click.
+  static constexpr double kClickMm = 3.0;
+  static constexpr double kLeastAreaMm2 = 1.0;
+
+  LassoTool();
+
+  [[nodiscard]] ForceModel force(const Scene& scene) const override;
+  void draw(Overlay& overlay) const override;
+
+ protected:
+  ToolResult hover(const PenSample& sample, const Scene& scene) override;
+  ToolResult begin(const PenSample& sample, const Scene& scene) override;
+  ToolResult move(const PenSample& sample, const Scene& scene) override;
+  ToolResult end(const Scene& scene) override;
+  void drop() override;
+  void take_options(const OptionValues& options) override;
+
+ private:
+  [[nodiscard]] std::vector<Point> outline() const;
+  [[nodiscard]] Selection click(const Scene& scene) const;
+
+  LassoSettings settings_;
+  LassoCombine combine_ = LassoCombine::kReplace;  // of this gesture
+  LassoOutline way_;
+  Point start_, pen_;
+  LassoPreview preview_;
+  SelectionView selected_;
+  StrokePtr under_pen_;  // what a click would take
+};
+
+std::unique_ptr<Tool> make_lasso();
+
+}  // namespace felt

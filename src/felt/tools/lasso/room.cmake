@@ -1,0 +1,19 @@
+tool_room(lasso
+  SOURCES
+    lasso_area.cc
+    lasso_options.cc
+    lasso_outline.cc
+    lasso_preview.cc
+    lasso_take.cc
+    lasso_tool.cc
+  HEADERS
+    lasso_area.h
+    lasso_force.h
+    lasso_options.h
+    lasso_outline.h
+    lasso_preview.h
+    lasso_take.h
+    lasso_tool.h
+  TESTS
+    lasso_area_test.cc
+    lasso_test.cc)

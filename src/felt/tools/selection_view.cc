@@ -1,0 +1,82 @@
+#include "felt/tools/selection_view.h"
+
+#include <limits>
+#include <span>
+#include <utility>
+
+namespace felt {
+
+bool is_editable(const Document& document, StrokeId id) {
+  const Layer* layer = document.layer(document.layer_of(id));
+  return layer && layer->visible && !layer->locked;
+}
+
+void SelectionView::look(const Document& document, const Selection& selection) {
+  go_on(document, selection, kPointsPerLook);
+}
+
+void SelectionView::look_at_all(const Document& document, const Selection& selection) {
+  looked_at_ = {};
+  go_on(document, selection, std::numeric_limits<std::size_t>::max());
+}
+
+void SelectionView::clear() {
+  seen_ = {};
+  looked_at_ = {};
+}
+
+bool SelectionView::go_on(const Document& document, const Selection& selection,
+                          std::size_t points) {
+  if (!looked_at_) {
+    std::vector<Overlay::Span> spans = std::move(round_.spans);  // keeps its memory
+    spans.clear();
+    round_ = {};
+    round_.spans = std::move(spans);
+  }
+  std::size_t looked = 0;
+  auto next = selection.strokes().upper_bound(looked_at_);
+  for (; next != selection.strokes().end() && looked < points; ++next) {
+    const auto& [id, marks] = *next;
+    looked_at_ = id;
+    const StrokePtr stroke = document.find(id);
+    if (!stroke || stroke->data().points.size() != marks.size()) continue;
+    looked += marks.size();
+    if (is_editable(document, id)) add(id, *stroke, marks);
+  }
+  if (next != selection.strokes().end()) return false;
+  round_.hash.add_value(round_.box);
+  round_.fingerprint = round_.hash.value();
+  std::swap(seen_, round_);
+  looked_at_ = {};
+  return true;
+}
+
+void SelectionView::add(StrokeId id, const Stroke& stroke, const Selection::Marks& marks) {
+  ++round_.strokes;
+  round_.hash.add_value(id.value);
+  round_.hash.add(std::as_bytes(std::span(marks)));
+  bool whole = true;
+  const auto& points = stroke.data().points;
+  for (std::size_t i = 0; i < marks.size(); ++i) {
+    if (marks[i]) {
+      round_.box.extend(points[i]);
+    } else {
+      whole = false;
+    }
+  }
+  if (!whole) ++round_.partial;
+  for (int i = 0; i < stroke.segment_count() && round_.spans.size() < kMostSpans; ++i) {
+    const auto at = 3 * static_cast<std::size_t>(i);
+    const int marked = marks[at] + marks[at + 1] + marks[at + 2] + marks[at + 3];
+    if (marked == 0) continue;
+    const bool goes = marks[at] && marks[at + 3];
+    round_.spans.push_back({stroke.segment(i), stroke.width_mm(i + 0.5),
+                            goes ? Overlay::Role::kSelected : Overlay::Role::kSpan});
+  }
+}
+
+void SelectionView::draw(Overlay& overlay) const {
+  overlay.spans.insert(overlay.spans.end(), seen_.spans.begin(), seen_.spans.end());
+}
+
+}  // namespace felt
