@@ -4,8 +4,6 @@
 #include <array>
 #include <cmath>
 
-#include "felt/geometry/nearest.h"
-
 namespace felt {
 namespace {
 
@@ -14,34 +12,58 @@ constexpr std::array kTips = {StrokeTip::kStart, StrokeTip::kEnd};
 /// Lines farther out than this are one line: still in order, only fuller.
 constexpr double kLastLine = 1e12;
 
+/// The first circle in which the nearest stroke is looked for, and the last before all of it.
+constexpr double kFirstReachMm = 8.0;
+constexpr double kLastReachMm = 1e7;
+
+bool is_editable(const Layer& layer) {
+  return layer.visible && !layer.locked;
+}
+
 }  // namespace
 
 StrokeIndex::StrokeIndex(const Document& document, double cell_mm) : cell_mm_(cell_mm) {
   for (const Layer& layer : document.layers()) {
+    std::vector<SegmentForest::Change> strokes;
     for (StrokeId id : layer.strokes) {
-      add(id, *document.find(id));
-      if (layer.visible && !layer.locked) editable_[id] = document.find(id);
+      strokes.push_back({id, document.find(id)});
+      add(id, *strokes.back().after);
     }
+    LayerSegments& here = layers_[layer.id];
+    here.editable = is_editable(layer);
+    here.segments.update(strokes);
   }
 }
 
 void StrokeIndex::update(const Edit& edit, const Document& document) {
-  for (const StrokeChange& c : edit.changes) editable_.erase(c.id);
-  for (const StrokeChange& c : edit.changes) {
-    if (!c.after) continue;
-    const Layer& layer = *document.layer(document.layer_of(c.id));
-    if (layer.visible && !layer.locked) editable_[c.id] = c.after;
-  }
-  for (const LayerChange& c : edit.layers) {
-    if (!c.after) continue;
-    for (const StrokeId id : document.layer(c.id)->strokes) {
-      editable_.erase(id);
-      if (c.after->visible && !c.after->locked) editable_[id] = document.find(id);
-    }
-  }
   for (const StrokeChange& c : edit.changes) {
     if (c.before) remove(c.id, *c.before);
     if (c.after) add(c.id, *c.after);
+  }
+  update_segments(edit, document);
+}
+
+void StrokeIndex::update_segments(const Edit& edit, const Document& document) {
+  std::map<LayerId, std::vector<SegmentForest::Change>> changes;
+  for (const StrokeChange& c : edit.changes) {
+    const LayerId from = c.before ? c.before_place.layer : LayerId{};
+    const LayerId to = c.after ? c.after_place.layer : LayerId{};
+    if (from && from != to) changes[from].push_back({c.id, nullptr});
+    if (to && !(from == to && c.before == c.after)) changes[to].push_back({c.id, c.after});
+  }
+  for (const auto& [id, strokes] : changes) {
+    const auto [layer, is_new] = layers_.try_emplace(id);
+    if (const Layer* known = document.layer(id); is_new && known) {
+      layer->second.editable = is_editable(*known);
+    }
+    layer->second.segments.update(strokes);
+  }
+  for (const LayerChange& c : edit.layers) {
+    if (c.after) {
+      layers_[c.id].editable = c.after->visible && !c.after->locked;
+    } else {
+      layers_.erase(c.id);
+    }
   }
 }
 
@@ -77,15 +99,24 @@ void StrokeIndex::remove(StrokeId id, const Stroke& stroke) {
 }
 
 std::optional<StrokeHit> StrokeIndex::nearest(Point place, double radius_mm) const {
+  // In growing circles, or a large one would ask for all leaves at once.
+  for (double reach = kFirstReachMm; reach < std::min(radius_mm, kLastReachMm); reach *= 8.0) {
+    if (const auto found = nearest_within_reach(place, reach)) return found;
+  }
+  return nearest_within_reach(place, radius_mm);
+}
+
+std::optional<StrokeHit> StrokeIndex::nearest_within_reach(Point place, double radius_mm) const {
   std::optional<StrokeHit> best;
-  double limit = radius_mm * radius_mm;
-  for (const auto& [id, stroke] : editable_) {
-    for (int i = 0; i < stroke->segment_count(); ++i) {
-      const auto hit = nearest_within(stroke->segment(i), place, limit);
-      if (!hit || (best && hit->distance_squared >= limit)) continue;
-      limit = hit->distance_squared;
-      best = StrokeHit{id, i + hit->t, hit->point, std::sqrt(limit)};
-    }
+  double least = 0.0;
+  for (const auto& [layer, entry] : layers_) {
+    if (!entry.editable) continue;
+    const auto hit = entry.segments.nearest(place, radius_mm);
+    if (!hit) continue;
+    const double d = hit->nearest.distance_squared;
+    if (best && (d > least || (d == least && hit->stroke > best->stroke))) continue;
+    least = d;
+    best = StrokeHit{hit->stroke, hit->segment + hit->nearest.t, hit->nearest.point, std::sqrt(d)};
   }
   return best;
 }

@@ -119,6 +119,11 @@ void SegmentBvh::refit(std::uint32_t handle, const Cubic& curve) noexcept {
   set_box(slot, Box(bounds(curve)));
 }
 
+void SegmentBvh::replace(std::uint32_t handle, const BvhSegment& segment) noexcept {
+  refs_[handle] = segment.ref;
+  refit(handle, segment.curve);
+}
+
 void SegmentBvh::erase(std::uint32_t handle) noexcept {
   constexpr double kNowhere = std::numeric_limits<double>::quiet_NaN();
   constexpr Point kHole{kNowhere, kNowhere};

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <compare>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -13,12 +14,13 @@
 
 namespace felt {
 
-/// What a segment in the tree belongs to, in the caller's numbers; the tree only carries it.
+/// What a segment in the tree belongs to, in the caller's numbers; the tree only carries it, and
+/// prefers the lower one at equal distances.
 struct SegmentRef {
-  std::uint32_t stroke = 0;
+  std::uint64_t stroke = 0;
   std::uint32_t segment = 0;
 
-  friend constexpr bool operator==(SegmentRef, SegmentRef) noexcept = default;
+  friend constexpr auto operator<=>(const SegmentRef&, const SegmentRef&) noexcept = default;
 };
 
 /// One segment given to the tree.
@@ -41,7 +43,7 @@ struct BvhWorkCap {
 /// outwards, so that one pass of vector arithmetic tests them all. There are no pointers: levels
 /// are arrays packed to the left, and the children of node j of a level are the nodes 8j .. 8j + 7
 /// of the level below. The lowest level holds the tight boxes of the segments, which lie in an
-/// array in the same order. 10^6 segments: 7 levels, 99 bytes a segment with the curve itself.
+/// array in the same order. 10^6 segments: 7 levels, 107 bytes a segment with the curve itself.
 ///
 /// Life of a tree:
 ///  1. `build` sorts the segments (allocates). Their *handles* are 0, 1, ... in the order given.
@@ -90,7 +92,7 @@ class SegmentBvh {
   void rebuild();
 
   /// The segment nearest to the query's point. Of segments at exactly the same distance the lowest
-  /// handle, as far as the search met them.
+  /// reference, then the lowest handle, as far as the search met them.
   [[nodiscard]] Hit nearest(const Query& query) const noexcept;
 
   /// Calls visit(handle) for every segment whose tight box shares a point with `area`, in no
@@ -103,6 +105,8 @@ class SegmentBvh {
 
   /// Changes the curve of a segment; boxes above follow. Requires handle < size().
   void refit(std::uint32_t handle, const Cubic& curve) noexcept;
+  /// The handle stands for another segment from now on: how a freed handle is used again, likewise.
+  void replace(std::uint32_t handle, const BvhSegment& segment) noexcept;
   /// Makes a segment unfindable until it is refitted: its curve becomes NaN. Requires
   /// handle < size().
   void erase(std::uint32_t handle) noexcept;

@@ -150,6 +150,11 @@ class SegmentBvh::NearestSearch {
     }
   }
 
+  [[nodiscard]] bool comes_first(std::uint32_t a, std::uint32_t b) const noexcept {
+    const auto order = tree_.refs_[a] <=> tree_.refs_[b];
+    return order != 0 ? order < 0 : a < b;
+  }
+
   void try_slot(std::uint32_t slot) noexcept {
     const std::optional<Nearest> found =
         nearest_within(tree_.curves_[slot], query_.point, limit_, pieces_left_);
@@ -157,7 +162,7 @@ class SegmentBvh::NearestSearch {
     const std::uint32_t handle = tree_.handles_[slot];
     const double best = hit_ ? hit_.nearest.distance_squared : limit_;
     const double d = found->distance_squared;
-    if (d > best || (d == best && handle > hit_.handle)) return;
+    if (d > best || (d == best && hit_ && !comes_first(handle, hit_.handle))) return;
     hit_.handle = handle;
     hit_.ref = tree_.refs_[handle];
     hit_.nearest = *found;
