@@ -1,5 +1,6 @@
 // The one file that knows all rooms of this layer: adding a tool is a folder and a line here.
 
+#include "felt/tools/connect/connect_tool.h"
 #include "felt/tools/pencil/pencil_tool.h"
 #include "felt/tools/tool.h"
 
@@ -8,6 +9,7 @@ namespace felt {
 std::vector<std::unique_ptr<Tool>> make_tools() {
   std::vector<std::unique_ptr<Tool>> tools;
   tools.push_back(make_pencil());
+  tools.push_back(make_connect());
   return tools;
 }
 

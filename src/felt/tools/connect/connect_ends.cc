@@ -1,0 +1,67 @@
+#include "felt/tools/connect/connect_ends.h"
+
+#include <memory>
+#include <utility>
+
+#include "felt/document/edit_builder.h"
+#include "felt/stroke/join.h"
+#include "felt/tools/connect/tip_lead.h"
+#include "felt/tools/connecting.h"
+
+namespace felt {
+namespace {
+
+constexpr const char* kConnect = "Connect";
+constexpr const char* kClose = "Close";
+
+StrokePtr share(Stroke stroke) {
+  return std::make_shared<const Stroke>(std::move(stroke));
+}
+
+Edit close(const Document& document, TipId moved, const Stroke& stroke, Point meet) {
+  const auto half = TipLead(stroke, moved.tip).at(meet);
+  if (!half) return {};
+  const auto both = TipLead(*half, opposite(moved.tip)).at(meet);
+  if (!both) return {};
+  auto ring = closed(*both);
+  if (!ring) return {};
+  return StrokeReplacement(document, moved.stroke).with(share(*std::move(ring)), kClose);
+}
+
+/// Two strokes with a shared point, each in its place.
+Edit share_point(const Document& document, TipId moved, const Stroke& a, TipId to,
+                 const Stroke& b) {
+  EditBuilder edit(document);
+  if (a != *document.find(moved.stroke)) edit.replace(moved.stroke, share(a));
+  if (b != *document.find(to.stroke)) edit.replace(to.stroke, share(b));
+  return std::move(edit).build(kConnect);
+}
+
+}  // namespace
+
+Edit connect_ends(const Document& document, TipId moved, TipId to,
+                  const ConnectEndsOptions& options) {
+  const StrokePtr a = stroke_with_tip(document, moved), b = stroke_with_tip(document, to);
+  if (!a || !b || moved == to) return {};
+  const LayerId layer = document.layer_of(moved.stroke), other = document.layer_of(to.stroke);
+  if (!is_editable(document, layer)) return {};
+  const Point target = tip_point(*b, to.tip);
+  const bool half = options.place == MeetingPlace::kHalfWay && is_editable(document, other);
+  const Point meet = half ? lerp(tip_point(*a, moved.tip), target, 0.5) : target;
+  if (moved.stroke == to.stroke) return close(document, moved, *a, meet);
+
+  const auto led = TipLead(*a, moved.tip).at(meet);
+  const auto met = half ? TipLead(*b, to.tip).at(meet) : Result<Stroke>(*b);
+  if (!led || !met) return {};
+  if (!options.keep_separate && layer == other && look_alike(*a, *b)) {
+    if (auto one = joined_at(*met, to.tip, *led, moved.tip)) {
+      EditBuilder edit(document);
+      edit.replace(to.stroke, share(*std::move(one)));
+      edit.remove(moved.stroke);
+      return std::move(edit).build(kConnect);
+    }
+  }
+  return share_point(document, moved, *led, to, *met);
+}
+
+}  // namespace felt

@@ -1,0 +1,194 @@
+#include "felt/tools/connect/connect_ends.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "felt/tools/desk.h"
+
+namespace felt {
+namespace {
+
+using testing::Desk;
+using testing::RandomStroke;
+using testing::straight_stroke;
+
+constexpr StrokeTip kStart = StrokeTip::kStart, kEnd = StrokeTip::kEnd;
+constexpr MeetingPlace kPlaces[] = {MeetingPlace::kAtTarget, MeetingPlace::kHalfWay};
+
+Stroke with_look(const Stroke& stroke, Rgba color, std::string material = "pencil") {
+  StrokeData data = stroke.data();
+  data.color = color;
+  data.material = std::move(material);
+  return Stroke::create(data).value();
+}
+
+TEST(ConnectEnds, R45_JoinsAtAnyOfTheFourPairsOfEnds) {
+  for (const StrokeTip tip : {kStart, kEnd}) {
+    for (const StrokeTip mine : {kStart, kEnd}) {
+      for (const MeetingPlace place : kPlaces) {
+        Desk desk;
+        const StrokeId moved = desk.add(mine == kEnd ? straight_stroke({0, 60}, {52, 2}, 1, 2)
+                                                     : straight_stroke({52, 2}, {0, 60}, 2, 1));
+        const StrokeId below = desk.add(straight_stroke({0, 90}, {9, 90}, 1, 1));
+        const StrokeId to = desk.add(tip == kEnd ? straight_stroke({0, 0}, {50, 0}, 1, 2)
+                                                 : straight_stroke({50, 0}, {0, 0}, 2, 1));
+        const Document before = desk.document;
+        const Edit edit = connect_ends(desk.document, {moved, mine}, {to, tip}, {place});
+        EXPECT_EQ(edit.label, "Connect");
+        desk.apply(edit);
+        ASSERT_EQ(desk.strokes().size(), 2u);
+        EXPECT_EQ(desk.document.layers()[0].strokes[0], below);
+        EXPECT_EQ(desk.document.layers()[0].strokes[1], to);  // its id, above what it was above
+        const Stroke& one = *desk.document.find(to);
+        EXPECT_FALSE(one.closed());
+        EXPECT_EQ(tip_point(one, opposite(tip)), (Point{0, 0}));  // its direction
+        EXPECT_EQ(tip_point(one, tip), (Point{0, 60}));
+        EXPECT_EQ(one.width_mm(0), 1.0);
+        const Point meet = place == MeetingPlace::kAtTarget ? Point{50, 0} : Point{51, 1};
+        bool met = false;
+        for (int j = 1; j < one.segment_count(); ++j) {
+          met = met || (one.position(j) == meet && one.joint(j) == JointKind::kCorner);
+        }
+        EXPECT_TRUE(met);
+        desk.undo();
+        EXPECT_EQ(desk.document, before);
+      }
+    }
+  }
+}
+
+TEST(ConnectEnds, R45_SmoothBelowThirtyDegreesElseCorner) {
+  for (const double deg : {10.0, 29.0, 31.0, 90.0}) {
+    for (const MeetingPlace place : kPlaces) {
+      Desk desk;
+      const StrokeId to = desk.add(straight_stroke({0, 0}, {50, 0}, 1, 1));
+      const double a = deg * std::numbers::pi / 180;
+      const Point near{51, 1};
+      const Point far = near + 80 * Vec{std::cos(a), std::sin(a)};
+      const StrokeId moved = desk.add(straight_stroke(near, far, 1, 1));
+      desk.apply(connect_ends(desk.document, {moved, kStart}, {to, kEnd}, {place}));
+      ASSERT_EQ(desk.strokes().size(), 1u);
+      const Stroke& one = *desk.document.find(to);
+      const Point meet = place == MeetingPlace::kAtTarget ? Point{50, 0} : Point{50.5, 0.5};
+      int joint = 0;
+      for (int j = 1; j < one.segment_count(); ++j) joint = one.position(j) == meet ? j : joint;
+      ASSERT_GT(joint, 0);
+      EXPECT_EQ(one.joint(joint), deg < 30 ? JointKind::kSmooth : JointKind::kCorner) << deg;
+    }
+  }
+}
+
+TEST(ConnectEnds, R43_TheTwoEndsOfAStrokeCloseIt) {
+  const Stroke open = Stroke::create({.points = {{0, 0}, {60, 0}, {60, 60}, {3, 4}},
+                                      .joints = {},
+                                      .closed = false,
+                                      .widths = {{0, 1}, {1, 2}}})
+                          .value();
+  for (const StrokeTip mine : {kStart, kEnd}) {
+    for (const MeetingPlace place : kPlaces) {
+      Desk desk;
+      const StrokeId id = desk.add(open);
+      // Closing is closing, even where other strokes are kept apart.
+      const Edit edit = connect_ends(desk.document, {id, mine}, {id, opposite(mine)},
+                                     {place, /*keep_separate=*/true});
+      EXPECT_EQ(edit.label, "Close");
+      desk.apply(edit);
+      const Stroke& ring = *desk.document.find(id);
+      EXPECT_TRUE(ring.closed());
+      const Point meet = place == MeetingPlace::kHalfWay ? Point{1.5, 2}
+                         : mine == kEnd                  ? Point{0, 0}
+                                                         : Point{3, 4};
+      EXPECT_EQ(ring.position(0), meet);
+    }
+  }
+}
+
+TEST(ConnectEnds, OtherLooksLayersAndKeptSeparateShareThePoint) {
+  const Stroke a = straight_stroke({51, 1}, {90, 40}, 1, 1),
+               b = straight_stroke({0, 0}, {50, 0}, 1, 1);
+  const std::vector<std::pair<Stroke, bool>> cases = {
+      {with_look(a, {7, 0, 0, 255}), false}, {with_look(a, {}, "chalk"), false}, {a, true}};
+  for (const auto& [moved_stroke, keep] : cases) {
+    for (const MeetingPlace place : kPlaces) {
+      Desk desk;
+      const StrokeId to = desk.add(b), moved = desk.add(moved_stroke);
+      desk.apply(connect_ends(desk.document, {moved, kStart}, {to, kEnd}, {place, keep}));
+      ASSERT_EQ(desk.strokes().size(), 2u);
+      const Stroke &one = *desk.document.find(moved), &two = *desk.document.find(to);
+      EXPECT_EQ(tip_point(one, kStart), tip_point(two, kEnd));
+      EXPECT_EQ(one.color(), moved_stroke.color());
+      EXPECT_EQ(one.material(), moved_stroke.material());
+      if (place == MeetingPlace::kAtTarget) {
+        EXPECT_EQ(two, b);
+      }
+      // Again: nothing is left to do.
+      EXPECT_TRUE(connect_ends(desk.document, {moved, kStart}, {to, kEnd}, {place, keep}).empty());
+    }
+  }
+}
+
+TEST(ConnectEnds, LockedAndHiddenLayersAreNotChanged) {
+  for (const bool hidden : {false, true}) {
+    Desk desk;
+    const StrokeId to = desk.add(straight_stroke({0, 0}, {50, 0}, 1, 1));
+    desk.apply({"Layer", {}, {{{2}, std::nullopt, LayerState{"Top"}, 0, 1}}});
+    desk.layer = {2};
+    const StrokeId moved = desk.add(straight_stroke({51, 1}, {90, 40}, 1, 1));
+    desk.apply(
+        {"State", {}, {{{1}, LayerState{"Ink"}, LayerState{"Ink", !hidden, !hidden}, 0, 0}}});
+    for (const MeetingPlace place : kPlaces) {
+      EXPECT_TRUE(connect_ends(desk.document, {to, kEnd}, {moved, kStart}, {place}).empty());
+      const Edit edit = connect_ends(desk.document, {moved, kStart}, {to, kEnd}, {place});
+      desk.apply(edit);
+      EXPECT_EQ(tip_point(*desk.document.find(moved), kStart), (Point{50, 0}));
+      EXPECT_EQ(*desk.document.find(to), straight_stroke({0, 0}, {50, 0}, 1, 1));
+      desk.undo();
+    }
+  }
+}
+
+TEST(ConnectEnds, WhatIsNotThereIsLeftAlone) {
+  Desk desk;
+  const StrokeId a = desk.add(straight_stroke({0, 0}, {50, 0}, 1, 1));
+  EXPECT_TRUE(connect_ends(desk.document, {a, kEnd}, {a, kEnd}).empty());
+  EXPECT_TRUE(connect_ends(desk.document, {a, kEnd}, {{77}, kEnd}).empty());
+  EXPECT_TRUE(connect_ends(desk.document, {{77}, kEnd}, {a, kEnd}).empty());
+}
+
+TEST(ConnectEnds, RandomEndsKeepAllInvariantsAndUndo) {
+  int connected = 0;
+  for (std::uint64_t seed = 1; seed <= 400; ++seed) {
+    RandomStroke random(seed);
+    Desk desk;
+    std::vector<TipId> tips;
+    for (int k = 0; k < 3; ++k) {
+      const Stroke s = Stroke::create(random.make()).value();
+      const bool closed = s.closed();
+      const StrokeId id = desk.add(with_look(s, {}));
+      if (!closed) tips.insert(tips.end(), {{id, kStart}, {id, kEnd}});
+    }
+    if (tips.size() < 2) continue;
+    const int last = static_cast<int>(tips.size()) - 1;
+    const TipId a = tips[static_cast<std::size_t>(random.pick(0, last))];
+    const TipId b = tips[static_cast<std::size_t>(random.pick(0, last))];
+    const Document before = desk.document;
+    const Edit edit =
+        connect_ends(desk.document, a, b,
+                     {random.chance(0.5) ? MeetingPlace::kAtTarget : MeetingPlace::kHalfWay,
+                      random.chance(0.2)});
+    if (edit.empty()) continue;
+    ++connected;
+    desk.apply(edit);
+    for (const StrokePtr& s : desk.strokes()) {
+      ASSERT_TRUE(check_invariants(s->data())) << seed;
+    }
+    desk.undo();
+    ASSERT_EQ(desk.document, before) << seed;
+  }
+  EXPECT_GT(connected, 200);
+}
+
+}  // namespace
+}  // namespace felt

@@ -1,0 +1,67 @@
+#pragma once
+
+#include <algorithm>
+#include <optional>
+
+#include "felt/haptics/compose.h"
+#include "felt/haptics/drawing_feel.h"
+#include "felt/haptics/spring.h"
+#include "felt/haptics/well.h"
+#include "felt/tools/connect/connect_options.h"
+#include "felt/tools/feel_id.h"
+#include "felt/tools/scene.h"
+
+namespace felt {
+
+/// What the hand feels besides the sheet.
+struct ConnectFeel {
+  std::optional<Point> well;          ///< where the pen is attracted to
+  std::optional<Point> dragged_from;  ///< where the pen took hold of an end
+};
+
+/// Share of the law of edits (specification 5d) with which a dragged end holds back: 0.2 N at most.
+inline constexpr double kDragShare = 0.2;
+/// Stiffness that is left for the well: with the drag's 60 N/m the bound of 300 N/m (5d).
+inline constexpr double kWellSlopeNPerMm = 0.24;
+
+/// The attraction of an end. As the pencil's, but not stiffer than kWellSlopeNPerMm whatever the
+/// options: the core grows with the force, and in a reach too small for that the force is less.
+inline WellShape connect_well(const SnapOptions& snap, double strength) noexcept {
+  WellShape shape = well_of(snap);
+  shape.core_mm = std::clamp(shape.force_n / kWellSlopeNPerMm, shape.core_mm, 3.0 * shape.core_mm);
+  shape.force_n = strength * std::min(shape.force_n, kWellSlopeNPerMm * shape.core_mm);
+  shape.damping_n_s_per_m *= strength;
+  return shape;
+}
+
+/// The sheet under a pencil, the end that attracts, and while one is dragged a small spring back to
+/// where it was taken (R43): 1 N at most beside the friction.
+inline ForceModel make_connect_force(const ConnectSettings& settings, const Scene& scene,
+                                     const ConnectFeel& feel) {
+  ToolMaterial material = tool_materials().front();
+  material.friction *= settings.strength;
+  material.grain *= settings.strength;
+  const SheetForce sheet =
+      make_sheet_force(scene.surface, material, scene.device, surface_grain(scene.surface));
+  const WellShape shape = connect_well(settings.snap, settings.strength);
+  const Wells well = feel.well ? Wells(*feel.well, shape) : Wells();
+
+  FeelId id("connect");
+  id.with(scene.surface.id).with(settings.strength);
+  if (feel.well) {
+    id.with("well").with(feel.well->x).with(feel.well->y).with(shape.radius_mm).with(shape.force_n);
+  }
+  ForceModel model;
+  if (feel.dragged_from) {
+    id.with("drag").with(feel.dragged_from->x).with(feel.dragged_from->y);
+    EditOptions drag;
+    drag.law.gain = kDragShare * settings.strength;
+    model = ForceModel(Compose(sheet, well, EditSpring(*feel.dragged_from, drag)));
+  } else {
+    model = ForceModel(Compose(sheet, well));
+  }
+  model.set_fade_id(id.value());
+  return model;
+}
+
+}  // namespace felt

@@ -1,0 +1,22 @@
+tool_room(connect
+  SOURCES
+    connect_ends.cc
+    connect_options.cc
+    connect_tool.cc
+    near_tips.cc
+    tip_bend.cc
+    tip_lead.cc
+  HEADERS
+    connect_ends.h
+    connect_force.h
+    connect_options.h
+    connect_tool.h
+    near_tips.h
+    tip_bend.h
+    tip_lead.h
+  TESTS
+    connect_ends_test.cc
+    connect_force_test.cc
+    connect_test.cc
+    tip_bend_test.cc
+    tip_lead_test.cc)
