@@ -1,0 +1,12 @@
+#include "felt/tools/eraser/eraser_options.h"
+
+namespace felt {
+
+EraserSettings eraser_settings(const OptionValues& values) {
+  return {.mode = static_cast<EraserMode>(values.choice(EraserOption::kMode)),
+          .radius_mm = values.number(EraserOption::kRadius),
+          .include_width = values.is_on(EraserOption::kIncludeWidth),
+          .strength = values.number(EraserOption::kStrength)};
+}
+
+}  // namespace felt

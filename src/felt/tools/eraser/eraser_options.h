@@ -1,0 +1,66 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <string_view>
+
+#include "felt/tools/tool_options.h"
+
+namespace felt {
+
+/// How much of a line goes.
+enum class EraserMode {
+  kTouched,   ///< what the eraser covers
+  kCrossing,  ///< the part of a line between its crossings with others, or itself
+  kStroke,    ///< the whole line
+};
+
+inline constexpr std::array<std::string_view, 3> kEraserModes = {"touched", "crossing", "stroke"};
+
+/// Rows of kEraserOptions.
+struct EraserOption {
+  enum Row : std::size_t { kMode, kRadius, kIncludeWidth, kStrength, kCount };
+};
+
+inline constexpr std::array<OptionSpec, EraserOption::kCount> kEraserOptions = {{
+    {.id = "mode",
+     .label = "What goes",
+     .unit = "",
+     .kind = OptionKind::kChoice,
+     .fallback = 0,
+     .choices = kEraserModes,
+     .help = "What is covered, the part of a line up to its next crossings, or the whole line."},
+    {.id = "radius_mm",
+     .label = "Radius",
+     .unit = "mm",
+     .min = 0.2,
+     .max = 50.0,
+     .fallback = 2.0,
+     .help = "Radius of the eraser."},
+    {.id = "include_width",
+     .label = "Broad lines sooner",
+     .unit = "",
+     .kind = OptionKind::kSwitch,
+     .fallback = 0,
+     .help = "A line goes where the eraser covers its ink, instead of its middle."},
+    {.id = "strength",
+     .label = "Strength of forces",
+     .unit = "",
+     .min = 0.0,
+     .max = 1.0,
+     .fallback = 1.0,
+     .help = "Share of friction and grain that is felt; the sheet stays as hard as it is."},
+}};
+
+/// The options as the tool uses them.
+struct EraserSettings {
+  EraserMode mode = EraserMode::kTouched;
+  double radius_mm = 2.0;
+  bool include_width = false;
+  double strength = 1.0;
+};
+
+/// Reads them. Requires values of kEraserOptions.
+EraserSettings eraser_settings(const OptionValues& values);
+
+}  // namespace felt

@@ -1,0 +1,397 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "felt/geometry/nearest.h"
+#include "felt/geometry/polyline.h"
+#include "felt/haptics/feel_rig.h"
+#include "felt/tools/desk.h"
+#include "felt/tools/eraser/eraser_force.h"
+#include "felt/tools/eraser/eraser_tool.h"
+
+namespace felt {
+namespace {
+
+using testing::Desk;
+using testing::Pen;
+using testing::random_stroke;
+using testing::straight_stroke;
+using testing::way;
+using testing::operator+;
+
+struct Eraser {
+  Desk desk;
+  EraserTool tool;
+  Pen pen{tool, desk};
+
+  void set(std::string_view id, const OptionValue& value) {
+    const auto ok = tool.set_option(id, value);
+    ASSERT_TRUE(ok) << ok.error().message;
+  }
+  void choose_mode(const char* mode) { set("mode", std::string(mode)); }
+  /// A pen with buttons, down or up.
+  ToolResult at(Point p, double z, std::uint32_t buttons) {
+    PenSample s;
+    s.time_ns = pen.now_ns += pen.step_ns;
+    s.position = {p.x, p.y, z};
+    s.buttons = buttons;
+    return pen.give(s);
+  }
+  [[nodiscard]] Overlay overlay() const {
+    Overlay o;
+    tool.draw(o);
+    return o;
+  }
+};
+
+double distance_to(const Stroke& s, Point p) {
+  double best = 1e300;
+  for (int i = 0; i < s.segment_count(); ++i) {
+    best = std::min(best, nearest(s.segment(i), p).distance_squared);
+  }
+  return std::sqrt(best);
+}
+
+TEST(Eraser, R40_AHoleInALineLeavesTwoInItsPlace) {
+  Eraser e;
+  const StrokeId below = e.desk.add(straight_stroke({0, 90}, {9, 90}, 1, 1));
+  const StrokeId line = e.desk.add(straight_stroke({0, 0}, {60, 0}, 1, 4));
+  const StrokeId above = e.desk.add(straight_stroke({0, 80}, {9, 80}, 1, 1));
+  const Document before = e.desk.document;
+  e.pen.line(way({30, -20}, {30, 20}));
+  EXPECT_EQ(e.pen.commits, 1);
+  EXPECT_EQ(e.desk.history.undo_label(), "Erase");
+  const auto strokes = e.desk.strokes();
+  ASSERT_EQ(strokes.size(), 4u);
+  EXPECT_EQ(strokes[0], before.find(below));
+  EXPECT_EQ(strokes[3], before.find(above));
+  EXPECT_FALSE(e.desk.document.find(line)) << "the pieces have new ids";
+  EXPECT_NEAR(strokes[1]->position(1).x, 28.0, 1e-6);
+  EXPECT_NEAR(strokes[2]->position(0).x, 32.0, 1e-6);
+  EXPECT_NEAR(strokes[1]->width_mm(1), before.find(line)->width_mm(28.0 / 60), 1e-9);
+  EXPECT_NEAR(strokes[2]->width_mm(0), before.find(line)->width_mm(32.0 / 60), 1e-9);
+  e.desk.undo();
+  EXPECT_EQ(e.desk.document, before);
+  e.desk.redo();
+  EXPECT_EQ(e.desk.strokes(), strokes);
+}
+
+TEST(Eraser, R39_WhatIsLeftIsTheOriginalOutsideOfTheSweep) {
+  for (std::uint64_t seed = 0; seed < 40; ++seed) {
+    testing::RandomStroke make(1000 + seed);
+    Eraser e;
+    for (std::uint64_t k = 0; k < 4; ++k) e.desk.add(random_stroke(10 * seed + k));
+    const auto before = e.desk.strokes();
+    const Document original = e.desk.document;
+    std::vector<Point> path;
+    for (int k = 0; k < 3; ++k) path.push_back({make.uniform(0, 20), make.uniform(0, 20)});
+    e.pen.line(way(path[0], path[1], 0.7) + way(path[1], path[2], 0.7));
+    for (const StrokePtr& piece : e.desk.strokes()) {
+      if (std::find(before.begin(), before.end(), piece) != before.end()) continue;
+      const double n = piece->segment_count();
+      for (double u = 0.0; u <= n; u += 0.04) {
+        const Point p = piece->position(u);
+        double off = 1e300;
+        for (const StrokePtr& s : before) off = std::min(off, distance_to(*s, p));
+        ASSERT_LE(off, 1e-6) << "seed " << seed;
+        ASSERT_GE(std::sqrt(nearest_on_polyline(path, p).distance_squared), 2.0 - 1e-3)
+            << "seed " << seed;
+      }
+    }
+    if (e.pen.commits > 0) e.desk.undo();
+    EXPECT_EQ(e.desk.document, original) << "seed " << seed;
+  }
+}
+
+/// The control points of two desks agree.
+void expect_same(const Desk& a, const Desk& b, double within_mm) {
+  const auto one = a.strokes(), other = b.strokes();
+  ASSERT_EQ(one.size(), other.size());
+  for (std::size_t i = 0; i < one.size(); ++i) {
+    const auto& p = one[i]->data().points;
+    const auto& q = other[i]->data().points;
+    ASSERT_EQ(p.size(), q.size());
+    for (std::size_t k = 0; k < p.size(); ++k) EXPECT_LE(distance(p[k], q[k]), within_mm);
+  }
+}
+
+TEST(Eraser, R39_OneStepIsAHundredSubsteps) {
+  for (const char* mode : {"touched", "stroke"}) {
+    for (std::uint64_t seed = 0; seed < 25; ++seed) {
+      Eraser one, many;
+      for (Eraser* e : {&one, &many}) {
+        e->choose_mode(mode);
+        for (std::uint64_t k = 0; k < 3; ++k) e->desk.add(random_stroke(10 * seed + k));
+      }
+      testing::RandomStroke make(seed);
+      const Point a{make.uniform(0, 20), make.uniform(0, 20)};
+      const Point b{make.uniform(0, 20), make.uniform(0, 20)};
+      one.pen.line({a, b});
+      many.pen.line(way(a, b, distance(a, b) / 100.0));
+      expect_same(one.desk, many.desk, 1e-6);
+      for (const Layer& layer : one.desk.document.layers()) {
+        EXPECT_EQ(layer.strokes, many.desk.document.layer(layer.id)->strokes) << "ids, too";
+      }
+    }
+  }
+}
+
+TEST(Eraser, CancelAndMissLeaveNothing) {
+  Eraser e;
+  e.desk.add(straight_stroke({0, 0}, {60, 0}, 1, 1));
+  const Document before = e.desk.document;
+  e.pen.along(way({30, -20}, {30, 20}));
+  e.tool.cancel();
+  e.pen.along(way({30, 20}, {40, -20}));
+  e.pen.up({40, -20});
+  EXPECT_EQ(e.desk.document, before);
+  e.pen.line(way({0, 30}, {60, 30}));
+  EXPECT_EQ(e.pen.commits, 0) << "a gesture that changes nothing commits nothing";
+  EXPECT_EQ(e.desk.document, before);
+}
+
+TEST(Eraser, ThePreviewIsWhatIsCommittedAndOnlyComesWhenItChanges) {
+  Eraser e;
+  e.desk.add(straight_stroke({0, 0}, {60, 0}, 1, 1));
+  std::optional<Edit> shown;
+  int previews = 0, samples = 0;
+  e.pen.up({30, -20});
+  for (const Point p : way({30, -20}, {30, 20})) {
+    const ToolResult r = e.pen.at({p.x, p.y, -1});
+    ++samples;
+    EXPECT_TRUE(r.preview || r.same_preview);
+    previews += r.preview ? 1 : 0;
+    if (r.preview) shown = r.preview;
+  }
+  EXPECT_GT(previews, 0);
+  EXPECT_LT(previews, 25) << "of " << samples;
+  const ToolResult last = e.pen.at({30, 20, 10});
+  ASSERT_TRUE(last.commit && shown);
+  EXPECT_EQ(*last.commit, *shown);
+}
+
+TEST(Eraser, LockedAndHiddenLayersAreNotTouched) {
+  for (const LayerState& state : {LayerState{"Ink", true, true}, LayerState{"Ink", false, false}}) {
+    for (const char* mode : {"touched", "crossing", "stroke"}) {
+      Eraser e;
+      e.choose_mode(mode);
+      e.desk.add(straight_stroke({0, 0}, {60, 0}, 1, 1));
+      e.desk.apply({"State", {}, {{{1}, LayerState{"Ink"}, state, 0, 0}}});
+      const Document before = e.desk.document;
+      e.pen.line(way({30, -20}, {30, 20}));
+      EXPECT_EQ(e.desk.document, before);
+    }
+  }
+}
+
+TEST(Eraser, DotsGoAndClosedStrokesOpen) {
+  Eraser e;
+  e.desk.add(straight_stroke({10, 10}, {10.05, 10}, 1, 1));
+  e.desk.add(straight_stroke({40, 10}, {40.05, 10}, 1, 1));
+  e.pen.line({{11.9, 10}});
+  ASSERT_EQ(e.desk.strokes().size(), 1u);
+  EXPECT_EQ(e.desk.strokes()[0]->position(0).x, 40.0);
+  const Stroke ring =
+      Stroke::create(
+          {.points = {{80, 50}, {80, 77}, {120, 77}, {120, 50}, {120, 23}, {80, 23}, {80, 50}},
+           .joints = {JointKind::kSmooth, JointKind::kSmooth},
+           .closed = true,
+           .widths = {{0, 1}, {2, 1}}})
+          .value();
+  const StrokeId id = e.desk.add(ring);
+  e.pen.line(way({70, 50}, {90, 50}));  // over the seam
+  ASSERT_EQ(e.desk.strokes().size(), 2u);
+  EXPECT_FALSE(e.desk.document.find(id));
+  EXPECT_FALSE(e.desk.strokes()[1]->closed());
+  e.desk.undo();
+  e.set("radius_mm", 30.0);
+  e.pen.line({{100, 50}});
+  EXPECT_EQ(e.desk.strokes().size(), 1u) << "wholly inside: nothing is left of it";
+}
+
+TEST(Eraser, BroadInkGoesWhereItIsTouchedIfAsked) {
+  for (const bool include : {false, true}) {
+    Eraser e;
+    e.set("include_width", include);
+    e.desk.add(straight_stroke({0, 0}, {60, 0}, 6, 6));
+    e.pen.line(way({20, 4}, {40, 4}));
+    EXPECT_EQ(e.desk.strokes().size(), include ? 2u : 1u);
+  }
+}
+
+/// Three rails along x, three posts across them.
+void add_grid(Desk& desk) {
+  for (const double y : {10.0, 30.0, 50.0}) desk.add(straight_stroke({0, y}, {100, y}, 1, 1));
+  for (const double x : {20.0, 50.0, 80.0}) desk.add(straight_stroke({x, 0}, {x, 60}, 1, 1));
+}
+
+TEST(Eraser, CrossingTakesThePartBetweenTheNeighbours) {
+  for (const bool modifier : {false, true}) {
+    Eraser e;
+    if (!modifier) e.choose_mode("crossing");
+    add_grid(e.desk);
+    const std::uint32_t buttons = modifier ? kFirstModifier : 0;
+    e.at({35, 30.5}, 5, buttons);
+    e.at({35, 30.5}, -1, buttons);
+    e.at({35, 30.6}, -1, 0);  // the touch decides
+    e.at({35, 30.6}, 10, 0);
+    ASSERT_EQ(e.desk.strokes().size(), 7u);
+    const auto strokes = e.desk.strokes();
+    EXPECT_NEAR(strokes[1]->position(1).x, 20.0, 1e-9);
+    EXPECT_NEAR(strokes[2]->position(0).x, 50.0, 1e-9);
+    EXPECT_EQ(strokes[2]->position(1), (Point{100, 30}));
+  }
+}
+
+TEST(Eraser, CrossingTakesATailWithoutWhatItHangsOn) {
+  Eraser e;
+  e.choose_mode("crossing");
+  e.desk.add(straight_stroke({0, 0}, {100, 0}, 1, 1));
+  e.desk.add(straight_stroke({50, 40}, {50, -1.5}, 1, 1));  // 1.5 mm too long
+  e.pen.line({{50, -1}, {50.05, -1.03}, {50, -0.97}});      // nearer than the radius to both
+  const auto strokes = e.desk.strokes();
+  ASSERT_EQ(strokes.size(), 2u);
+  EXPECT_EQ(*strokes[0], straight_stroke({0, 0}, {100, 0}, 1, 1));
+  EXPECT_LE(distance(strokes[1]->position(1), {50, 0}), 1e-9);
+}
+
+TEST(Eraser, CrossingTakesEveryLineThatThePenGoesThrough) {
+  Eraser e;
+  e.choose_mode("crossing");
+  add_grid(e.desk);
+  e.pen.line({{35, 5}, {35, 55}});  // one step through all rails
+  ASSERT_EQ(e.desk.strokes().size(), 9u);
+  for (std::size_t i = 0; i < 6; i += 2) {
+    EXPECT_NEAR(e.desk.strokes()[i]->position(1).x, 20.0, 1e-9);
+    EXPECT_NEAR(e.desk.strokes()[i + 1]->position(0).x, 50.0, 1e-9);
+  }
+  e.desk.undo();
+  EXPECT_EQ(e.desk.strokes().size(), 6u);
+}
+
+TEST(Eraser, StrokeTakesTheWholeLineAndNeverBySurprise) {
+  Eraser by_default;
+  add_grid(by_default.desk);
+  by_default.pen.line({{35, 30}});
+  EXPECT_EQ(by_default.desk.strokes().size(), 7u) << "touched is the default";
+  Eraser e;
+  add_grid(e.desk);
+  e.at({35, 30}, -1, kSecondModifier);
+  e.at({35, 30}, 10, kSecondModifier);
+  ASSERT_EQ(e.desk.strokes().size(), 5u);
+  EXPECT_EQ(e.desk.strokes()[0]->position(0).y, 10.0);
+  EXPECT_EQ(e.desk.strokes()[1]->position(0).y, 50.0);
+}
+
+TEST(Eraser, TheRingAndWhatWouldGoAreShownBefore) {
+  Eraser e;
+  add_grid(e.desk);
+  EXPECT_TRUE(e.overlay().rings.empty()) << "no pen yet";
+  e.pen.up({35, 30.5});
+  ASSERT_EQ(e.overlay().rings.size(), 1u);
+  EXPECT_EQ(e.overlay().rings[0].center, (Point{35, 30.5}));
+  EXPECT_EQ(e.overlay().rings[0].radius_mm, 2.0);
+  EXPECT_TRUE(e.overlay().spans.empty());
+  e.at({35, 30.5}, 10, kFirstModifier);
+  ASSERT_EQ(e.overlay().spans.size(), 1u);
+  EXPECT_EQ(e.overlay().spans[0].role, Overlay::Role::kCut);
+  EXPECT_NEAR(e.overlay().spans[0].curve.p[0].x, 20.0, 1e-9);
+  EXPECT_NEAR(e.overlay().spans[0].curve.p[3].x, 50.0, 1e-9);
+  e.at({21, 31}, 10, kSecondModifier);
+  EXPECT_EQ(e.overlay().spans.size(), 2u) << "a rail and a post";
+  e.at({21, 40.0}, -1, kSecondModifier);
+  EXPECT_TRUE(e.overlay().spans.empty()) << "it is gone already";
+  EXPECT_EQ(e.overlay().rings.size(), 1u);
+}
+
+/// As a hand moves: resting, sliding on, rubbing to and fro.
+Vec3 hand(int scenario, double time, double aim) {
+  const double x = std::min(time / 0.4, 1.0), z = 1 + (aim - 1) * x * x * (3 - 2 * x);
+  const double t = std::max(0.0, time - 0.7);
+  constexpr double kTau = 2.0 * std::numbers::pi;
+  if (scenario == 0) return {0, 0, z};
+  if (scenario == 1) return {20 * t, 5 * t, z};
+  return {20 * std::sin(kTau * t), 8 * std::sin(1.5 * kTau * t), z};
+}
+
+TEST(EraserForce, R41_DragsMoreThanTwiceAsMuchAsAPencilAndIsCalm) {
+  Desk desk;
+  double worst = 0.0;
+  for (int delay = 0; delay <= 1; ++delay) {
+    rig::for_each_grip(0.001, delay, [&](const rig::Setup& setup) {
+      desk.device = setup.capabilities();
+      for (int scenario = 0; scenario < 3; ++scenario) {
+        rig::Bench bench(setup, make_eraser_force({}, desk.scene()), {0, 0, 1});
+        const double aim = rig::aim_z_mm(setup.hand, 1.0, 500.0);
+        const auto target = [&](double time) { return hand(scenario, time, aim); };
+        bench.run(0.8, target);
+        bench.begin_measuring();
+        double drag = 0.0, push = 0.0;
+        bench.run(1.0, target, [&](const rig::Bench& b) {
+          drag += norm(Force{b.force().x, b.force().y, 0.0});
+          push += b.force().z;
+        });
+        EXPECT_LT(bench.figures().hf_n, 0.03) << setup.name() << ", scenario " << scenario;
+        worst = std::max(worst, bench.figures().hf_n);
+        // Soft hands do not yet slide steadily: they are dragged along.
+        if (scenario == 1 && setup.hand.stiffness_n_per_m >= 300) {
+          EXPECT_NEAR(drag / push, 0.6, 0.06) << setup.name();
+          EXPECT_GE(drag / push, 2.0 * friction_of(*find_tool_material("pencil"), desk.surface));
+        }
+      }
+    });
+  }
+  RecordProperty("worst_hf_n", std::to_string(worst));
+}
+
+TEST(EraserForce, R42_LeaningOnItForFourSecondsDoesNotCreep) {
+  Desk desk;
+  for (int delay = 0; delay <= 1; ++delay) {
+    const rig::Setup setup{rig::kHands[0], rig::kStyluses[0], 0.001, delay};
+    desk.device = setup.capabilities();
+    rig::Bench bench(setup, make_eraser_force({}, desk.scene()), {0, 0, 0});
+    const double aim_z = rig::aim_z_mm(setup.hand, 1.0, 500.0);
+    const double lean = 0.5 * 0.6 * 1.0;  // half of mu Fn
+    const double aim_x = 1e3 * lean * (1 / setup.hand.stiffness_n_per_m + 1 / 600.0);
+    const auto target = [&](double t) -> Vec3 {
+      const double x = std::clamp((t - 0.8) / 0.4, 0.0, 1.0);
+      return {aim_x * x * x * (3 - 2 * x), 0, aim_z};
+    };
+    bench.run(1.5, target);
+    const Point foot = bench.memory().bristle;
+    const Vec3 place = bench.position();
+    bench.run(4.0, target);
+    EXPECT_LT(distance(foot, bench.memory().bristle), 0.05) << setup.name();
+    EXPECT_LT(std::fabs(bench.position().x - place.x), 0.05) << setup.name();
+  }
+}
+
+TEST(EraserForce, StrengthScalesTheDragAndTheFeelIsOneFeel) {
+  Eraser e;
+  const auto drag = [&] {
+    const ForceModel model = e.tool.force(e.desk.scene());
+    ForceMemory memory;
+    Force f;
+    for (double x = 0.0; x < 5.0; x += 0.05) {
+      memory.begin_tick(0.001);
+      f = model(rig::pen_at({x, 0, -2}), memory);
+    }
+    return -f.x / f.z;
+  };
+  EXPECT_NEAR(drag(), 0.6, 0.03);
+  const std::uint32_t id = e.tool.force(e.desk.scene()).fade_id();
+  e.desk.add(straight_stroke({0, 0}, {60, 0}, 1, 1));
+  e.pen.along(way({30, -5}, {30, 5}));
+  EXPECT_EQ(e.tool.force(e.desk.scene()).fade_id(), id);
+  e.pen.up({30, 5});
+  e.set("strength", 0.5);
+  EXPECT_NEAR(drag(), 0.3, 0.03);
+  e.set("strength", 0.0);
+  EXPECT_NEAR(drag(), 0.0, 1e-9);
+  EXPECT_NE(e.tool.force(e.desk.scene()).fade_id(), id);
+}
+
+}  // namespace
+}  // namespace felt

@@ -1,0 +1,80 @@
+#include "felt/tools/eraser/eraser_tool.h"
+
+#include "felt/tools/eraser/eraser_force.h"
+
+namespace felt {
+namespace {
+
+constexpr ToolInfo kInfo{.id = "eraser",
+                         .label = "Eraser",
+                         .help =
+                             "Erases what it covers, lines up to their next crossings, or "
+                             "whole lines.",
+                         .shortcut = 'e',
+                         .options = kEraserOptions};
+
+}  // namespace
+
+std::unique_ptr<Tool> make_eraser() {
+  return std::make_unique<EraserTool>();
+}
+
+EraserTool::EraserTool() : GestureTool(kInfo) {}
+
+EraserMode EraserTool::mode_of(const PenSample& sample) const noexcept {
+  if ((sample.buttons & kSecondModifier) != 0) return EraserMode::kStroke;
+  if ((sample.buttons & kFirstModifier) != 0) return EraserMode::kCrossing;
+  return settings_.mode;
+}
+
+ToolResult EraserTool::preview(bool changed, const Scene& scene) const {
+  if (!changed) return {.same_preview = true};
+  return {.preview = erasing_->edit(scene)};
+}
+
+ToolResult EraserTool::hover(const PenSample& sample, const Scene& scene) {
+  pen_ = on_sheet(sample.position);
+  aim_.update(*pen_, sample.time_ns, mode_of(sample), settings_, scene);
+  return {};
+}
+
+ToolResult EraserTool::begin(const PenSample& sample, const Scene& scene) {
+  pen_ = on_sheet(sample.position);
+  aim_.clear();
+  erasing_.emplace(settings_, mode_of(sample));
+  return preview(erasing_->begin(*pen_, scene), scene);
+}
+
+ToolResult EraserTool::move(const PenSample& sample, const Scene& scene) {
+  pen_ = on_sheet(sample.position);
+  return preview(erasing_->move(*pen_, scene), scene);
+}
+
+ToolResult EraserTool::end(const Scene& scene) {
+  erasing_->finish(scene);
+  ToolResult result;
+  if (!erasing_->empty()) result.commit = erasing_->edit(scene);
+  erasing_.reset();
+  return result;
+}
+
+void EraserTool::drop() {
+  erasing_.reset();
+}
+
+void EraserTool::take_options(const OptionValues& options) {
+  settings_ = eraser_settings(options);
+  aim_.clear();
+}
+
+ForceModel EraserTool::force(const Scene& scene) const {
+  return make_eraser_force(settings_, scene);
+}
+
+void EraserTool::draw(Overlay& overlay) const {
+  if (!pen_) return;
+  overlay.rings.push_back({*pen_, settings_.radius_mm, Overlay::Role::kReach});
+  if (!in_gesture()) aim_.draw(overlay);
+}
+
+}  // namespace felt

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include "felt/tools/eraser/eraser_aim.h"
+#include "felt/tools/eraser/eraser_options.h"
+#include "felt/tools/eraser/erasing.h"
+#include "felt/tools/gesture_tool.h"
+
+namespace felt {
+
+/// Erases what the pen sweeps over, the part of a line up to its next crossings, or whole lines
+/// (paper, "eraser"; specification 5f; eraser.md). What is left is shown at once; one gesture is
+/// one edit, "Erase". kFirstModifier at the touch: up to the crossings; kSecondModifier: whole
+/// lines.
+class EraserTool final : public GestureTool {
+ public:
+  EraserTool();
+
+  [[nodiscard]] ForceModel force(const Scene& scene) const override;
+  void draw(Overlay& overlay) const override;
+
+ protected:
+  ToolResult hover(const PenSample& sample, const Scene& scene) override;
+  ToolResult begin(const PenSample& sample, const Scene& scene) override;
+  ToolResult move(const PenSample& sample, const Scene& scene) override;
+  ToolResult end(const Scene& scene) override;
+  void drop() override;
+  void take_options(const OptionValues& options) override;
+
+ private:
+  [[nodiscard]] EraserMode mode_of(const PenSample& sample) const noexcept;
+  [[nodiscard]] ToolResult preview(bool changed, const Scene& scene) const;
+
+  EraserSettings settings_;
+  std::optional<Erasing> erasing_;
+  EraserAim aim_;
+  std::optional<Point> pen_;  // for the ring
+};
+
+std::unique_ptr<Tool> make_eraser();
+
+}  // namespace felt

@@ -1,0 +1,140 @@
+#include "felt/tools/eraser/erasing.h"
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+namespace felt {
+
+std::optional<StrokeHit> aimed_at(Point pen, const EraserSettings& settings, const Scene& scene) {
+  const double more = settings.include_width ? Erasing::kWidestHalfMm : 0.0;
+  const auto hit = scene.index.nearest(pen, settings.radius_mm + more);
+  if (!hit || !settings.include_width) return hit;
+  const StrokePtr stroke = scene.document.find(hit->stroke);
+  const double half_width = stroke ? 0.5 * stroke->width_mm(hit->u) : 0.0;
+  return hit->distance_mm < settings.radius_mm + half_width ? hit : std::nullopt;
+}
+
+bool Erasing::begin(Point pen, const Scene& scene) {
+  pen_ = pen;
+  if (mode_ != EraserMode::kCrossing) return sweep(pen, pen, scene);
+  if (const auto hit = aimed_at(pen, settings_, scene)) {
+    const ParameterSet::Interval at{hit->u, hit->u};
+    pending_.push_back({hit->stroke, at, SpanSearch(at)});
+  }
+  search(kCrossingBudget, scene);
+  return cut_changed(scene);
+}
+
+bool Erasing::move(Point pen, const Scene& scene) {
+  const Point from = std::exchange(pen_, pen);
+  if (from != pen) return sweep(from, pen, scene);
+  if (pending_.empty()) return false;
+  search(kCrossingBudget, scene);
+  return cut_changed(scene);
+}
+
+bool Erasing::finish(const Scene& scene) {
+  search(std::numeric_limits<int>::max(), scene);
+  return cut_changed(scene);
+}
+
+bool Erasing::sweep(Point from, Point to, const Scene& scene) {
+  const bool crossing = mode_ == EraserMode::kCrossing;
+  const Capsule capsule{from, to, crossing ? kPointMm : settings_.radius_mm,
+                        settings_.include_width && !crossing};
+  const Rect area = capsule.bounds().inflated(capsule.adds_half_width ? kWidestHalfMm : 0.0);
+  looked_at_ = nullptr;
+  scene.index.for_each_segment_in(
+      area, [&](StrokeId id, int segment) { meet(id, segment, capsule, scene); });
+  if (crossing) {
+    // In an order that does not depend on the index.
+    std::sort(pending_.begin(), pending_.end(), [](const Pending& a, const Pending& b) {
+      return a.stroke != b.stroke ? a.stroke < b.stroke : a.touched.from < b.touched.from;
+    });
+    search(kCrossingBudget, scene);
+  }
+  return cut_changed(scene);
+}
+
+void Erasing::meet(StrokeId id, int segment, const Capsule& capsule, const Scene& scene) {
+  const auto known = lines_.find(id);
+  const double u = segment;
+  if (known != lines_.end() && known->second.erased.contains({u, u + 1.0})) return;
+  if (known != lines_.end() && mode_ == EraserMode::kTouched) {
+    if (add_swept(*known->second.stroke, segment, capsule, known->second.erased)) {
+      changed_.push_back(id);
+    }
+    return;
+  }
+  if (!looked_at_ || looked_at_id_ != id) {
+    looked_at_ = scene.document.find(id);
+    looked_at_id_ = id;
+  }
+  covered_ = {};
+  if (!looked_at_ || !add_swept(*looked_at_, segment, capsule, covered_)) return;
+  switch (mode_) {
+    case EraserMode::kTouched:
+      for (const auto& part : covered_.intervals()) erase(id, part, scene);
+      break;
+    case EraserMode::kStroke:
+      erase(id, {0.0, static_cast<double>(looked_at_->segment_count())}, scene);
+      break;
+    case EraserMode::kCrossing:
+      for (const auto& part : covered_.intervals()) {
+        pending_.push_back({id, part, SpanSearch(part)});
+      }
+      break;
+  }
+}
+
+Erasing::Line& Erasing::line_of(StrokeId id, const Scene& scene) {
+  const auto known = lines_.find(id);
+  return known != lines_.end() ? known->second
+                               : lines_.emplace(id, scene.document.find(id)).first->second;
+}
+
+void Erasing::erase(StrokeId id, ParameterSet::Interval part, const Scene& scene) {
+  if (line_of(id, scene).erased.add(part)) changed_.push_back(id);
+}
+
+void Erasing::search(int budget, const Scene& scene) {
+  while (!pending_.empty() && budget > 0) {
+    Pending& next = pending_.front();
+    Line& line = line_of(next.stroke, scene);
+    if (!line.erased.contains(next.touched)) {
+      if (!line.crossings) line.crossings.emplace(next.stroke, line.stroke);
+      if (!next.search.advance(*line.crossings, scene, budget)) return;
+      const double n = line.stroke->segment_count();
+      const double from = next.search.from(), to = next.search.to();
+      if (next.search.is_whole()) {
+        erase(next.stroke, {0.0, n}, scene);
+      } else if (from < to) {
+        erase(next.stroke, {from, to}, scene);
+      } else {
+        erase(next.stroke, {from, n}, scene);
+        erase(next.stroke, {0.0, to}, scene);
+      }
+    }
+    pending_.pop_front();
+  }
+}
+
+bool Erasing::cut_changed(const Scene& scene) {
+  std::sort(changed_.begin(), changed_.end());
+  changed_.erase(std::unique(changed_.begin(), changed_.end()), changed_.end());
+  for (const StrokeId id : changed_) {
+    Line& line = lines_.at(id);
+    line.remains.cut(line.erased);
+    if (line.remains.is_whole()) {
+      divisions_.unset(id);
+    } else {
+      divisions_.set(scene.document, id, line.remains.pieces());
+    }
+  }
+  const bool any = !changed_.empty();
+  changed_.clear();
+  return any;
+}
+
+}  // namespace felt

@@ -1,0 +1,27 @@
+tool_room(eraser
+  SOURCES
+    below_zero.cc
+    crossing_span.cc
+    eraser_aim.cc
+    eraser_options.cc
+    eraser_tool.cc
+    erasing.cc
+    parameter_set.cc
+    remains.cc
+    swept.cc
+  HEADERS
+    below_zero.h
+    crossing_span.h
+    eraser_aim.h
+    eraser_force.h
+    eraser_options.h
+    eraser_tool.h
+    erasing.h
+    parameter_set.h
+    remains.h
+    swept.h
+  TESTS
+    crossing_span_test.cc
+    eraser_test.cc
+    remains_test.cc
+    swept_test.cc)
