@@ -47,16 +47,14 @@ class TipBend {
     return joints[start_ ? k - 1 : joints.size() - k] == JointKind::kSmooth;
   }
 
-  /// Handles that stand at a smooth joint get a direction before anything moves.
+  /// Handles that stand at the tip or at a smooth joint get a direction before anything moves.
   void give_direction(int i) {
-    if (i == 0 || !is_smooth(i)) return;
-    Point* const in = &point(3 * i - 1);
-    Point* const out = &point(3 * i + 1);
+    if (i > 0 && !is_smooth(i)) return;
     const Point at = point(3 * i);
-    if (*in != at && *out != at) return;
-    const Vec tangent_out = tangent({{at, *out, point(3 * i + 2), point(3 * i + 3)}}, 0.0);
-    if (*out == at) *out = at + kStandingHandleMm * tangent_out;
-    if (*in == at) *in = at - kStandingHandleMm * tangent_out;
+    Point& out = point(3 * i + 1);
+    const Vec away = tangent({{at, out, point(3 * i + 2), point(3 * i + 3)}}, 0.0);
+    if (out == at) out = at + kStandingHandleMm * away;
+    if (i > 0 && point(3 * i - 1) == at) point(3 * i - 1) = at - kStandingHandleMm * away;
   }
 
   void move_joint(int i, Vec by) {
@@ -90,8 +88,8 @@ void append(StrokeData& data, const StrokeData& more) {
 }
 
 /// Cuts the stroke at arc length `reach` from the tip, or at the joint next to it where a cut would
-/// leave a sliver. Nothing when the stroke is shorter.
-std::optional<Zone> zone_of(const Stroke& stroke, StrokeTip tip, double reach) {
+/// leave a sliver, but not nearer than `least`. Nothing when the stroke is shorter.
+std::optional<Zone> zone_of(const Stroke& stroke, StrokeTip tip, double reach, double least) {
   const int n = stroke.segment_count();
   const bool start = tip == StrokeTip::kStart;
   Zone zone;
@@ -113,7 +111,7 @@ std::optional<Zone> zone_of(const Stroke& stroke, StrokeTip tip, double reach) {
       return zone;
     }
     zone.data = stroke.data();
-    const bool here = i > 0 && 2.0 * (reach - before) < length;
+    const bool here = before >= least && 2.0 * (reach - before) < length;
     zone.segments = here ? i : i + 1;
     if (!here) zone.at_mm.push_back(before + length);
     return zone;
@@ -129,7 +127,7 @@ Result<Stroke> with_tip_bent(const Stroke& stroke, StrokeTip tip, Point target, 
   if (!is_finite(target)) return refuse("the place for the end of a stroke is not finite");
   const Vec shift = target - tip_point(stroke, tip);
   if (shift == Vec{}) return stroke;
-  auto zone = zone_of(stroke, tip, reach_mm);
+  auto zone = zone_of(stroke, tip, reach_mm, 2.0 * norm(shift));
   if (!zone || !(2.0 * norm(shift) <= zone->at_mm.back() * (1.0 + 1e-9))) {
     return refuse("the stroke is too short to reach that far");
   }
