@@ -158,7 +158,7 @@ TEST(WithFewerSegments, TakesBackWhatSubdivisionMade) {
     }
   }
   EXPECT_GT(merged, 800);
-  EXPECT_GT(whole, 450);
+  EXPECT_GT(whole, 400);
 }
 
 /// A random stroke whose width changes by at most 3 mm a segment, cut into quarters.

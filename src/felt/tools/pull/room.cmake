@@ -1,5 +1,7 @@
 tool_room(pull
   SOURCES
+    brush_pull.cc
+    brush_reach.cc
     edit_weights.cc
     grab_gesture.cc
     grab_pull.cc
@@ -10,6 +12,8 @@ tool_room(pull
     sweep_gesture.cc
     sweep_pull.cc
   HEADERS
+    brush_pull.h
+    brush_reach.h
     edit_weights.h
     grab_gesture.h
     grab_pull.h
@@ -21,4 +25,5 @@ tool_room(pull
     sweep_gesture.h
     sweep_pull.h
   TESTS
+    brush_pull_test.cc
     edit_weights_test.cc)

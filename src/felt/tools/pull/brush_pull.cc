@@ -1,0 +1,299 @@
+#include "felt/tools/pull/brush_pull.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "felt/base/check.h"
+#include "felt/geometry/nearest.h"
+#include "felt/stroke/subdivide.h"
+
+namespace felt {
+namespace {
+
+constexpr double kLengthAccuracy = 1e-7;
+/// A standing handle at a smooth joint gets a length of its own, so that its direction is its own
+/// too; shorter ones than the first have none (specification 5c). The curve moves by less than a
+/// micrometre.
+constexpr double kNoHandleMm = 1e-6;
+constexpr double kStandingHandleMm = 1e-3;
+/// Displacements up to this many radii follow the influence within the tolerance; beyond, the ink
+/// is so long drawn that the same share of it is not seen.
+constexpr double kExactRadii = 2.0;
+/// Places at which the release may put joints, for each segment.
+constexpr int kFiner = 2;
+/// The displacement is followed to this part of the tolerance; the release takes the rest.
+constexpr double kPullShare = 0.4;
+/// Halvings of a piece at most.
+constexpr int kMostRounds = 5;
+/// Squared sine of the angle up to which two handles are left as they are: 6e-9 degrees.
+constexpr double kStraight = 1e-20;
+
+double bernstein(const std::array<double, 4>& b, double t) {
+  const double s = 1.0 - t;
+  return s * s * s * b[0] + 3.0 * t * s * s * b[1] + 3.0 * t * t * s * b[2] + t * t * t * b[3];
+}
+
+}  // namespace
+
+BrushPull::BrushPull(StrokePtr snapshot, double u0, const BrushOptions& options)
+    : snapshot_(std::move(snapshot)), tolerance_mm_(options.tolerance_mm) {
+  const double n = snapshot_->segment_count();
+  u0 = u0 >= 0.0 ? std::min(u0, n) : 0.0;
+  origin_ = snapshot_->position(u0);
+  const ArcMap map(*snapshot_, kLengthAccuracy);
+  const BrushReach reach = brush_reach(*snapshot_, map, u0, options);
+  first_u_ = reach.first_u(map);
+  last_u_ = reach.last_u(map);
+  base_ = snapshot_->data();
+  const auto at = [&](double way) { return map.u_at(reach.grab_mm + way); };
+  const std::array places{first_u_, at(-reach.before.held_mm), u0, at(reach.after.held_mm),
+                          last_u_};
+  cut(places, {});
+  if (!reach.is_whole) {
+    const double radius = std::max(reach.before.radius_mm, reach.after.radius_mm);
+    const double most_error = kPullShare * tolerance_mm_ / (kExactRadii * radius);
+    plan(reach);
+    for (int round = 0; round < kMostRounds; ++round) {
+      const std::vector<double> more = crooked(most_error);
+      if (more.empty()) break;
+      const Joints& j = joints_;
+      cut(std::array<double, 5>{double(j.first), double(j.held_first), double(j.grab),
+                                double(j.held_last), double(j.last)},
+          more);
+      plan(reach);
+    }
+    stand_up();
+    plan(reach);
+  }
+  weigh(reach.is_whole);
+  find_grab();
+}
+
+Cubic BrushPull::segment(int i) const noexcept {
+  const Point* p = &base_.points[3 * static_cast<std::size_t>(i)];
+  return {{p[0], p[1], p[2], p[3]}};
+}
+
+/// Makes joints at the five places that Joints names, and at others.
+void BrushPull::cut(std::span<const double> places, std::span<const double> more) {
+  std::vector<std::pair<double, std::size_t>> all;
+  for (std::size_t i = 0; i < places.size(); ++i) all.emplace_back(places[i], i);
+  for (const double u : more) all.emplace_back(u, places.size());
+  std::sort(all.begin(), all.end());
+  std::vector<double> us;
+  for (const auto& [u, i] : all) us.push_back(u);
+  std::vector<int> numbers;
+  auto stroke = Stroke::create(base_).and_then(
+      [&](const Stroke& base) { return subdivided(base, us, &numbers); });
+  if (!stroke) {
+    // What cannot be cut is pulled by the joints it has.
+    numbers.clear();
+    for (const double u : us) numbers.push_back(static_cast<int>(std::lround(u)));
+  } else {
+    base_ = stroke->data();
+  }
+  const std::array<int*, 5> named{&joints_.first, &joints_.held_first, &joints_.grab,
+                                  &joints_.held_last, &joints_.last};
+  for (std::size_t k = 0; k < all.size(); ++k) {
+    if (all[k].second < named.size()) *named[all[k].second] = numbers[k];
+  }
+}
+
+/// Finds the influence along the segments of both sides.
+void BrushPull::plan(const BrushReach& reach) {
+  runs_.clear();
+  add_runs(wrapped(joints_.held_first - joints_.first), reach.before, -1.0);
+  add_runs(wrapped(joints_.last - joints_.held_last), reach.after, 1.0);
+}
+
+void BrushPull::add_runs(int count, const BrushSide& side, double sign) {
+  if (side.way_mm <= 0.0) return;
+  const auto begin = runs_.size();
+  double way = 0.0;
+  for (int k = 0; k < count; ++k) {
+    const int i = wrapped(sign > 0.0 ? joints_.held_last + k : joints_.held_first - 1 - k);
+    runs_.push_back({.segment = i, .sign = sign, .start_mm = way});
+    way += arc_length(segment(i), kLengthAccuracy);
+  }
+  // By the lengths that there are now, so that the influence ends where the last segment does.
+  const double radius = side.radius_mm > side.way_mm ? side.radius_mm : way;
+  for (auto r = begin; r < runs_.size(); ++r) {
+    Run& run = runs_[r];
+    const bool is_last = r + 1 == runs_.size();
+    run.radius_mm = radius;
+    const Cubic c = sign > 0.0 ? segment(run.segment) : reversed(segment(run.segment));
+    const double x0 = run.start_mm / radius;
+    const double x1 = (is_last ? way : runs_[r + 1].start_mm) / radius;
+    const double w0 = influence(x0), w1 = influence(x1);
+    run.weights = {w0, w0 + influence_slope(x0) / radius * distance(c.p[0], c.p[1]),
+                   w1 - influence_slope(x1) / radius * distance(c.p[2], c.p[3]), w1};
+  }
+}
+
+/// Middles of segments over which the influence is not a cubic of t, by more than `most_error`.
+std::vector<double> BrushPull::crooked(double most_error) const {
+  std::vector<double> middles;
+  for (const Run& run : runs_) {
+    const Cubic c = run.sign > 0.0 ? segment(run.segment) : reversed(segment(run.segment));
+    for (const double t : {0.25, 0.5, 0.75}) {
+      const double way = run.start_mm + arc_length(c, 0.0, t, kLengthAccuracy);
+      const double error = influence(way / run.radius_mm) - bernstein(run.weights, t);
+      if (std::fabs(error) > most_error) {
+        middles.push_back(run.segment + 0.5);
+        break;
+      }
+    }
+  }
+  return middles;
+}
+
+void BrushPull::stand_up() {
+  for (const Run& run : runs_) {
+    const auto i = static_cast<std::size_t>(run.segment);
+    const Cubic c = segment(run.segment);
+    const auto kind = [&](std::size_t joint) {
+      if (joint == 0 || joint == base_.points.size() / 3) {
+        return base_.closed ? base_.joints.back() : JointKind::kEnd;
+      }
+      return base_.joints[joint - 1];
+    };
+    if (kind(i) == JointKind::kSmooth && distance(c.p[0], c.p[1]) < kNoHandleMm) {
+      base_.points[3 * i + 1] = c.p[0] + kStandingHandleMm * tangent(c, 0.0);
+    }
+    if (kind(i + 1) == JointKind::kSmooth && distance(c.p[2], c.p[3]) < kNoHandleMm) {
+      base_.points[3 * i + 2] = c.p[3] - kStandingHandleMm * tangent(c, 1.0);
+    }
+  }
+}
+
+void BrushPull::weigh(bool is_whole) {
+  weights_.assign(base_.points.size(), is_whole ? 1.0 : 0.0);
+  if (is_whole) return;
+  const auto set = [&](int i, const std::array<double, 4>& w) {
+    std::copy(w.begin(), w.end(), weights_.begin() + 3 * i);
+  };
+  for (const Run& run : runs_) {
+    std::array<double, 4> w = run.weights;
+    if (run.sign < 0.0) std::reverse(w.begin(), w.end());
+    set(run.segment, w);
+  }
+  const int held = wrapped(joints_.held_last - joints_.held_first);
+  for (int k = 0; k < held; ++k) set(wrapped(joints_.held_first + k), {1.0, 1.0, 1.0, 1.0});
+  if (base_.closed) {
+    const double seam = std::max(weights_.front(), weights_.back());
+    weights_.front() = weights_.back() = seam;
+  }
+}
+
+/// The grab is a joint, unless that would have made a sliver.
+void BrushPull::find_grab() {
+  const int n = count();
+  grab_segment_ = std::min(joints_.grab, n - 1);
+  grab_t_ = joints_.grab < n ? 0.0 : 1.0;
+  double best = distance_squared(evaluate(segment(grab_segment_), grab_t_), origin_);
+  if (best <= 1e-24) return;
+  for (const int i : {joints_.grab - 1, joints_.grab}) {
+    if (!base_.closed && (i < 0 || i >= n)) continue;
+    const Nearest found = nearest(segment(wrapped(i)), origin_);
+    if (found.distance_squared < best) {
+      best = found.distance_squared;
+      grab_segment_ = wrapped(i);
+      grab_t_ = found.t;
+    }
+  }
+}
+
+/// Puts both handles of a smooth joint into line again where rounding, or ink that is pushed
+/// together to almost nothing there, has turned them: by the longer one.
+void BrushPull::keep_smooth(StrokeData& data, int joint) const {
+  const std::size_t n = data.points.size() / 3;
+  const auto j = static_cast<std::size_t>(joint);
+  if (data.joints[(j > 0 ? j : n) - 1] != JointKind::kSmooth) return;
+  Point& before = data.points[3 * (j > 0 ? j : n) - 1];
+  const Point at = data.points[3 * j];
+  Point& after = data.points[3 * j + 1];
+  const Vec in = at - before, out = after - at;
+  const double in2 = norm_squared(in), out2 = norm_squared(out);
+  const double turn = cross(in, out);
+  if (dot(in, out) > 0.0 && turn * turn <= kStraight * in2 * out2) return;
+  Vec direction = normalized(in2 > out2 ? in : out);
+  if (direction == Vec{}) direction = tangent(segment(joint), 0.0);
+  before = at - std::max(std::sqrt(in2), kStandingHandleMm) * direction;
+  after = at + std::max(std::sqrt(out2), kStandingHandleMm) * direction;
+}
+
+/// Takes out what the cubic pieces leave at the grab where that is no joint.
+void BrushPull::follow_exactly(StrokeData& data, Point target) const {
+  const std::size_t n = data.points.size() / 3;
+  const auto i = static_cast<std::size_t>(grab_segment_);
+  const Point* p = &data.points[3 * i];
+  const Vec rest = target - evaluate(Cubic{{p[0], p[1], p[2], p[3]}}, grab_t_);
+  const bool near_start = grab_t_ < 0.5;
+  const double t = near_start ? grab_t_ : 1.0 - grab_t_, s = 1.0 - t;
+  const Vec shift = rest / (s * s * (s + 3.0 * t));
+  const std::size_t j = near_start ? i : i + 1;
+  data.points[3 * j] += shift;
+  if (j > 0) data.points[3 * j - 1] += shift;
+  if (j < n) data.points[3 * j + 1] += shift;
+  if (!data.closed || (j > 0 && j < n)) return;
+  data.points[j > 0 ? 0 : 3 * n] = data.points[3 * j];
+  data.points[j > 0 ? 1 : 3 * n - 1] += shift;
+}
+
+void BrushPull::pull(StrokeData& data, Vec displacement) const {
+  for (std::size_t k = 0; k < weights_.size(); ++k) {
+    if (weights_[k] != 0.0) data.points[k] += weights_[k] * displacement;
+  }
+  const int n = count();
+  for (int j = base_.closed ? 0 : 1; j < n; ++j) {
+    if (weights_[3 * static_cast<std::size_t>(j)] != 0.0) keep_smooth(data, j);
+  }
+  follow_exactly(data, origin_ + displacement);
+}
+
+Result<Stroke> BrushPull::at(Vec displacement) const {
+  if (displacement == Vec{}) return *snapshot_;
+  StrokeData data = base_;
+  pull(data, displacement);
+  return Stroke::create(std::move(data));
+}
+
+Result<Stroke> BrushPull::finished(Vec displacement) const {
+  Result<Stroke> pulled = at(displacement);
+  if (!pulled || displacement == Vec{}) return pulled;
+  std::vector<int> keep{joints_.grab};
+  if (grab_t_ > 0.0 && grab_t_ < 1.0) keep = {grab_segment_, grab_segment_ + 1};
+  auto few = with_free_joints(*pulled, keep);
+  if (few && few->segment_count() < pulled->segment_count()) return few;
+  return with_fewer_segments(*pulled, joints_.first, joints_.last, tolerance_mm_, keep);
+}
+
+/// As with_fewer_segments, but joints may come to lie elsewhere.
+Result<Stroke> BrushPull::with_free_joints(const Stroke& pulled, std::vector<int> keep) const {
+  const int n = pulled.segment_count();
+  const int span = wrapped(joints_.last - joints_.first);
+  std::vector<bool> is_cut(static_cast<std::size_t>(n), false);
+  for (int k = 0; k < (span > 0 ? span : n); ++k) {
+    is_cut[static_cast<std::size_t>(wrapped(joints_.first + k))] = true;
+  }
+  // The grab within a segment: that one stays as it is.
+  if (keep.size() > 1) is_cut[static_cast<std::size_t>(grab_segment_)] = false;
+  std::vector<double> us;
+  for (int i = 0; i <= n; ++i) {
+    us.push_back(i);
+    if (i == n || !is_cut[static_cast<std::size_t>(i)]) continue;
+    for (int k = 1; k < kFiner; ++k) us.push_back(i + static_cast<double>(k) / kFiner);
+  }
+  std::vector<int> numbers;
+  auto fine = subdivided(pulled, us, &numbers);
+  if (!fine) return fine;
+  const auto now = [&](int joint) {
+    const auto at = std::lower_bound(us.begin(), us.end(), static_cast<double>(joint));
+    return numbers[static_cast<std::size_t>(at - us.begin())];
+  };
+  for (int& joint : keep) joint = now(joint);
+  return with_fewer_segments(*fine, now(joints_.first), now(joints_.last), tolerance_mm_, keep);
+}
+
+}  // namespace felt

@@ -1,0 +1,143 @@
+#include "felt/tools/pull/brush_reach.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+namespace felt {
+namespace {
+
+constexpr double kFar = std::numeric_limits<double>::infinity();
+/// Pins as near as this to ink that is held are held too, and a ring as short as ten of these
+/// moves as a whole: there is no room to fall off.
+constexpr double kNoRoomMm = 0.1;
+/// Ends of both sides as near as this are one.
+constexpr double kMeetMm = 0.01;
+/// A side ends at a joint in this last part of its radius.
+constexpr double kJointShare = 0.2;
+
+/// Ways along a stroke to one side of a place.
+class Side {
+ public:
+  /// `sign` is -1 towards the start, +1 towards the end.
+  Side(const Stroke& stroke, const ArcMap& map, double grab_mm, double sign)
+      : stroke_(stroke), map_(map), grab_(grab_mm), sign_(sign) {}
+
+  /// The way from the grab to joint i on this side, from 0 on; infinite when it is on the other.
+  [[nodiscard]] double way_to(int joint) const {
+    double way = sign_ * (map_.start_of(joint) - grab_);
+    if (stroke_.closed() && way < 0.0) way += map_.length_mm();
+    return way >= 0.0 ? way : kFar;
+  }
+  /// The end of an open stroke.
+  [[nodiscard]] double way_to_end() const {
+    if (stroke_.closed()) return kFar;
+    return sign_ < 0.0 ? grab_ : map_.length_mm() - grab_;
+  }
+  /// Ways to ends and corners on this side, ascending.
+  [[nodiscard]] std::vector<double> pins() const {
+    std::vector<double> ways;
+    const int n = stroke_.segment_count();
+    for (int i = stroke_.closed() ? 1 : 0; i <= n; ++i) {
+      if (stroke_.joint(i) != JointKind::kSmooth && way_to(i) < kFar) ways.push_back(way_to(i));
+    }
+    std::sort(ways.begin(), ways.end());
+    return ways;
+  }
+  /// The largest way to a joint between these two, or the longer of them.
+  [[nodiscard]] double at_joint(double shortest, double longest) const {
+    double best = -1.0;
+    const int n = stroke_.segment_count();
+    for (int i = stroke_.closed() ? 1 : 0; i <= n; ++i) {
+      const double way = way_to(i);
+      if (way >= shortest && way <= longest) best = std::max(best, way);
+    }
+    return best >= 0.0 ? best : longest;
+  }
+
+ private:
+  const Stroke& stroke_;
+  const ArcMap& map_;
+  double grab_, sign_;
+};
+
+/// How much is held, and the way from the grab to the pin that limits the side, if any.
+struct Hold {
+  double held_mm = 0.0;
+  double pin_mm = kFar;
+};
+
+Hold hold(const std::vector<double>& pins) {
+  Hold result;
+  for (const double way : pins) {
+    const bool is_held = way <= kPinGrabMm || way < result.held_mm + kNoRoomMm;
+    if (!is_held) {
+      result.pin_mm = way;
+      break;
+    }
+    result.held_mm = way;
+  }
+  return result;
+}
+
+BrushSide side_of(const Side& side, const Hold& hold, double most_mm, const BrushOptions& options) {
+  BrushSide result{.held_mm = hold.held_mm};
+  const double end = side.way_to_end() - hold.held_mm;
+  if (end <= 0.0) return result;
+  const double free = std::min(options.radius_mm, most_mm);
+  const double pin = hold.pin_mm - hold.held_mm;
+  if (pin <= free) {
+    result.way_mm = result.radius_mm = pin;
+  } else if (options.free_ends && end <= free) {
+    result.way_mm = end;
+    result.radius_mm = free;
+  } else {
+    const double h = hold.held_mm;
+    result.way_mm = side.at_joint(h + (1.0 - kJointShare) * free, h + free) - h;
+    result.radius_mm = result.way_mm;
+  }
+  return result;
+}
+
+}  // namespace
+
+BrushReach brush_reach(const Stroke& stroke, const ArcMap& map, double u0,
+                       const BrushOptions& options) {
+  BrushReach reach;
+  reach.grab_mm = map.length_at(u0);
+  const Side before(stroke, map, reach.grab_mm, -1.0), after(stroke, map, reach.grab_mm, 1.0);
+  Hold first, last;
+  if (!options.free_ends) {
+    first = hold(before.pins());
+    last = hold(after.pins());
+  }
+  double most = kFar;
+  if (stroke.closed()) {
+    const double rest = map.length_mm() - first.held_mm - last.held_mm;
+    reach.is_whole = rest < 10.0 * kNoRoomMm;
+    most = 0.5 * rest;
+  }
+  reach.before = side_of(before, first, most, options);
+  reach.after = side_of(after, last, most, options);
+  if (!stroke.closed()) {
+    // Held up to both ends, or what is not held has no room to fall off: a dot.
+    reach.is_whole = (reach.before.way_mm < kNoRoomMm && reach.after.way_mm < kNoRoomMm) ||
+                     map.length_mm() < kNoRoomMm;
+  }
+  return reach;
+}
+
+double BrushReach::first_u(const ArcMap& map) const noexcept {
+  return is_whole ? 0.0 : map.u_at(grab_mm - before.held_mm - before.way_mm);
+}
+
+double BrushReach::last_u(const ArcMap& map) const noexcept {
+  if (is_whole) return map.u_at(map.length_mm());
+  // Both sides of a ring meet: they end at one and the same place.
+  const double reach = before.held_mm + before.way_mm + after.held_mm + after.way_mm;
+  if (reach >= map.length_mm() - kMeetMm) return first_u(map);
+  return map.u_at(grab_mm + after.held_mm + after.way_mm);
+}
+
+}  // namespace felt
