@@ -1,9 +1,9 @@
 #pragma once
 
+#include "felt/geometry/height_field.h"
 #include "felt/haptics/capabilities.h"
 #include "felt/haptics/compose.h"
 #include "felt/haptics/friction.h"
-#include "felt/haptics/height_field.h"
 #include "felt/haptics/material.h"
 #include "felt/haptics/plane.h"
 #include "felt/haptics/texture.h"

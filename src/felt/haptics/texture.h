@@ -1,8 +1,8 @@
 #pragma once
 
+#include "felt/geometry/height_field.h"
 #include "felt/haptics/force.h"
 #include "felt/haptics/force_memory.h"
-#include "felt/haptics/height_field.h"
 #include "felt/haptics/pen_sample.h"
 
 namespace felt {

@@ -49,7 +49,9 @@ Result<Image> render_page(const Sketch& sketch, const PageOptions& options) {
   const Pixels target = image->pixels();
   fill(target, target.rect(), options.paper);
   Rasterizer rasterizer;
-  for (const SketchStroke& s : sketch) rasterizer.draw(s.stroke, view, target.rect(), target);
+  for (const SketchStroke& s : sketch) {
+    rasterizer.draw(s.stroke, view, target.rect(), options.grain, target);
+  }
   return image;
 }
 

@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "felt/base/result.h"
+#include "felt/render/grain.h"
 #include "felt/render/image.h"
 #include "felt/render/view.h"
 #include "felt/stroke/sketch.h"
@@ -16,6 +17,7 @@ struct PageOptions {
   std::optional<Rect> sheet{};
   double margin_mm = 5.0;
   Rgba paper{255, 255, 255, 255};  ///< alpha 0 gives a transparent picture
+  Grain grain{};                   ///< the relief of the sheet, in the ink; smooth without
 };
 
 /// Bounds of all ink; empty for no strokes.

@@ -8,6 +8,11 @@
 #include <agg2/agg_scanline_u.h>
 
 #include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <vector>
+
+#include "felt/render/pressure_map.h"
 
 namespace felt {
 namespace {
@@ -40,12 +45,42 @@ Rect rough_bounds(const Stroke& stroke) noexcept {
   return area.inflated(0.5 * widest);
 }
 
+/// The pixels that a stroke may touch.
+PixelRect pixels_of(const Stroke& stroke, const View& view, PixelRect clip) noexcept {
+  const Rect area = rough_bounds(stroke);
+  const Vec from = view.to_px({area.x0, area.y0}), to = view.to_px({area.x1, area.y1});
+  const auto whole = [](double px, int least, int most) {
+    return static_cast<int>(std::clamp(px, static_cast<double>(least), static_cast<double>(most)));
+  };
+  return {whole(std::floor(from.x) - 1.0, clip.x0, clip.x1),
+          whole(std::floor(from.y) - 1.0, clip.y0, clip.y1),
+          whole(std::ceil(to.x) + 1.0, clip.x0, clip.x1),
+          whole(std::ceil(to.y) + 1.0, clip.y0, clip.y1)};
+}
+
+/// Ink with alpha 0..1 over a premultiplied pixel.
+void blend_over(std::uint8_t* pixel, PixelOrder order, Rgba color, double alpha) noexcept {
+  const bool rgba = order == PixelOrder::kRgba;
+  const double source[4] = {static_cast<double>(rgba ? color.r : color.b),
+                            static_cast<double>(color.g),
+                            static_cast<double>(rgba ? color.b : color.r), 255.0};
+  for (int k = 0; k < 4; ++k) {
+    const double mixed = alpha * source[k] + (1.0 - alpha) * pixel[k];
+    pixel[k] = static_cast<std::uint8_t>(std::clamp(mixed + 0.5, 0.0, 255.0));
+  }
+}
+
 }  // namespace
 
 struct Rasterizer::State {
+  /// Rows that are worked on at a time, so that the masks of a large stroke stay small.
+  static constexpr int kBandRows = 128;
+
   Cells cells{kCellBlocks};
   agg::scanline_u8 line;
   StrokeOutliner outliner;
+  std::vector<std::uint8_t> mask;  // RGBA; its alpha is the coverage
+  PressureMap pressure;
 };
 
 Rasterizer::Rasterizer() : state_(std::make_unique<State>()) {}
@@ -85,6 +120,40 @@ void Rasterizer::draw(const Stroke& stroke, const View& view, PixelRect clip, Pi
   if (part.empty() || !shown.intersects(rough_bounds(stroke))) return;
   fill(state_->outliner.trace(stroke, kRasterTolerancePx / view.px_per_mm), view, part,
        stroke.color(), target);
+}
+
+void Rasterizer::draw(const Stroke& stroke, const View& view, PixelRect clip, const Grain& grain,
+                      Pixels target) {
+  const double share = grain_share(stroke.material());
+  if (grain.is_smooth() || !(share > 0.0)) return draw(stroke, view, clip, target);
+  const PixelRect part = pixels_of(stroke, view, clip.intersected(target.rect()));
+  if (part.empty() || stroke.color().a == 0) return;
+  const Outline& outline = state_->outliner.trace(stroke, kRasterTolerancePx / view.px_per_mm);
+  const double opacity = stroke.color().a / (255.0 * 255.0);
+  for (int top = part.y0; top < part.y1; top += State::kBandRows) {
+    const PixelRect band{part.x0, top, part.x1, std::min(part.y1, top + State::kBandRows)};
+    std::vector<std::uint8_t>& mask = state_->mask;
+    mask.assign(std::size_t{4} * static_cast<std::size_t>(band.width()) *
+                    static_cast<std::size_t>(band.height()),
+                0);
+    const Pixels coverage{mask.data(), band.width(), band.height(),
+                          std::ptrdiff_t{4} * band.width(), PixelOrder::kRgba};
+    const View shifted{view.to_mm({static_cast<double>(band.x0), static_cast<double>(band.y0)}),
+                       view.px_per_mm};
+    fill(outline, shifted, coverage.rect(), {255, 255, 255, 255}, coverage);
+    state_->pressure.make(stroke, view, band);
+    for (int y = band.y0; y < band.y1; ++y) {
+      for (int x = band.x0; x < band.x1; ++x) {
+        const std::uint8_t covered =
+            coverage.data[(y - band.y0) * coverage.stride + std::ptrdiff_t{4} * (x - band.x0) + 3];
+        if (covered == 0) continue;
+        const double seen = grain.alpha(view.to_mm({x + 0.5, y + 0.5}),
+                                        static_cast<double>(state_->pressure.at(x, y)), share);
+        blend_over(target.data + y * target.stride + std::ptrdiff_t{4} * x, target.order,
+                   stroke.color(), opacity * covered * seen);
+      }
+    }
+  }
 }
 
 }  // namespace felt

@@ -2,6 +2,7 @@
 
 #include <memory>
 
+#include "felt/render/grain.h"
 #include "felt/render/image.h"
 #include "felt/render/view.h"
 #include "felt/stroke/outline.h"
@@ -31,6 +32,10 @@ class Rasterizer {
   /// Traces a stroke as finely as this view asks for and fills it in its colour. Does nothing
   /// when it lies outside the clip.
   void draw(const Stroke& stroke, const View& view, PixelRect clip, Pixels target);
+
+  /// The same on a sheet with a relief (R47): materials that are dry show it (grain_share).
+  void draw(const Stroke& stroke, const View& view, PixelRect clip, const Grain& grain,
+            Pixels target);
 
  private:
   struct State;

@@ -1,4 +1,4 @@
-#include "felt/haptics/height_field.h"
+#include "felt/geometry/height_field.h"
 
 #include <algorithm>
 #include <array>
