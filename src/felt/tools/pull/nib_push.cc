@@ -15,6 +15,9 @@ namespace {
 /// Handles longer than this part of their segment's length make loops (specification 5c, sweep).
 constexpr double kLongestHandle = 1.5;
 
+/// What a correction beyond the usual number adds to the radius, mm.
+constexpr double kRoomMm = 1e-3;
+
 /// The steps of a straight way.
 struct Steps {
   Point from, to;
@@ -83,10 +86,13 @@ bool nib_meets(const Cubic& c, Point from, Point to, double radius_mm) noexcept 
 
 NibPush::NibPush(StrokePtr snapshot, double radius_mm)
     : strand_(snapshot),
+      map_(*snapshot),
       stroke_(std::move(snapshot)),
       box_(bounds_of(strand_.points())),
       radius_mm_(radius_mm),
-      is_in_pieces_(static_cast<std::size_t>(stroke_->segment_count()), 0) {}
+      is_in_pieces_(static_cast<std::size_t>(stroke_->segment_count()), 0) {
+  note_material();
+}
 
 bool NibPush::move(Point from, Point to, Vec came_from) {
   contact_.reset();
@@ -131,14 +137,14 @@ std::optional<NibPush::Nearest> NibPush::deepest(Point p) const {
 bool NibPush::clear(Point p, Vec came_from) {
   bool moved = false;
   for (int k = 0; k < kCorrections; ++k) {
-    auto met = deepest(p);
-    if (!met) break;
-    if (divide_at(met->place.segment)) met = deepest(p);
+    const auto met = deepest(p);
     if (!met) break;
     const double depth = distance(p, met->point);
     Vec n = depth > 1e-9 ? (p - met->point) / depth : came_from;
     if (n == Vec{}) n = perp(tangent(strand_.segment(met->place.segment), met->place.t));
-    contact_ = p - radius_mm_ * n;
+    // Places that push each other back under the nib get a little more room each time.
+    const double room = k < kExactCorrections ? 0.0 : kRoomMm * (k - kExactCorrections + 1);
+    contact_ = p - (radius_mm_ + room) * n;
     if (!displace(*met, *contact_)) break;
     moved = true;
   }
@@ -153,37 +159,122 @@ bool NibPush::catch_jumped(Point from, Point to) {
     std::optional<double> t;
     while (i < strand_.count() && !(t = crossing(strand_.segment(i), from, to))) ++i;
     if (!t) break;
-    if (divide_at(i)) continue;
     if (!displace({{i, *t}, evaluate(strand_.segment(i), *t)}, beyond)) break;
     moved = true;
   }
   return moved;
 }
 
-bool NibPush::divide_at(int segment) {
+double NibPush::u_of(StrandPlace place) const noexcept {
+  const double from = strand_.snapshot_u(place.segment), to = strand_.snapshot_u(place.segment + 1);
+  return from + place.t * (to - from);
+}
+
+void NibPush::note_material() {
+  const Stroke& snapshot = *strand_.snapshot();
+  const int n = strand_.count();
+  const auto handle = [&](int i, double t) {  // a third of the derivative
+    const double from = strand_.snapshot_u(i), to = strand_.snapshot_u(i + 1);
+    const int segment = static_cast<int>(from);
+    return norm(derivative(snapshot.segment(segment), from - segment + t * (to - from))) *
+           (to - from) / 3.0;
+  };
+  material_.assign(static_cast<std::size_t>(n) + 1, {});
+  for (int j = 0; j <= n; ++j) {
+    Material& here = material_[static_cast<std::size_t>(j)];
+    here.s_mm = map_.length_at(strand_.snapshot_u(j));
+    const int before = j > 0 ? j - 1 : (strand_.closed() ? n - 1 : -1);
+    const int after = j < n ? j : (strand_.closed() ? 0 : -1);
+    if (before >= 0) here.handles_mm += handle(before, 1.0);
+    if (after >= 0) here.handles_mm += handle(after, 0.0);
+  }
+}
+
+bool NibPush::divide_within(double s_mm, double reach_mm) {
   bool divided = false;
-  // The neighbours are bent too. The later ones first, so that the numbers of the others stay.
-  std::array<int, 3> parts{strand_.previous(segment), segment, strand_.next(segment)};
-  std::sort(parts.begin(), parts.end());
-  for (auto i = parts.rbegin(); i != parts.rend(); ++i) {
-    if (*i < 0) continue;
-    const auto origin = static_cast<std::size_t>(strand_.snapshot_u(*i));
+  for (int i = strand_.count() - 1; i >= 0; --i) {
+    const auto origin = static_cast<std::size_t>(strand_.snapshot_u(i));
     if (is_in_pieces_[origin] != 0) continue;
+    const double to_start = std::fabs(map_.way(s_mm, material_[static_cast<std::size_t>(i)].s_mm));
+    const double to_end =
+        std::fabs(map_.way(s_mm, material_[static_cast<std::size_t>(i) + 1].s_mm));
+    const double length = material_[static_cast<std::size_t>(i) + 1].s_mm -
+                          material_[static_cast<std::size_t>(i)].s_mm;
+    // An end within reach, or the place between both.
+    if (std::min(to_start, to_end) >= reach_mm && to_start + to_end > length + 1e-6) continue;
     is_in_pieces_[origin] = 1;
     const int most = kMostSegments - strand_.count() + 1;
-    divided = strand_.divide_evenly(*i, kPieceRadii * radius_mm_, most) > 1 || divided;
+    divided = strand_.divide_evenly(i, kPieceRadii * radius_mm_, most) > 1 || divided;
   }
+  if (divided) note_material();
   return divided;
 }
 
-bool NibPush::displace(const Nearest& at, Point target) {
-  const auto [i, t] = at.place;
-  strand_.prepare(i);
-  const EditWeights weights = soft_weights(t, strand_.compliance(i, t, false));
-  if (!strand_.bend(i, t, weights, target - at.point)) return false;
-  for (const int k : {strand_.previous(i), i, strand_.next(i)}) {
-    if (k >= 0) strand_.limit_handles(k, kLongestHandle);
+NibPush::Influence NibPush::influence_at(int joint, double s_mm, double reach_mm) const {
+  // Round a closed stroke both sides meet where they are flat: what reaches farther lifts all.
+  const double half = strand_.closed() ? 0.5 * map_.length_mm() : reach_mm;
+  const double radius = std::min(reach_mm, half);
+  const double base = 1.0 - radius / reach_mm;
+  const double way = map_.way(s_mm, material_[static_cast<std::size_t>(joint)].s_mm);
+  const double x = std::min(1.0, std::fabs(way) / radius);
+  const double slope = (way > 0.0 ? -6.0 : 6.0) * x * (1.0 - x) / radius;
+  return {base + (1.0 - base) * (1.0 - x * x * (3.0 - 2.0 * x)), (1.0 - base) * slope};
+}
+
+std::array<double, 3> NibPush::weights_at(int joint, const Influence& influence) const {
+  const auto points = strand_.points();
+  const auto n = static_cast<std::size_t>(strand_.count());
+  const auto j = static_cast<std::size_t>(joint);
+  const auto length = [&](std::size_t a, std::size_t b) { return distance(points[a], points[b]); };
+  double before = j > 0 ? length(3 * j - 1, 3 * j) : 0.0;
+  double after = j < n ? length(3 * j, 3 * j + 1) : 0.0;
+  if (strand_.closed() && j == 0) before = length(3 * n - 1, 3 * n);
+  if (strand_.closed() && j == n) after = length(0, 1);
+  // Both turn alike, whatever their lengths have become; on the whole as their ink asks.
+  const double both = before + after;
+  const double turn = both > 0.0 ? influence.slope * material_[j].handles_mm / both : 0.0;
+  return {influence.weight - turn * before, influence.weight, influence.weight + turn * after};
+}
+
+bool NibPush::displace(Nearest at, Point target) {
+  const double u = u_of(at.place);
+  const double depth = distance(strand_.snapshot()->position(u), target);
+  double reach = kReachRadii * radius_mm_ + kReachPerDepth * depth;
+  // Ink that would be crushed is moved along with more of its neighbourhood.
+  for (int trial = 0; trial < kReachTrials; ++trial, reach *= 2.0) {
+    if (divide_within(map_.length_at(u), reach)) at.place = strand_.locate(u);
+    if (displace_within(reach, at, target)) return true;
   }
+  return false;
+}
+
+bool NibPush::displace_within(double reach, const Nearest& at, Point target) {
+  const int n = strand_.count();
+  const double s = map_.length_at(u_of(at.place));
+  int first = at.place.segment, count = 1;
+  const auto is_reached = [&](int joint) { return influence_at(joint, s, reach).weight > 0.0; };
+  for (int i = first; count < n && is_reached(i) && strand_.previous(i) >= 0; ++count) {
+    first = i = strand_.previous(i);
+  }
+  for (int i = at.place.segment; count < n && is_reached(i + 1) && strand_.next(i) >= 0; ++count) {
+    i = strand_.next(i);
+  }
+  weights_.clear();
+  for (int k = 0; k < count; ++k) strand_.prepare((first + k) % n);
+  for (int k = 0; k < count; ++k) {
+    const int i = (first + k) % n;
+    const auto left = weights_at(i, influence_at(i, s, reach));
+    const auto right = weights_at(i + 1, influence_at(i + 1, s, reach));
+    if (k == 0) weights_.push_back(left[1]);
+    weights_.insert(weights_.end(), {left[2], right[0], right[1]});
+  }
+  const auto held = static_cast<std::size_t>((at.place.segment - first + n) % n);
+  EditWeights here;
+  std::copy_n(weights_.begin() + static_cast<std::ptrdiff_t>(3 * held), 4, here.w.begin());
+  const double gain = here.gain(at.place.t);
+  if (!(gain > 0.1)) return false;
+  if (!strand_.shift(first, weights_, (target - at.point) / gain)) return false;
+  for (int k = 0; k < count; ++k) strand_.limit_handles((first + k) % n, kLongestHandle);
   return true;
 }
 

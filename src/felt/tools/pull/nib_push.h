@@ -1,31 +1,41 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <vector>
 
 #include "felt/base/result.h"
 #include "felt/document/edit.h"
+#include "felt/stroke/arc_map.h"
 #include "felt/tools/pull/strand.h"
 
 namespace felt {
 
 /// One stroke in the way of a round nib (R27; specification 5c, "Push"). The nib goes in steps of
 /// at most half its radius. After each, as long as the point f of the stroke nearest to the pen p
-/// is nearer than the radius, f goes to p - r n, n = (p - f)/|p - f|, by the weights of least
-/// motion. So the stroke is parted from outside and never drawn along; and since the pen is never
-/// within half a radius of it, it cannot get to the other side.
+/// is nearer than the radius, f goes to p - r n, n = (p - f)/|p - f|. So the stroke is parted from
+/// outside and never drawn along; and since the pen is never within half a radius of it, it cannot
+/// get to the other side.
 ///
-/// Where the nib first meets it the stroke is divided into pieces of kPieceRadii radii, so that
-/// what moves is near the nib. They are its material: they stretch, but are not divided again, so
-/// that a deep push stays wide at its tip.
+/// What moves with f is its neighbourhood: with s the arc length in the stroke at the touch, a
+/// place moves by w(s) = 1 - 3x^2 + 2x^3, x = |s - s_f|/R, of what f does, and the tangents turn as
+/// the slope of w says. R is kReachRadii radii, and more as f is farther from where it was
+/// (kReachPerDepth), so that a deep push makes a dale with slopes that the nib glides along, not a
+/// slot that catches it. The influence is measured in the ink, not in what it has been stretched
+/// to. Where it reaches, the stroke is divided into pieces of kPieceRadii radii.
 class NibPush {
  public:
-  static constexpr double kPieceRadii = 3.0;
+  static constexpr double kReachRadii = 3.0;
+  static constexpr double kReachPerDepth = 1.25;
+  static constexpr double kPieceRadii = 2.0;
+  static constexpr int kReachTrials = 6;
   /// Steps that one motion is walked in. Of a motion that is longer than so many half radii the
   /// steps are longer, and what they jump over is caught on the way.
   static constexpr int kMostSteps = 64;
-  /// Corrections after each step: 6 do (specification 5c); the rest is for ink that is all round.
+  /// Corrections after each step (specification 5c: up to 6), and how many more there may be where
+  /// ink lies all round the nib; those leave some micrometres more than the radius.
+  static constexpr int kExactCorrections = 6;
   static constexpr int kCorrections = 24;
   /// A stroke is not divided into more segments than so.
   static constexpr int kMostSegments = 1000;
@@ -51,17 +61,36 @@ class NibPush {
     Point point;
   };
 
+  /// What a place of the stroke was in the stroke at the touch.
+  struct Material {
+    double s_mm = 0.0;        ///< arc length from its start
+    double handles_mm = 0.0;  ///< both handles of the joint
+  };
+
+  /// Part of the motion that a joint makes, and its slope along the ink, 1/mm.
+  struct Influence {
+    double weight = 0.0, slope = 0.0;
+  };
+
   [[nodiscard]] std::optional<Nearest> deepest(Point p) const;
   bool clear(Point p, Vec came_from);
   bool catch_jumped(Point from, Point to);
-  bool divide_at(int segment);
-  bool displace(const Nearest& at, Point target);
+  bool displace(Nearest at, Point target);
+  bool displace_within(double reach, const Nearest& at, Point target);
+  bool divide_within(double s_mm, double reach_mm);
+  void note_material();
+  [[nodiscard]] double u_of(StrandPlace place) const noexcept;
+  [[nodiscard]] Influence influence_at(int joint, double s_mm, double reach_mm) const;
+  [[nodiscard]] std::array<double, 3> weights_at(int joint, const Influence& influence) const;
 
   Strand strand_;
+  ArcMap map_;  // of the snapshot
   StrokePtr stroke_;
   Rect box_;
   double radius_mm_;
   std::vector<std::uint8_t> is_in_pieces_;  // by segment of the snapshot
+  std::vector<Material> material_;          // by joint
+  std::vector<double> weights_;             // room for displace()
   std::optional<Point> contact_;
 };
 

@@ -133,17 +133,16 @@ bool Strand::bend(int i, double t, const EditWeights& weights, Vec pull) {
     if (touched[k] >= 0) before[k] = segment(touched[k]);
   }
   const Point target = evaluate(segment(i), t) + weights.gain(t) * pull;
-  shift(i, weights, pull);
+  shift_with_neighbours(i, weights, pull);
   if (drop_tiny_handles(i)) {
     const Cubic c = segment(i);
     const Compliance rest{.left_handle = c.p[0] == c.p[1] ? 0.0 : 1.0,
                           .right_handle = c.p[2] == c.p[3] ? 0.0 : 1.0};
-    shift(i, soft_weights(t, rest), target - evaluate(c, t));
+    shift_with_neighbours(i, soft_weights(t, rest), target - evaluate(c, t));
   }
   keep_collinear(i);
-  const bool good = std::all_of(touched.begin(), touched.end(), [&](int k) {
-    return k < 0 || (is_finite(segment(k)) && control_length(segment(k)) >= kMinSegmentMm);
-  });
+  const bool good =
+      std::all_of(touched.begin(), touched.end(), [&](int k) { return k < 0 || is_sound(k); });
   for (std::size_t k = 0; k < 3; ++k) {
     if (touched[k] < 0) continue;
     if (!good) set_segment(touched[k], before[k]);
@@ -152,11 +151,41 @@ bool Strand::bend(int i, double t, const EditWeights& weights, Vec pull) {
   return good;
 }
 
+bool Strand::is_sound(int i) const noexcept {
+  const Cubic c = segment(i);
+  return is_finite(c) && control_length(c) >= kMinSegmentMm;
+}
+
+bool Strand::shift(int first, std::span<const double> weights, Vec pull) {
+  const int segments = static_cast<int>(weights.size() / 3);
+  const bool all_round = closed() && segments == count();
+  const std::vector<Point> before = points_;
+  for (int k = 0; k < segments; ++k) {
+    Point* p = points_.data() + 3 * static_cast<std::ptrdiff_t>((first + k) % count());
+    const double* w = weights.data() + 3 * static_cast<std::ptrdiff_t>(k);
+    // A joint is moved with the segment after it, but for the last.
+    const bool is_last = k + 1 == segments && !all_round;
+    for (int j = 0; j < (is_last ? 4 : 3); ++j) p[j] += w[j] * pull;
+  }
+  if (closed()) {
+    // The seam is there twice; whichever was moved counts.
+    if (points_.front() != before.front()) points_.back() = points_.front();
+    points_.front() = points_.back();
+  }
+  bool good = true;
+  for (int k = 0; k < segments; ++k) good = good && is_sound((first + k) % count());
+  if (!good) points_ = before;
+  for (int k = 0; good && k < segments; ++k) {
+    changed_[static_cast<std::size_t>((first + k) % count())] = 1;
+  }
+  return good;
+}
+
 void Strand::set_segment(int i, const Cubic& c) noexcept {
   std::copy(c.p.begin(), c.p.end(), points_.begin() + 3 * static_cast<std::ptrdiff_t>(i));
 }
 
-void Strand::shift(int i, const EditWeights& weights, Vec pull) {
+void Strand::shift_with_neighbours(int i, const EditWeights& weights, Vec pull) {
   Point* p = points_.data() + 3 * static_cast<std::ptrdiff_t>(i);
   for (std::size_t k = 0; k < 4; ++k) p[k] += weights.w[k] * pull;
   if (const int left = previous(i); left >= 0) {

@@ -71,6 +71,12 @@ class Strand {
   /// by gain(t) V, exactly up to rounding. False, and nothing happens, where a segment would be
   /// shorter than I5 allows or not be finite.
   bool bend(int i, double t, const EditWeights& weights, Vec pull);
+  /// Moves the control points of segments [first, first + (n - 1) / 3), n = weights.size(), round a
+  /// closed stroke, each by its weight times the pull. What keeps joints smooth is the weights'
+  /// affair. False, and nothing happens, where a segment would be shorter than I5 allows or not be
+  /// finite. Of a closed stroke that is moved all round the last weight is not needed: it is the
+  /// first again.
+  bool shift(int first, std::span<const double> weights, Vec pull);
   /// Shortens handles of segment i that are longer than `longest` times its arc length; directions
   /// stay.
   void limit_handles(int i, double longest) noexcept;
@@ -85,7 +91,8 @@ class Strand {
  private:
   void stand_up(int i);
   void set_segment(int i, const Cubic& c) noexcept;
-  void shift(int i, const EditWeights& weights, Vec pull);
+  void shift_with_neighbours(int i, const EditWeights& weights, Vec pull);
+  [[nodiscard]] bool is_sound(int i) const noexcept;
   bool drop_tiny_handles(int i) noexcept;
   void keep_collinear(int i) noexcept;
   void carry_widths();

@@ -1,0 +1,174 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "felt/geometry/nearest.h"
+#include "felt/tools/desk.h"
+#include "felt/tools/pull/grab_gesture.h"
+#include "felt/tools/pull/push_gesture.h"
+#include "felt/tools/pull/sweep_gesture.h"
+
+namespace felt {
+namespace {
+
+using testing::Desk;
+using testing::straight_stroke;
+
+PenSample pen_at(Point p, int ms = 0) {
+  PenSample pen;
+  pen.time_ns = 1'000'000LL * ms;
+  pen.position = {p.x, p.y, -1.0};
+  return pen;
+}
+
+double distance_to(const Stroke& stroke, Point p) {
+  double near = std::numeric_limits<double>::infinity();
+  for (int i = 0; i < stroke.segment_count(); ++i) {
+    near = std::min(near, nearest(stroke.segment(i), p).distance_squared);
+  }
+  return std::sqrt(near);
+}
+
+StrokePtr after(const Edit& edit, StrokeId id) {
+  for (const StrokeChange& change : edit.changes) {
+    if (change.id == id) return change.after;
+  }
+  return nullptr;
+}
+
+/// Five straight lines across, 2 mm apart, and one far away.
+struct Lines : Desk {
+  Lines() {
+    for (int k = 0; k < 5; ++k) {
+      ids.push_back(add(straight_stroke({0, 2.0 * k}, {120, 2.0 * k}, 1.0, 1.0)));
+    }
+    far = add(straight_stroke({0, 80}, {120, 80}, 1.0, 1.0));
+  }
+  std::vector<StrokeId> ids;
+  StrokeId far;
+};
+
+TEST(GrabGesture, R23_back_home_nothing_has_happened) {
+  Lines desk;
+  const StrokeHit hit = *desk.index.nearest({50, 0.5}, 8.0);
+  const auto grab = make_grab(pen_at({50, 0.5}), desk.scene(), hit, {});
+  EXPECT_EQ(grab->feel().kind, PullFeel::Kind::kSpring);
+  EXPECT_EQ(grab->feel().origin, (Point{50, 0.5}));
+  EXPECT_FALSE(grab->move(pen_at({50, 0.5}), desk.scene()));
+  const auto moved = grab->move(pen_at({53, 7.5}), desk.scene());
+  ASSERT_TRUE(moved);
+  ASSERT_EQ(moved->changes.size(), 1U);
+  // The point keeps the distance at which it was taken hold of.
+  EXPECT_LE(distance_to(*after(*moved, hit.stroke), {53, 7}), 1e-9);
+  EXPECT_FALSE(grab->move(pen_at({53, 7.5}), desk.scene()));
+  Overlay overlay;
+  grab->draw(overlay);
+  EXPECT_FALSE(overlay.spans.empty());
+  EXPECT_FALSE(overlay.lines.empty());
+  // Home again.
+  const auto home = grab->move(pen_at({50, 0.5}), desk.scene());
+  ASSERT_TRUE(home);
+  EXPECT_EQ(*after(*home, hit.stroke), *desk.document.find(hit.stroke));
+  EXPECT_TRUE(grab->end(desk.scene()).empty());
+}
+
+TEST(GrabGesture, A_shape_that_is_not_possible_is_not_shown) {
+  Lines desk;
+  const StrokeHit hit = *desk.index.nearest({50, 0}, 8.0);
+  const auto grab = make_grab(pen_at({50, 0}), desk.scene(), hit, {});
+  ASSERT_TRUE(grab->move(pen_at({50, 5}), desk.scene()));
+  EXPECT_FALSE(grab->move(pen_at({std::nan(""), 5}), desk.scene()));
+  const Edit edit = grab->end(desk.scene());
+  EXPECT_LE(distance_to(*after(edit, hit.stroke), {50, 5}), 0.05);
+  desk.apply(edit);
+}
+
+TEST(PushGesture, R27_several_strokes_at_once_each_from_its_side) {
+  Lines desk;
+  const auto push = make_push(pen_at({60, -20}), desk.scene(), {});
+  EXPECT_EQ(push->feel().kind, PullFeel::Kind::kNone);
+  std::optional<Edit> last;
+  for (int k = 0; k <= 400; ++k) {
+    const Point pen{60, -20 + 0.1 * k};
+    if (auto edit = push->move(pen_at(pen, k), desk.scene())) last = std::move(edit);
+    if (!last) continue;
+    for (const StrokeId id : desk.ids) {
+      const StrokePtr now = after(*last, id) ? after(*last, id) : desk.document.find(id);
+      ASSERT_GE(distance_to(*now, pen), 3.0 - 1e-6);
+    }
+  }
+  ASSERT_TRUE(last);
+  EXPECT_EQ(last->changes.size(), 5U);
+  EXPECT_EQ(after(*last, desk.far), nullptr);
+  EXPECT_EQ(push->feel().kind, PullFeel::Kind::kSweep);
+  const Edit edit = push->end(desk.scene());
+  EXPECT_EQ(edit.changes.size(), 5U);
+  const Document before = desk.document;
+  desk.apply(edit);
+  for (const StrokeId id : desk.ids) {
+    EXPECT_GE(distance_to(*desk.document.find(id), {60, 20}), 3.0 - 0.05);
+    EXPECT_GT(distance_to(*desk.document.find(id), {60, 10}), 9.0);
+  }
+  desk.undo();
+  EXPECT_EQ(desk.document, before);
+}
+
+TEST(PushGesture, R27_what_is_not_touched_is_not_moved) {
+  Lines desk;
+  const auto push = make_push(pen_at({60, -20}), desk.scene(), {.radius_mm = 3.0});
+  for (int k = 0; k <= 165; ++k) {
+    EXPECT_FALSE(push->move(pen_at({60, -20 + 0.1 * k}, k), desk.scene())) << k;
+  }
+  EXPECT_TRUE(push->end(desk.scene()).empty());
+}
+
+TEST(PushGesture, Hidden_and_locked_strokes_stay) {
+  Lines desk;
+  LayerState locked = desk.document.layers().front().state();
+  const LayerState open = locked;
+  locked.locked = true;
+  desk.apply({"Lock", {}, {{desk.layer, open, locked, 0, 0}}});
+  const auto push = make_push(pen_at({60, -20}), desk.scene(), {});
+  for (int k = 0; k <= 40; ++k) {
+    EXPECT_FALSE(push->move(pen_at({60, -20.0 + k}, k), desk.scene()));
+  }
+  EXPECT_TRUE(push->end(desk.scene()).empty());
+}
+
+TEST(PushGesture, Feels_another_touch_as_another) {
+  Lines desk;
+  const auto push = make_push(pen_at({60, -20}), desk.scene(), {});
+  const auto go = [&](Point p) { (void)push->move(pen_at(p), desk.scene()); };
+  go({60, -1});
+  const PullFeel first = push->feel();
+  EXPECT_EQ(first.kind, PullFeel::Kind::kSweep);
+  go({60, 0});
+  EXPECT_EQ(push->feel(), first);
+  go({60, -20});
+  EXPECT_EQ(push->feel().kind, PullFeel::Kind::kNone);
+  go({20, -1});
+  EXPECT_EQ(push->feel().kind, PullFeel::Kind::kSweep);
+  EXPECT_NE(push->feel().gesture, first.gesture);
+}
+
+TEST(SweepGesture, One_edit_that_is_undone_at_once) {
+  Lines desk;
+  const StrokeHit hit = *desk.index.nearest({50, 8.2}, 8.0);
+  const auto sweep = make_sweep(pen_at({50, 8.2}), desk.scene(), hit, {});
+  EXPECT_EQ(sweep->feel().kind, PullFeel::Kind::kSweep);
+  for (int k = 1; k < 400; ++k) {
+    (void)sweep->move(pen_at({50 + 0.05 * k, 8.2 + 4.0 * std::sin(0.01 * k)}, k), desk.scene());
+  }
+  const Document before = desk.document;
+  const Edit edit = sweep->end(desk.scene());
+  ASSERT_EQ(edit.changes.size(), 1U);
+  desk.apply(edit);
+  EXPECT_GT(distance_to(*desk.document.find(hit.stroke), {58, 8}), 2.0);
+  desk.undo();
+  EXPECT_EQ(desk.document, before);
+}
+
+}  // namespace
+}  // namespace felt

@@ -1,0 +1,139 @@
+#include "felt/tools/pull/sweep_pull.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "felt/geometry/nearest.h"
+#include "felt/stroke/random_stroke.h"
+#include "felt/tools/desk.h"
+#include "felt/tools/pull/sweep_gesture.h"
+
+namespace felt {
+namespace {
+
+using testing::Desk;
+using testing::random_stroke;
+using testing::RandomStroke;
+using testing::straight_stroke;
+
+const double kPart = 1.0 - std::exp(-1.0 / 50.0);  // of a step of 1 ms
+
+StrokePtr shared(Stroke stroke) {
+  return std::make_shared<const Stroke>(std::move(stroke));
+}
+
+double farthest(const Stroke& a, const Stroke& b) {
+  double far = 0.0;
+  for (int k = 0; k <= 400; ++k) {
+    const Point p = a.position(k / 400.0 * a.segment_count());
+    double near = 1e300;
+    for (int i = 0; i < b.segment_count(); ++i) {
+      near = std::min(near, nearest(b.segment(i), p).distance_squared);
+    }
+    far = std::max(far, near);
+  }
+  return std::sqrt(far);
+}
+
+TEST(SweepPull, R24_ten_thousand_ticks) {
+  for (std::uint64_t seed = 0; seed < 6; ++seed) {
+    SCOPED_TRACE(seed);
+    const StrokePtr stroke = seed < 3 ? shared(straight_stroke({0, 0}, {120, 0}, 1.0, 1.0))
+                                      : shared(random_stroke(seed));
+    RandomStroke random(seed);
+    SweepPull sweep(stroke, random.uniform(0.0, stroke->segment_count()));
+    Point pen = sweep.point();
+    Vec way{};
+    for (int tick = 0; tick < 10'000; ++tick) {
+      // A hand that wanders about at some 100 mm/s.
+      way += Vec{random.uniform(-0.02, 0.02), random.uniform(-0.02, 0.02)} - 0.01 * way;
+      pen += way - 0.001 * (pen - Point{60, 0});
+      sweep.step(pen, kPart);
+      if (tick % 10 != 0) continue;
+      const Result<Stroke> now = sweep.stroke();  // G1 to 1e-6 degrees, finite, ...
+      ASSERT_TRUE(now) << tick << ": " << now.error().message;
+      ASSERT_LE(now->segment_count(), 300);
+      for (int i = 0; i < now->segment_count(); ++i) {
+        const Cubic c = now->segment(i);
+        if (tick == 0 || c == stroke->segment(std::min(i, stroke->segment_count() - 1))) continue;
+        const double most = 1.5 * arc_length(c, 1e-4) + 1e-3;
+        // Only what the sweep has touched: strokes may come with any handles.
+        if (seed < 3) {
+          ASSERT_LE(distance(c.p[0], c.p[1]), most) << tick;
+          ASSERT_LE(distance(c.p[2], c.p[3]), most) << tick;
+        }
+      }
+    }
+    ASSERT_TRUE(sweep.finished());
+  }
+}
+
+TEST(SweepPull, The_pen_draws_the_line_over_again) {
+  SweepPull sweep(shared(straight_stroke({0, 0}, {120, 0}, 1.0, 1.0)), 0.3);
+  // 60 mm/s along a wave that leaves the line and comes back.
+  const auto pen = [](double x) { return Point{x, 4.0 * std::sin(0.15 * (x - 36.0))}; };
+  for (double x = 36.0; x < 36.0 + 2.0 * 3.14159 / 0.15; x += 0.06) sweep.step(pen(x), kPart);
+  const Stroke now = *sweep.stroke();
+  for (double x = 42.0; x < 72.0; x += 1.0) {
+    double near = 1e300;
+    for (int i = 0; i < now.segment_count(); ++i) {
+      near = std::min(near, nearest(now.segment(i), pen(x)).distance_squared);
+    }
+    // It lags by tau times the speed across, 60 mm/s * .6 * 50 ms, at most.
+    EXPECT_LE(std::sqrt(near), 2.0) << x;
+  }
+  EXPECT_EQ(now.data().points.front(), (Point{0, 0}));
+  EXPECT_EQ(now.data().points.back(), (Point{120, 0}));
+}
+
+/// The stroke that a gesture of 600 ms leaves, its samples at a rate.
+Stroke swept(double rate_hz) {
+  Desk desk;
+  const StrokeId id = desk.add(straight_stroke({0, 0}, {120, 0}, 1.0, 1.0));
+  const auto pen = [](double s) {
+    PenSample sample;
+    sample.time_ns = std::llround(1e9 * s);
+    sample.position = {36.0 + 60.0 * s, 5.0 * std::sin(9.0 * s), -1.0};
+    return sample;
+  };
+  const StrokeHit hit{.stroke = id, .u = 0.3, .point = {36, 0}, .distance_mm = 0.0};
+  const auto gesture = make_sweep(pen(0.0), desk.scene(), hit, {});
+  for (int k = 1; k <= std::lround(0.6 * rate_hz); ++k) {
+    (void)gesture->move(pen(k / rate_hz), desk.scene());
+  }
+  const Edit edit = gesture->end(desk.scene());
+  EXPECT_EQ(edit.changes.size(), 1U);
+  return *edit.changes.front().after;
+}
+
+TEST(SweepPull, R30_the_rate_of_samples_means_nothing) {
+  const Stroke reference = swept(1000.0);
+  EXPECT_LE(farthest(swept(5000.0), reference), 0.05);
+  EXPECT_LE(farthest(reference, swept(5000.0)), 0.05);
+  // At 60 Hz the pen's way itself is known by chords: 0.014 mm from the wave.
+  EXPECT_LE(farthest(swept(60.0), reference), 0.1);
+  EXPECT_LE(farthest(reference, swept(60.0)), 0.1);
+  EXPECT_LE(farthest(swept(250.0), reference), 0.05);
+}
+
+TEST(SweepPull, Hostile_times_are_survived) {
+  Desk desk;
+  const StrokeId id = desk.add(straight_stroke({0, 0}, {120, 0}, 1.0, 1.0));
+  PenSample pen;
+  pen.position = {36, 1, -1};
+  const auto gesture =
+      make_sweep(pen, desk.scene(), {.stroke = id, .u = 0.3, .point = {36, 0}}, {});
+  for (const std::int64_t t : {std::numeric_limits<std::int64_t>::min(),
+                               std::numeric_limits<std::int64_t>::max(), std::int64_t{0}}) {
+    pen.time_ns = t;
+    pen.position.y += 1.0;
+    (void)gesture->move(pen, desk.scene());
+  }
+  desk.apply(gesture->end(desk.scene()));
+}
+
+}  // namespace
+}  // namespace felt
