@@ -1,14 +1,18 @@
 // The one file that knows all rooms of this layer: adding a tool is a folder and a line here.
 
 #include "felt/tools/connect/connect_tool.h"
+#include "felt/tools/lasso/lasso_tool.h"
 #include "felt/tools/pencil/pencil_tool.h"
 #include "felt/tools/tool.h"
+#include "felt/tools/transform/transform_tool.h"
 
 namespace felt {
 
 std::vector<std::unique_ptr<Tool>> make_tools() {
   std::vector<std::unique_ptr<Tool>> tools;
   tools.push_back(make_pencil());
+  tools.push_back(make_lasso());
+  tools.push_back(make_transform());
   tools.push_back(make_connect());
   return tools;
 }

@@ -16,13 +16,8 @@ void SelectionView::look(const Document& document, const Selection& selection) {
 }
 
 void SelectionView::look_at_all(const Document& document, const Selection& selection) {
-  looked_at_ = {};
+  start_over();
   go_on(document, selection, std::numeric_limits<std::size_t>::max());
-}
-
-void SelectionView::clear() {
-  seen_ = {};
-  looked_at_ = {};
 }
 
 bool SelectionView::go_on(const Document& document, const Selection& selection,
@@ -44,6 +39,7 @@ bool SelectionView::go_on(const Document& document, const Selection& selection,
     if (is_editable(document, id)) add(id, *stroke, marks);
   }
   if (next != selection.strokes().end()) return false;
+  round_.marks = round_.hash.value();
   round_.hash.add_value(round_.box);
   round_.fingerprint = round_.hash.value();
   std::swap(seen_, round_);

@@ -32,8 +32,8 @@ class SelectionView {
   void look(const Document& document, const Selection& selection);
   /// Looks at all of it. Linear in the selection.
   void look_at_all(const Document& document, const Selection& selection);
-  /// Nothing is selected.
-  void clear();
+  /// The next look begins again: what was seen of the round in work is out of date.
+  void start_over() noexcept { looked_at_ = {}; }
 
   [[nodiscard]] bool empty() const noexcept { return seen_.strokes == 0; }
   /// Around the selected control points. Empty without any.
@@ -41,6 +41,8 @@ class SelectionView {
   /// Another number whenever other points are selected, or lie elsewhere: of their ids, marks and
   /// box.
   [[nodiscard]] std::uint64_t fingerprint() const noexcept { return seen_.fingerprint; }
+  /// The same without the box: the same marks on the same strokes, wherever they lie.
+  [[nodiscard]] std::uint64_t marks_fingerprint() const noexcept { return seen_.marks; }
   [[nodiscard]] std::size_t stroke_count() const noexcept { return seen_.strokes; }
   /// Strokes of which a part is selected.
   [[nodiscard]] std::size_t partial_count() const noexcept { return seen_.partial; }
@@ -52,6 +54,7 @@ class SelectionView {
   struct Sight {
     Rect box;
     Fnv1a hash;
+    std::uint64_t marks = 0;
     std::uint64_t fingerprint = 0;
     std::size_t strokes = 0;
     std::size_t partial = 0;

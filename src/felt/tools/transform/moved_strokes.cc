@@ -1,0 +1,179 @@
+#include "felt/tools/transform/moved_strokes.h"
+
+#include <algorithm>
+#include <limits>
+#include <memory>
+#include <utility>
+
+#include "felt/document/edit_builder.h"
+#include "felt/stroke/point_marks.h"
+#include "felt/stroke/split.h"
+#include "felt/tools/selection_view.h"
+
+namespace felt {
+namespace {
+
+bool is_whole(const Selection::Marks& marks) {
+  return std::find(marks.begin(), marks.end(), 0) == marks.end();
+}
+
+bool goes_whole(const Selection::Marks& marks, std::size_t segment) {
+  return marks[3 * segment] && marks[3 * segment + 3];
+}
+
+/// The runs of segments of which both joints are selected, as strokes.
+std::vector<StrokePtr> selected_runs(const StrokePtr& stroke, const Selection::Marks& marks) {
+  if (is_whole(marks)) return {stroke};
+  std::vector<StrokePtr> runs;
+  const std::size_t n = marks.size() / 3;
+  std::size_t first = 0;
+  if (stroke->closed()) {
+    // A run through the seam begins before it; there is a gap, or all would be selected.
+    while (first < n && goes_whole(marks, first)) ++first;
+    if (first == n) return {stroke};
+  }
+  for (std::size_t k = 0; k < n;) {
+    const std::size_t begin = k;
+    while (k < n && goes_whole(marks, (first + k) % n)) ++k;
+    if (k == begin) {
+      ++k;
+      continue;
+    }
+    const std::size_t from = (first + begin) % n, to = (first + k - 1) % n + 1;
+    const auto run = sub_stroke(*stroke, static_cast<double>(from), static_cast<double>(to));
+    if (run) runs.push_back(std::make_shared<const Stroke>(*run));
+  }
+  return runs;
+}
+
+/// Shortest segment that is mapped as a whole, by its control polygon; infinite without one.
+double shortest_segment_mm(const Stroke& stroke, const Selection::Marks& marks) {
+  double shortest = std::numeric_limits<double>::infinity();
+  for (int i = 0; i < stroke.segment_count(); ++i) {
+    const auto at = 3 * static_cast<std::size_t>(i);
+    if (!marks[at] || !marks[at + 1] || !marks[at + 2] || !marks[at + 3]) continue;
+    shortest = std::min(shortest, control_length(stroke.segment(i)));
+  }
+  return shortest;
+}
+
+}  // namespace
+
+MovedStrokes::MovedStrokes(const Document& document, const Selection& selection, bool duplicates) {
+  if (duplicates) {
+    prepare_copies(document, selection);
+  } else {
+    prepare_originals(document, selection);
+  }
+  least_scale_ = std::min(least_scale_, 1.0);
+}
+
+void MovedStrokes::prepare_originals(const Document& document, const Selection& selection) {
+  EditBuilder builder(document);
+  for (const auto& [id, marks] : selection.strokes()) {
+    StrokePtr stroke = document.find(id);
+    if (!stroke || stroke->data().points.size() != marks.size()) continue;
+    if (!is_editable(document, id)) continue;
+    builder.replace(id, stroke);
+    Selection::Marks closed = marks;
+    close_marks(*stroke, closed);
+    for (const std::size_t i : felt::anchors(*stroke, closed)) {
+      anchors_.push_back(stroke->data().points[i]);
+    }
+    add(std::move(stroke), std::move(closed));
+  }
+  places_ = std::move(builder).build("");
+}
+
+void MovedStrokes::prepare_copies(const Document& document, const Selection& selection) {
+  // In drawing order, so that what was above is above again.
+  EditBuilder originals(document);
+  for (const auto& [id, marks] : selection.strokes()) {
+    const StrokePtr stroke = document.find(id);
+    if (!stroke || stroke->data().points.size() != marks.size()) continue;
+    if (is_editable(document, id)) originals.replace(id, stroke);
+  }
+  Edit order = std::move(originals).build("");
+  std::sort(order.changes.begin(), order.changes.end(),
+            [](const StrokeChange& a, const StrokeChange& b) {
+              return std::pair(a.before_place.layer, a.before_place.index) <
+                     std::pair(b.before_place.layer, b.before_place.index);
+            });
+  EditBuilder builder(document);
+  copies_.emplace();
+  for (const StrokeChange& original : order.changes) {
+    for (StrokePtr& run : selected_runs(original.before, *selection.find(original.id))) {
+      const std::size_t points = run->data().points.size();
+      copies_->set_whole(builder.add(original.before_place.layer, run), points);
+      add(std::move(run), Selection::Marks(points, 1));
+    }
+  }
+  places_ = std::move(builder).build("");
+}
+
+void MovedStrokes::add(StrokePtr stroke, Selection::Marks marks) {
+  const bool is_small = stroke->segment_count() == 1 && is_whole(marks);
+  if (!is_small) {
+    // A little more, for rounding.
+    const double least = (1.0 + 1e-6) * kMinSegmentMm / shortest_segment_mm(*stroke, marks);
+    least_scale_ = std::max(least_scale_, least);
+  }
+  points_ += marks.size();
+  items_.push_back({std::move(stroke), std::move(marks), is_small});
+}
+
+StrokePtr MovedStrokes::moved(const Item& item, const Aim& aim) {
+  auto stroke = with_marked_moved(*item.before, item.marks, aim.map, aim.width_factor);
+  if (!stroke && item.is_small) {
+    // A dot stays a dot.
+    const Cubic image = apply(aim.map, item.before->segment(0));
+    const double length = control_length(image);
+    const double grow = length > 0.0 ? 1.001 * kMinSegmentMm / length : 0.0;
+    const Affine map = then(aim.map, scaling(grow, lerp(image.p[0], image.p[3], 0.5)));
+    stroke = with_marked_moved(*item.before, item.marks, map, aim.width_factor);
+  }
+  return stroke ? std::make_shared<const Stroke>(*std::move(stroke)) : nullptr;
+}
+
+std::optional<Edit> MovedStrokes::step(const Affine& map, double width_factor) {
+  if (items_.empty() || points_ > kMostPreviewPoints) return std::nullopt;
+  if (!aim_) {
+    const Aim next{map, width_factor};
+    if (done_ == next) return std::nullopt;
+    aim_ = next;
+    work_ = {};
+    work_.changes.reserve(items_.size());
+  }
+  for (std::size_t points = 0; points < kPointsPerStep && work_.changes.size() < items_.size();) {
+    const std::size_t i = work_.changes.size();
+    StrokePtr after = moved(items_[i], *aim_);
+    if (!after) {
+      aim_.reset();
+      return std::nullopt;
+    }
+    points += items_[i].marks.size();
+    work_.changes.push_back(places_.changes[i]);
+    work_.changes.back().after = std::move(after);
+  }
+  if (work_.changes.size() < items_.size()) return std::nullopt;
+  done_ = std::exchange(aim_, std::nullopt);
+  return std::exchange(work_, {});
+}
+
+Edit MovedStrokes::finished(const Affine& map, double width_factor, std::string label) const {
+  if (auto edit = all_moved({map, width_factor}, label)) return *std::move(edit);
+  if (!done_ || done_->map == Affine{}) return {};
+  return all_moved(*done_, label).value_or(Edit{});
+}
+
+std::optional<Edit> MovedStrokes::all_moved(const Aim& aim, std::string label) const {
+  Edit edit = places_;
+  edit.label = std::move(label);
+  for (std::size_t i = 0; i < items_.size(); ++i) {
+    edit.changes[i].after = moved(items_[i], aim);
+    if (!edit.changes[i].after) return std::nullopt;
+  }
+  return edit;
+}
+
+}  // namespace felt

@@ -1,0 +1,19 @@
+tool_room(transform
+  SOURCES
+    moved_strokes.cc
+    transform_drag.cc
+    transform_frame.cc
+    transform_options.cc
+    transform_tool.cc
+  HEADERS
+    moved_strokes.h
+    transform_drag.h
+    transform_force.h
+    transform_frame.h
+    transform_options.h
+    transform_tool.h
+  TESTS
+    moved_strokes_test.cc
+    transform_drag_test.cc
+    transform_force_test.cc
+    transform_test.cc)

@@ -1,0 +1,123 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <numbers>
+#include <span>
+
+#include "felt/haptics/compose.h"
+#include "felt/haptics/drawing_feel.h"
+#include "felt/haptics/tether.h"
+#include "felt/tools/feel_id.h"
+#include "felt/tools/scene.h"
+#include "felt/tools/transform/transform_drag.h"
+
+namespace felt {
+
+/// The tether of a stretch: that of a scale for each axis by itself, its pen on the axis, with
+/// S = sum |x_i - c| |ln s_x| and the same for y. Where both act each has 1/sqrt 2 of the force, so
+/// that together they keep to 1 N and to Kcap. An axis that is stretched through the centre lets
+/// go, as its factor stands still there.
+class StretchTether {
+ public:
+  StretchTether() noexcept = default;
+  StretchTether(TransformKind kind, Point centre, Point grab, std::span<const Point> anchors,
+                ForceLaw law) noexcept
+      : centre_(centre), grab_(grab) {
+    double sum_x = 0.0, sum_y = 0.0;
+    for (const Point p : anchors) {
+      sum_x += std::fabs(p.x - centre.x);
+      sum_y += std::fabs(p.y - centre.y);
+    }
+    const bool x = stretches_x(kind, centre, grab), y = stretches_y(kind, centre, grab);
+    if (x && y) law.gain /= std::numbers::sqrt2;
+    if (x) x_ = Tether::scale(centre, {grab.x, centre.y}, sum_x).with_law(law);
+    if (y) y_ = Tether::scale(centre, {centre.x, grab.y}, sum_y).with_law(law);
+  }
+
+  Force operator()(const PenSample& sample, ForceMemory& memory) const noexcept {
+    PenSample on_x = sample, on_y = sample;
+    on_x.position.x = centre_.x + forward(grab_.x - centre_.x, sample.position.x - centre_.x);
+    on_x.position.y = centre_.y;
+    on_x.velocity.y = 0.0;
+    on_y.position.x = centre_.x;
+    on_y.position.y = centre_.y + forward(grab_.y - centre_.y, sample.position.y - centre_.y);
+    on_y.velocity.x = 0.0;
+    const Force x = x_(on_x, memory);
+    return x + y_(on_y, memory);
+  }
+  [[nodiscard]] Slopes slopes() const noexcept {
+    const Slopes x = x_.slopes(), y = y_.slopes();  // across each other
+    return x.lateral_n_per_m > y.lateral_n_per_m ? x : y;
+  }
+
+ private:
+  /// The way of the pen on its side of the centre.
+  [[nodiscard]] static double forward(double grab, double pen) noexcept {
+    const double side = std::copysign(1.0, grab);
+    return side * std::fmax(0.0, side * pen);
+  }
+
+  Tether x_, y_;
+  Point centre_{}, grab_{};
+};
+
+/// Pens that take hold of lines leave no ink: two fifths of the pencil's friction and grain.
+inline constexpr double kTransformGlide = 0.4;
+
+/// What holds a selection while it is transformed (R35-R38): nothing without anchors.
+struct TransformHold {
+  TransformKind kind = TransformKind::kMove;
+  Point centre, grab;
+  std::span<const Point> anchors;
+  std::uint32_t gesture = 0;
+};
+
+/// The sheet, with little friction; and, while a selection is held, its tethers.
+inline ForceModel make_transform_force(const Scene& scene, double strength,
+                                       const TransformHold* hold) {
+  ToolMaterial material = tool_materials().front();
+  material.friction *= kTransformGlide * strength;
+  material.grain *= kTransformGlide * strength;
+  const SheetForce sheet =
+      make_sheet_force(scene.surface, material, scene.device, surface_grain(scene.surface));
+  FeelId id("transform");
+  id.with(scene.surface.id).with(strength);
+  if (!hold || hold->anchors.empty()) {
+    ForceModel model(sheet);
+    model.set_fade_id(id.value());
+    return model;
+  }
+  ForceLaw law = kTransformLaw;
+  law.gain *= strength;
+  double radii = 0.0;
+  for (const Point p : hold->anchors) radii += distance(p, hold->centre);
+  id.with(static_cast<std::uint64_t>(hold->kind)).with(std::uint64_t{hold->gesture});
+  ForceModel model;
+  switch (hold->kind) {
+    case TransformKind::kMove: {
+      const auto count = static_cast<int>(std::min<std::size_t>(hold->anchors.size(), 1'000'000));
+      model = ForceModel(Compose(sheet, Tether::translation(hold->grab, count).with_law(law)));
+      break;
+    }
+    case TransformKind::kRotate:
+      model = ForceModel(Compose(
+          sheet, Tether::rotation(hold->centre, hold->grab, radii, hold->gesture).with_law(law)));
+      break;
+    case TransformKind::kScale:
+      model =
+          ForceModel(Compose(sheet, Tether::scale(hold->centre, hold->grab, radii).with_law(law)));
+      break;
+    case TransformKind::kStretch:
+    case TransformKind::kStretchX:
+    case TransformKind::kStretchY:
+      model = ForceModel(
+          Compose(sheet, StretchTether(hold->kind, hold->centre, hold->grab, hold->anchors, law)));
+      break;
+  }
+  model.set_fade_id(id.value());
+  return model;
+}
+
+}  // namespace felt

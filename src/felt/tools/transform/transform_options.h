@@ -1,0 +1,88 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <string_view>
+
+#include "felt/tools/tool_options.h"
+
+namespace felt {
+
+/// What a touch begins.
+enum class TransformMode : std::uint8_t { kAuto, kMove, kRotate, kScale, kStretch };
+
+inline constexpr std::array<std::string_view, 5> kTransformModes = {"auto", "move", "rotate",
+                                                                    "scale", "stretch"};
+
+/// Rows of kTransformOptions.
+struct TransformOption {
+  enum Row : std::size_t {
+    kMode,
+    kConstrain,
+    kDuplicate,
+    kScaleWidths,
+    kGrabRadius,
+    kStrength,
+    kCount
+  };
+};
+
+inline constexpr std::array<OptionSpec, TransformOption::kCount> kTransformOptions = {{
+    {.id = "mode",
+     .label = "What a touch does",
+     .unit = "",
+     .kind = OptionKind::kChoice,
+     .fallback = 0,
+     .choices = kTransformModes,
+     .help = "By the handle that is touched (auto), or always the same."},
+    {.id = "constrain",
+     .label = "Constrain",
+     .unit = "",
+     .kind = OptionKind::kSwitch,
+     .fallback = 0,
+     .help =
+         "Moves along one axis, turns in steps of 15 degrees, corners stretch both axes freely; "
+         "as the first button of the pen does."},
+    {.id = "duplicate",
+     .label = "Duplicate",
+     .unit = "",
+     .kind = OptionKind::kSwitch,
+     .fallback = 0,
+     .help = "Leaves the lines and transforms a copy; as the second button of the pen does."},
+    {.id = "scale_widths",
+     .label = "Scale widths",
+     .unit = "",
+     .kind = OptionKind::kSwitch,
+     .fallback = 0,
+     .help = "Scaling makes lines broader or thinner as well."},
+    {.id = "grab_radius_mm",
+     .label = "Reach",
+     .unit = "mm",
+     .min = 0.5,
+     .max = 20.0,
+     .fallback = 4.0,
+     .help = "With nothing selected, a touch takes the nearest line within this distance."},
+    {.id = "strength",
+     .label = "Strength of forces",
+     .unit = "",
+     .min = 0.0,
+     .max = 1.0,
+     .fallback = 1.0,
+     .help = "Share of the tethers, friction and grain that is felt."},
+}};
+
+/// The options as the tool uses them.
+struct TransformSettings {
+  TransformMode mode = TransformMode::kAuto;
+  bool constrain = false;
+  bool duplicate = false;
+  bool scale_widths = false;
+  double grab_radius_mm = 4.0;
+  double strength = 1.0;
+};
+
+/// Reads them. Requires values of kTransformOptions.
+TransformSettings transform_settings(const OptionValues& values);
+
+}  // namespace felt

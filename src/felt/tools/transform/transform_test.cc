@@ -1,0 +1,502 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "felt/stroke/point_marks.h"
+#include "felt/tools/desk.h"
+#include "felt/tools/transform/transform_tool.h"
+
+namespace felt {
+namespace {
+
+using testing::arc;
+using testing::Desk;
+using testing::Pen;
+using testing::random_stroke;
+using testing::straight_stroke;
+using testing::way;
+using testing::operator+;
+
+struct Transform {
+  Desk desk;
+  TransformTool tool;
+  Pen pen{tool, desk};
+  ToolResult last;
+
+  void set(std::string_view id, const OptionValue& value) {
+    const auto ok = tool.set_option(id, value);
+    ASSERT_TRUE(ok) << ok.error().message;
+  }
+  void choose(std::string_view id, const char* value) { set(id, std::string(value)); }
+  void down(Point p, std::uint32_t buttons = 0) {
+    last = pen.give({.time_ns = pen.now_ns += 1'000'000,
+                     .position = {p.x, p.y, -1.0},
+                     .velocity = {},
+                     .pressure = {},
+                     .buttons = buttons});
+  }
+  void drag(const std::vector<Point>& line, std::uint32_t buttons = 0) {
+    pen.up(line.front());
+    for (const Point p : line) down(p, buttons);
+    pen.up(line.back());
+  }
+  StrokeId add(Stroke stroke, bool selected = true) {
+    const std::size_t points = stroke.data().points.size();
+    const StrokeId id = desk.add(std::move(stroke));
+    if (selected) desk.selection.set_whole(id, points);
+    return id;
+  }
+  void select(StrokeId id, Selection::Marks marks) {
+    close_marks(*desk.document.find(id), marks);
+    desk.selection.set(id, std::move(marks));
+  }
+  [[nodiscard]] Point start_of(StrokeId id) const { return desk.document.find(id)->position(0.0); }
+  [[nodiscard]] Overlay overlay() const {
+    Overlay o;
+    tool.draw(o);
+    return o;
+  }
+};
+
+bool has_label(const Overlay& overlay, std::string_view text) {
+  return std::any_of(overlay.labels.begin(), overlay.labels.end(),
+                     [&](const Overlay::Label& l) { return l.text == text; });
+}
+
+// A square of lines 0..40 with its box; the frame is 3 mm larger.
+StrokeId add_square(Transform& t) {
+  StrokeData d;
+  const Point corner[] = {{0, 0}, {40, 0}, {40, 40}, {0, 40}, {0, 0}};
+  d.points.push_back(corner[0]);
+  for (int i = 0; i < 4; ++i) {
+    const Cubic c = straight(corner[i], corner[i + 1]);
+    d.points.insert(d.points.end(), {c.p[1], c.p[2], c.p[3]});
+  }
+  d.closed = true;
+  d.joints.assign(4, JointKind::kCorner);
+  d.widths = {{0.0, 1.0}, {4.0, 1.0}};
+  return t.add(Stroke::create(std::move(d)).value());
+}
+
+TEST(Transform, MovesFromInsideTheFrame) {
+  Transform t;
+  const StrokeId id = add_square(t);
+  const Document before = t.desk.document;
+  t.drag(way({10, 30}, {25, 20}));
+  EXPECT_EQ(t.pen.commits, 1);
+  EXPECT_EQ(t.start_of(id), (Point{15, -10}));
+  EXPECT_TRUE(t.desk.selection.is_whole(id));
+  t.desk.undo();
+  EXPECT_EQ(t.desk.document, before) << "R52: undo restores the bytes";
+}
+
+TEST(Transform, TheHandlesTurnScaleAndStretch) {
+  struct Case {
+    const char* what;
+    Point from, to;
+    Affine map;
+  };
+  const Point c{20, 20};
+  const Case cases[] = {
+      {"corner", {43, 43}, {66, 66}, scaling(2.0, c)},
+      {"corner, smaller", {-3, 43}, {8.5, 31.5}, scaling(0.5, c)},
+      {"right edge", {43, 20}, {66, 33}, scaling(2.0, 1.0, c)},
+      {"top edge", {20, -3}, {33, 8.5}, scaling(1.0, 0.5, c)},
+      {"above", {20, -12}, {52, 20}, rotation(std::numbers::pi / 2, c)},
+      {"beside a corner", {48, 48}, {-8, 48}, rotation(std::numbers::pi / 2, c)},
+  };
+  for (const Case& k : cases) {
+    Transform t;
+    const StrokeId id = add_square(t);
+    const Stroke before = *t.desk.document.find(id);
+    t.drag(way(k.from, k.to));
+    ASSERT_EQ(t.pen.commits, 1) << k.what;
+    for (std::size_t i = 0; i < before.data().points.size(); ++i) {
+      EXPECT_LE(distance(t.desk.document.find(id)->data().points[i],
+                         apply(k.map, before.data().points[i])),
+                1e-9)
+          << k.what;
+    }
+  }
+}
+
+TEST(Transform, ModesDoTheSameEverywhere) {
+  for (const char* mode : {"move", "rotate", "scale", "stretch"}) {
+    Transform t;
+    const StrokeId id = add_square(t);
+    t.choose("mode", mode);
+    t.drag(way({70, 20}, {120, 20}));
+    ASSERT_EQ(t.pen.commits, std::string_view(mode) == "rotate" ? 0 : 1) << mode;
+    if (std::string_view(mode) == "scale") {
+      EXPECT_LE(distance(t.start_of(id), Point{-20, -20}), 1e-9);
+    }
+    if (std::string_view(mode) == "stretch") {
+      EXPECT_LE(distance(t.start_of(id), Point{-20, 0}), 1e-9);
+    }
+    if (std::string_view(mode) == "move") {
+      EXPECT_EQ(t.start_of(id), (Point{50, 0}));
+    }
+  }
+}
+
+TEST(Transform, R33_ThereAndBackAgainWithinANanometre) {
+  for (std::uint64_t seed = 0; seed < 60; ++seed) {
+    Transform t;
+    testing::RandomStroke random(seed);
+    std::vector<StrokeId> ids;
+    for (std::uint64_t i = 0; i < 5; ++i) {
+      const StrokeId id = t.add(random_stroke(5 * seed + i), false);
+      Selection::Marks marks(t.desk.document.find(id)->data().points.size());
+      for (auto& m : marks) m = random.chance(0.5) ? 1 : 0;
+      t.select(id, std::move(marks));
+      ids.push_back(id);
+    }
+    if (t.desk.selection.empty()) continue;
+    const Document before = t.desk.document;
+    const char* mode = seed % 3 == 0 ? "move" : (seed % 3 == 1 ? "rotate" : "scale");
+    t.choose("mode", mode);
+    // The centre follows the box of what was moved: put it where it stays.
+    const Rect box = t.desk.selection.bounds(before);
+    const Point c = lerp(Point{box.x0, box.y0}, Point{box.x1, box.y1}, 0.5);
+    const Point from = c + Vec{25, 3},
+                to = c + Vec{random.uniform(15, 40), random.uniform(-20, 20)};
+    t.drag(way(from, to));
+    for (const StrokeId id : ids) {
+      const Selection::Marks* marks = t.desk.selection.find(id);
+      const auto& was = before.find(id)->data().points;
+      const auto& is = t.desk.document.find(id)->data().points;
+      for (std::size_t i = 0; i < was.size(); i += 3) {
+        if (!marks || !(*marks)[i]) {
+          EXPECT_EQ(is[i], was[i]) << "unselected joints stay bit for bit";
+        }
+      }
+    }
+    // Back by hand: as the tool would about the same centre.
+    TransformDrag drag(seed % 3 == 0   ? TransformKind::kMove
+                       : seed % 3 == 1 ? TransformKind::kRotate
+                                       : TransformKind::kScale,
+                       c, from);
+    for (const Point p : way(from, to)) drag.update(p, false);
+    if (t.pen.commits == 0) continue;
+    const MovedStrokes back(t.desk.document, t.desk.selection, false);
+    const Edit edit = back.finished(*inverse(drag.map()), 1.0, "Back");
+    if (edit.empty()) continue;  // the tool held at an earlier factor
+    t.desk.apply(edit);
+    for (const StrokeId id : ids) {
+      const auto& was = before.find(id)->data().points;
+      const auto& is = t.desk.document.find(id)->data().points;
+      for (std::size_t i = 0; i < was.size(); ++i) {
+        EXPECT_LE(distance(is[i], was[i]), 1e-9) << "seed " << seed << ", " << mode;
+      }
+    }
+  }
+}
+
+TEST(Transform, GoingBackIsNothing) {
+  Transform t;
+  add_square(t);
+  const Document before = t.desk.document;
+  t.drag(way({10, 30}, {60, 9}) + way({60, 9}, {10, 30}));
+  t.drag(way({43, 43}, {70, 60}) + way({70, 60}, {43, 43}));
+  t.drag({{10, 30}});
+  t.drag(way({10, 30}, {10.2, 30.1}));
+  EXPECT_EQ(t.pen.commits, 0);
+  EXPECT_EQ(t.desk.document, before);
+}
+
+TEST(Transform, TheRateOfSamplesDoesNotMatter) {
+  for (const Point from : {Point{10, 30}, Point{43, 43}, Point{20, -12}, Point{43, 20}}) {
+    Point ends[2];
+    for (const double step : {0.1, 6.0}) {
+      Transform t;
+      const StrokeId id = add_square(t);
+      t.drag(way(from, {60, -30}, step) + way({60, -30}, {80, 70}, step));
+      ends[step > 1.0] = t.start_of(id);
+    }
+    EXPECT_LE(distance(ends[0], ends[1]), 1e-9);
+  }
+}
+
+TEST(Transform, ThePreviewIsWhatIsCommitted) {
+  Transform t;
+  const StrokeId id = add_square(t);
+  t.pen.up({10, 30});
+  for (const Point p : way({10, 30}, {25, 20})) {
+    t.down(p);
+  }
+  ASSERT_TRUE(t.last.preview);
+  const Stroke shown = *t.last.preview->changes.at(0).after;
+  t.pen.up({25, 20});
+  EXPECT_EQ(*t.desk.document.find(id), shown);
+}
+
+TEST(Transform, CancelLeavesNothing) {
+  for (const Point from : {Point{10, 30}, Point{43, 43}, Point{20, 20}}) {
+    Transform t;
+    add_square(t);
+    const Document before = t.desk.document;
+    const Selection selection = t.desk.selection;
+    t.pen.up(from);
+    t.pen.along(way(from, {80, 80}));
+    t.tool.cancel();
+    t.pen.up({80, 80});
+    EXPECT_EQ(t.desk.document, before);
+    EXPECT_EQ(t.desk.selection, selection);
+    EXPECT_EQ(t.pen.commits, 0);
+    // The centre is back as well.
+    t.drag(way({43, 43}, {66, 66}));
+    EXPECT_LE(distance(t.desk.strokes()[0]->position(0.0), Point{-20, -20}), 1e-9);
+  }
+}
+
+TEST(Transform, FinishEndsTheGestureAsALiftDoes) {
+  Transform t;
+  add_square(t);
+  t.pen.up({10, 30});
+  t.pen.along(way({10, 30}, {20, 30}));
+  const ToolResult result = t.tool.finish(t.desk.scene());
+  ASSERT_TRUE(result.commit);
+  EXPECT_EQ(result.commit->label, "Move");
+}
+
+TEST(Transform, LockedLayersAreLeftAlone) {
+  Transform t;
+  const StrokeId id = add_square(t);
+  const Layer layer = t.desk.document.layers()[0];
+  LayerState locked = layer.state();
+  locked.locked = true;
+  t.desk.apply({"Lock", {}, {{layer.id, layer.state(), locked, 0, 0}}});
+  t.drag(way({10, 30}, {60, 9}));
+  t.choose("mode", "rotate");
+  t.drag(way({10, 30}, {60, 9}));
+  EXPECT_EQ(t.pen.commits, 0);
+  EXPECT_EQ(t.start_of(id), (Point{0, 0}));
+}
+
+TEST(Transform, WithNothingSelectedATouchTakesTheLineAndMovesIt) {
+  Transform t;
+  const StrokeId id = t.add(straight_stroke({0, 0}, {30, 0}, 1, 1), false);
+  t.pen.up({15, 2});
+  EXPECT_EQ(t.overlay().spans.size(), 1u) << "seen before the touch";
+  t.drag(way({15, 2}, {15, 22}));
+  EXPECT_EQ(t.start_of(id), (Point{0, 20}));
+  EXPECT_TRUE(t.desk.selection.is_whole(id));
+  t.desk.selection.clear();
+  t.drag(way({15, 40}, {15, 60}));
+  EXPECT_EQ(t.pen.commits, 1) << "nothing there";
+  EXPECT_TRUE(t.desk.selection.empty());
+  t.pen.up({15, 21});
+  t.pen.along(way({15, 21}, {15, 30}));
+  t.tool.cancel();
+  t.pen.up({15, 30});
+  EXPECT_TRUE(t.desk.selection.empty()) << "cancelled: not even selected";
+}
+
+TEST(Transform, AClickBesideTheFrameSelectsAnotherLineOrNone) {
+  Transform t;
+  add_square(t);
+  const StrokeId other = t.add(straight_stroke({90, 0}, {90, 50}, 1, 1), false);
+  t.drag(way({88, 10}, {120, 10}));
+  EXPECT_EQ(t.desk.selection.strokes().size(), 1u);
+  EXPECT_EQ(t.start_of(other), (Point{90, 0})) << "a longer way does nothing";
+  t.drag({{91, 25}});
+  EXPECT_TRUE(t.desk.selection.is_whole(other));
+  EXPECT_EQ(t.desk.selection.strokes().size(), 1u);
+  t.drag({{20, 90}});
+  EXPECT_TRUE(t.desk.selection.empty());
+  EXPECT_EQ(t.pen.commits, 0);
+}
+
+TEST(Transform, E15_TheCentreCanBeDraggedAndStaysUntilTheSelectionChanges) {
+  Transform t;
+  const StrokeId id = add_square(t);
+  t.drag(way({20, 20}, {0, 0}));
+  EXPECT_EQ(t.pen.commits, 0);
+  t.drag(way({43, 43}, {86, 86}));
+  EXPECT_LE(distance(t.start_of(id), Point{0, 0}), 1e-9) << "scaled about the corner";
+  EXPECT_LE(distance(t.desk.strokes()[0]->position(2.0), Point{80, 80}), 1e-9);
+  t.drag(way({83, 83}, {43 / 43.0 * 41.5, 41.5}));
+  EXPECT_LE(distance(t.start_of(id), Point{0, 0}), 1e-9) << "it is still there";
+  // It goes along with a move.
+  t.drag(way({30, 10}, {30, 20}));
+  t.drag(way({43, 53}, {86, 96}));
+  EXPECT_LE(distance(t.start_of(id), Point{0, 10}), 1e-9);
+  // Another selection has its own.
+  const StrokeId other = t.add(straight_stroke({200, 200}, {240, 240}, 1, 1));
+  t.desk.selection.remove(id);
+  t.drag(way({243, 243}, {266, 266}));
+  EXPECT_LE(distance(t.start_of(other), Point{180, 180}), 1e-9);
+}
+
+TEST(Transform, AClickOnTheCentrePutsItBack) {
+  Transform t;
+  const StrokeId id = add_square(t);
+  t.drag(way({20, 20}, {0, 0}));
+  t.drag({{0, 0}});
+  t.drag(way({43, 43}, {66, 66}));
+  EXPECT_LE(distance(t.start_of(id), Point{-20, -20}), 1e-9);
+}
+
+TEST(Transform, TheFirstButtonConstrains) {
+  Transform t;
+  const StrokeId id = add_square(t);
+  t.drag(way({10, 30}, {25, 20}), kFirstModifier);
+  EXPECT_EQ(t.start_of(id), (Point{15, 0}));
+  t.desk.undo();
+  t.drag(way({20, -12}, {60, 0}), kFirstModifier);
+  const Point turned = t.start_of(id);
+  const Vec arm = turned - Point{20, 20};
+  const double angle = std::atan2(arm.y, arm.x) * 180.0 / std::numbers::pi + 135.0;
+  EXPECT_NEAR(std::remainder(angle, 15.0), 0.0, 1e-9);
+  t.desk.undo();
+  t.set("constrain", true);
+  t.drag(way({43, 43}, {66, 31.5}));
+  EXPECT_LE(distance(t.start_of(id), Point{-20, 10}), 1e-9) << "both axes freely";
+}
+
+TEST(Transform, TheSecondButtonDuplicates) {
+  for (const bool by_option : {false, true}) {
+    Transform t;
+    const StrokeId id = add_square(t);
+    if (by_option) t.set("duplicate", true);
+    t.drag(way({10, 30}, {70, 30}), by_option ? 0 : kSecondModifier);
+    ASSERT_EQ(t.desk.strokes().size(), 2u);
+    EXPECT_EQ(t.start_of(id), (Point{0, 0}));
+    EXPECT_EQ(t.desk.strokes()[1]->position(0.0), (Point{60, 0}));
+    EXPECT_EQ(t.desk.selection.find(id), nullptr);
+    EXPECT_EQ(t.desk.selection.strokes().size(), 1u) << "the copy is the selection";
+    EXPECT_EQ(t.pen.commits, 1);
+    t.desk.undo();
+    EXPECT_EQ(t.desk.strokes().size(), 1u);
+  }
+}
+
+TEST(Transform, WidthsAreScaledWhereAsked) {
+  for (const bool asked : {false, true}) {
+    Transform t;
+    const StrokeId id = add_square(t);
+    t.set("scale_widths", asked);
+    t.drag(way({43, 43}, {66, 66}));
+    EXPECT_NEAR(t.desk.document.find(id)->width_mm(1.5), asked ? 2.0 : 1.0, 1e-9);
+  }
+}
+
+TEST(Transform, R34_SaysHowManyLinesHoldAndShowsWhere) {
+  Transform t;
+  for (int i = 0; i < 3; ++i) {
+    const StrokeId id = t.add(straight_stroke({0, 10.0 * i}, {60, 10.0 * i}, 1, 1), false);
+    t.select(id, {1, 1, 0, 0});
+  }
+  t.pen.up({5, 8});
+  for (const Point p : way({5, 8}, {5, 18})) t.down(p);
+  const Overlay overlay = t.overlay();
+  EXPECT_TRUE(has_label(overlay, "3 lines hold it"));
+  EXPECT_TRUE(has_label(overlay, "0.0, 10.0 mm"));
+  int tethers = 0;
+  for (const Overlay::Line& line : overlay.lines) {
+    if (line.role != Overlay::Role::kTether) continue;
+    ++tethers;
+    EXPECT_EQ(line.from.x, 60.0);
+    EXPECT_LE(distance(line.to, line.from + Vec{0, 10}), 1e-12);
+  }
+  EXPECT_EQ(tethers, 3);
+}
+
+TEST(Transform, R35_MoreLinesHoldHarderAndWholeOnesNotAtAll) {
+  const auto force_of = [](int lines, bool whole) {
+    Transform t;
+    for (int i = 0; i < lines; ++i) {
+      const StrokeId id = t.add(straight_stroke({0, 10.0 * i}, {60, 10.0 * i}, 1, 1));
+      if (!whole) t.select(id, {1, 1, 0, 0});
+    }
+    t.pen.up({5, 3});
+    for (const Point p : way({5, 3}, {15, 3})) t.down(p);
+    ForceMemory memory;
+    memory.begin_tick(0.001);
+    PenSample s;
+    s.position = {15, 3, 1.0};  // clear of the sheet's friction
+    return t.tool.force(t.desk.scene())(s, memory).x;
+  };
+  EXPECT_EQ(force_of(4, true), 0.0);
+  double last = 0.0;
+  const double figures[] = {.36, .47, .60, .73, .84};
+  int i = 0;
+  for (const int lines : {1, 2, 4, 8, 16}) {
+    const double force = -force_of(lines, false);
+    EXPECT_GT(force, last);
+    EXPECT_NEAR(force, figures[i++], 0.005) << "specification 5e, at 10 mm";
+    last = force;
+  }
+}
+
+TEST(Transform, ManyTethersAreDrawnInPart) {
+  Transform t;
+  for (int i = 0; i < 200; ++i) {
+    const StrokeId id = t.add(straight_stroke({0, 0.2 * i}, {60, 0.2 * i}, 1, 1), false);
+    t.select(id, {1, 1, 0, 0});
+  }
+  t.pen.up({5, 8});
+  for (const Point p : way({5, 8}, {5, 18})) t.down(p);
+  const Overlay overlay = t.overlay();
+  EXPECT_EQ(std::count_if(overlay.lines.begin(), overlay.lines.end(),
+                          [](const auto& l) { return l.role == Overlay::Role::kTether; }),
+            64);
+  EXPECT_TRUE(has_label(overlay, "200 lines hold it"));
+}
+
+TEST(Transform, ShowsTheFrameBeforeTheTouch) {
+  Transform t;
+  add_square(t);
+  t.pen.up({43, 43});
+  const Overlay overlay = t.overlay();
+  EXPECT_EQ(overlay.outlines.size(), 1u);
+  EXPECT_EQ(overlay.dots.size(), 10u) << "eight handles, the one that turns, the centre";
+  EXPECT_FALSE(overlay.rings.empty());
+  t.desk.selection.clear();
+  t.pen.up({43, 43});
+  EXPECT_TRUE(t.overlay().outlines.empty());
+}
+
+TEST(Transform, AnyGestureKeepsTheInvariantsAndUndoTheBytes) {
+  const char* modes[] = {"auto", "move", "rotate", "scale", "stretch"};
+  for (std::uint64_t seed = 0; seed < 150; ++seed) {
+    Transform t;
+    testing::RandomStroke random(seed + 9000);
+    for (std::uint64_t i = 0; i < 8; ++i) {
+      const StrokeId id = t.add(random_stroke(8 * seed + i), false);
+      Selection::Marks marks(t.desk.document.find(id)->data().points.size());
+      const double density = random.uniform(0, 1);
+      for (auto& m : marks) m = random.chance(density) ? 1 : 0;
+      t.select(id, std::move(marks));
+    }
+    const Document start = t.desk.document;
+    for (int gesture = 0; gesture < 12; ++gesture) {
+      t.choose("mode", modes[random.pick(0, 4)]);
+      t.set("scale_widths", random.chance(0.5));
+      const auto buttons = static_cast<std::uint32_t>(random.chance(0.7) ? 0 : random.pick(1, 3));
+      std::vector<Point> line{{random.uniform(-10, 30), random.uniform(-20, 30)}};
+      for (int i = random.pick(0, 5); i > 0; --i) {
+        const double far = random.chance(0.1) ? 1e6 : 40.0;
+        const Point to{random.uniform(-far, far), random.uniform(-far, far)};
+        line = line + way(line.back(), to, distance(line.back(), to) / 50.0);
+      }
+      t.drag(line, buttons);
+      for (const StrokePtr& s : t.desk.strokes()) {
+        ASSERT_TRUE(check_invariants(s->data())) << "seed " << seed << ", gesture " << gesture;
+      }
+      for (const auto& [id, marks] : t.desk.selection.strokes()) {
+        ASSERT_EQ(marks.size(), t.desk.document.find(id)->data().points.size());
+      }
+    }
+    const Document end = t.desk.document;
+    for (int i = 0; i < t.pen.commits; ++i) t.desk.undo();
+    EXPECT_EQ(t.desk.document, start) << "seed " << seed;
+    for (int i = 0; i < t.pen.commits; ++i) t.desk.redo();
+    EXPECT_EQ(t.desk.document, end) << "seed " << seed;
+  }
+}
+
+}  // namespace
+}  // namespace felt

@@ -1,0 +1,260 @@
+#include "felt/tools/transform/transform_tool.h"
+
+#include <algorithm>
+#include <string>
+#include <utility>
+
+#include "felt/tools/transform/transform_force.h"
+
+namespace felt {
+namespace {
+
+constexpr ToolInfo kInfo{
+    .id = "transform",
+    .label = "Transform",
+    .help =
+        "Moves, turns, scales and stretches what is selected, held back by the lines that "
+        "lead out of it.",
+    .shortcut = 't',
+    .options = kTransformOptions};
+
+TransformKind kind_of(TransformMode mode) {
+  switch (mode) {
+    case TransformMode::kRotate:
+      return TransformKind::kRotate;
+    case TransformMode::kScale:
+      return TransformKind::kScale;
+    case TransformMode::kStretch:
+      return TransformKind::kStretch;
+    case TransformMode::kAuto:
+    case TransformMode::kMove:
+      break;
+  }
+  return TransformKind::kMove;
+}
+
+std::string hold_text(std::size_t anchors) {
+  return std::to_string(anchors) + (anchors == 1 ? " line holds it" : " lines hold it");
+}
+
+}  // namespace
+
+std::unique_ptr<Tool> make_transform() {
+  return std::make_unique<TransformTool>();
+}
+
+TransformTool::TransformTool() : GestureTool(kInfo) {}
+
+TransformFrame::Grip TransformTool::grip_at(Point p) const {
+  using Part = TransformFrame::Part;
+  if (frame_.empty() || settings_.mode == TransformMode::kAuto) return frame_.grip_at(p);
+  const bool has_centre = settings_.mode != TransformMode::kMove;
+  if (has_centre && frame_.is_centre(p)) return {Part::kCentre, TransformKind::kMove, p};
+  return {Part::kInside, kind_of(settings_.mode), p};
+}
+
+void TransformTool::look_at_stroke(Point p, const Scene& scene) {
+  const auto hit = scene.index.nearest(p, settings_.grab_radius_mm);
+  under_pen_id_ = hit ? hit->stroke : StrokeId{};
+  under_pen_ = hit ? scene.document.find(hit->stroke) : nullptr;
+}
+
+/// The centre is kept until other points are selected, or they lie elsewhere by another's doing.
+void TransformTool::follow_selection() {
+  if (selected_.fingerprint() != centre_is_for_) {
+    if (selected_.marks_fingerprint() != moved_marks_) centre_.reset();
+    moved_marks_.reset();
+    centre_is_for_ = selected_.fingerprint();
+  }
+  frame_ = TransformFrame(selected_.box(), centre_);
+}
+
+ToolResult TransformTool::hover(const PenSample& sample, const Scene& scene) {
+  pen_ = on_sheet(sample.position);
+  selected_.look(scene.document, scene.selection);
+  follow_selection();
+  under_pen_ = nullptr;
+  if (grip_at(pen_).part == TransformFrame::Part::kNone) look_at_stroke(pen_, scene);
+  return {};
+}
+
+ToolResult TransformTool::begin(const PenSample& sample, const Scene& scene) {
+  pen_ = grab_ = on_sheet(sample.position);
+  farthest_mm_ = 0.0;
+  ++gesture_;
+  doing_ = Doing::kNothing;
+  selected_.look_at_all(scene.document, scene.selection);
+  follow_selection();
+  old_centre_ = centre_;
+  under_pen_ = nullptr;
+  const TransformFrame::Grip grip = grip_at(pen_);
+  switch (grip.part) {
+    case TransformFrame::Part::kInside:
+    case TransformFrame::Part::kHandle:
+      take_hold(grip.kind, scene, scene.selection, sample.buttons);
+      break;
+    case TransformFrame::Part::kCentre:
+      doing_ = Doing::kCentre;
+      break;
+    case TransformFrame::Part::kNone:
+      look_at_stroke(pen_, scene);
+      if (frame_.empty() && under_pen_) {
+        hold_stroke(scene, sample.buttons);
+      } else if (!frame_.empty()) {
+        doing_ = Doing::kElsewhere;
+      }
+      break;
+  }
+  return {};
+}
+
+void TransformTool::hold_stroke(const Scene& scene, std::uint32_t buttons) {
+  Selection selection;
+  selection.set_whole(under_pen_id_, under_pen_->data().points.size());
+  selected_.look_at_all(scene.document, selection);
+  frame_ = TransformFrame(selected_.box());
+  take_hold(kind_of(settings_.mode), scene, selection, buttons);
+  taken_ = std::move(selection);
+}
+
+void TransformTool::take_hold(TransformKind kind, const Scene& scene, const Selection& selection,
+                              std::uint32_t buttons) {
+  duplicates_ = settings_.duplicate || (buttons & kSecondModifier) != 0;
+  strokes_ = MovedStrokes(scene.document, selection, duplicates_);
+  drag_ = TransformDrag(kind, frame_.centre(), grab_, strokes_.least_scale());
+  doing_ = strokes_.empty() ? Doing::kNothing : Doing::kTransform;
+}
+
+double TransformTool::width_factor() const {
+  return settings_.scale_widths ? drag_.width_factor() : 1.0;
+}
+
+ToolResult TransformTool::move(const PenSample& sample, const Scene&) {
+  pen_ = on_sheet(sample.position);
+  farthest_mm_ = std::max(farthest_mm_, distance(grab_, pen_));
+  if (farthest_mm_ < kClickMm) return {.same_preview = true};
+  if (doing_ == Doing::kCentre) {
+    centre_ = pen_;
+    frame_ = TransformFrame(selected_.box(), centre_);
+  }
+  if (doing_ != Doing::kTransform) return {.same_preview = true};
+  drag_.update(pen_, settings_.constrain || (sample.buttons & kFirstModifier) != 0);
+  return {.preview = strokes_.step(drag_.map(), width_factor()), .same_preview = true};
+}
+
+ToolResult TransformTool::end(const Scene& scene) {
+  ToolResult result;
+  switch (doing_) {
+    case Doing::kNothing:
+      break;
+    case Doing::kTransform:
+      result = end_transform();
+      break;
+    case Doing::kCentre:
+      if (farthest_mm_ < kClickMm) centre_.reset();
+      break;
+    case Doing::kElsewhere:
+      result = end_elsewhere(scene);
+      break;
+  }
+  old_centre_ = centre_;
+  drop();
+  return result;
+}
+
+ToolResult TransformTool::end_transform() {
+  ToolResult result;
+  result.selection = std::move(taken_);
+  if (drag_.is_identity()) return result;
+  Edit edit = strokes_.finished(drag_.map(), width_factor(),
+                                duplicates_ ? std::string("Duplicate") : drag_.label());
+  if (edit.empty()) return result;
+  result.commit = std::move(edit);
+  if (duplicates_) result.selection = strokes_.copies();
+  if (centre_) centre_ = apply(drag_.map(), *centre_);
+  moved_marks_ = selected_.marks_fingerprint();
+  selected_.start_over();
+  return result;
+}
+
+ToolResult TransformTool::end_elsewhere(const Scene& scene) const {
+  ToolResult result;
+  if (farthest_mm_ >= kClickMm) return result;
+  result.selection.emplace();
+  if (under_pen_ && scene.document.find(under_pen_id_)) {
+    result.selection->set_whole(under_pen_id_, under_pen_->data().points.size());
+  }
+  return result;
+}
+
+void TransformTool::drop() {
+  centre_ = old_centre_;
+  doing_ = Doing::kNothing;
+  taken_.reset();
+  under_pen_ = nullptr;
+  strokes_ = {};
+  drag_ = {};
+}
+
+void TransformTool::take_options(const OptionValues& options) {
+  settings_ = transform_settings(options);
+}
+
+ForceModel TransformTool::force(const Scene& scene) const {
+  const TransformHold hold{drag_.kind(), drag_.centre(), drag_.grab(), strokes_.anchors(),
+                           gesture_};
+  const bool holds = in_gesture() && doing_ == Doing::kTransform;
+  return make_transform_force(scene, settings_.strength, holds ? &hold : nullptr);
+}
+
+void TransformTool::draw(Overlay& overlay) const {
+  if (in_gesture() && doing_ == Doing::kTransform) return draw_gesture(overlay);
+  if (!frame_.empty()) {
+    selected_.draw(overlay);
+    frame_.draw(overlay);
+    const TransformFrame::Grip grip = grip_at(pen_);
+    if (grip.part == TransformFrame::Part::kHandle || grip.part == TransformFrame::Part::kCentre) {
+      overlay.rings.push_back({grip.at, TransformFrame::kGripMm, Overlay::Role::kReach});
+    }
+  }
+  if (under_pen_) {
+    add_span(overlay, *under_pen_, 0.0, under_pen_->segment_count(), Overlay::Role::kSpan);
+  }
+}
+
+void TransformTool::draw_gesture(Overlay& overlay) const {
+  const Affine& map = drag_.map();
+  Overlay marked;
+  selected_.draw(marked);
+  for (Overlay::Span span : marked.spans) {
+    if (span.role != Overlay::Role::kSelected) continue;  // bent: its preview shows how
+    span.curve = apply(map, span.curve);
+    overlay.spans.push_back(span);
+  }
+  std::vector<Point> corners;
+  for (const Point p : frame_.corners()) corners.push_back(apply(map, p));
+  const Point beside = corners[1];
+  overlay.outlines.push_back({std::move(corners), true, Overlay::Role::kSelected});
+  draw_tethers(overlay);
+  if (drag_.kind() == TransformKind::kMove) {
+    overlay.lines.push_back({grab_, pen_, Overlay::Role::kVector});
+  } else {
+    overlay.dots.push_back({drag_.centre(), Overlay::Role::kGuide});
+    overlay.lines.push_back({drag_.centre(), grab_, Overlay::Role::kGuide});
+    overlay.lines.push_back({drag_.centre(), pen_, Overlay::Role::kVector});
+  }
+  overlay.labels.push_back({pen_, drag_.text()});
+  if (!strokes_.anchors().empty()) {
+    overlay.labels.push_back({beside, hold_text(strokes_.anchors().size())});
+  }
+}
+
+void TransformTool::draw_tethers(Overlay& overlay) const {
+  const std::vector<Point>& anchors = strokes_.anchors();
+  for (std::size_t i = 0; i < std::min(anchors.size(), kMostTethers); ++i) {
+    overlay.dots.push_back({anchors[i], Overlay::Role::kTether});
+    overlay.lines.push_back({anchors[i], apply(drag_.map(), anchors[i]), Overlay::Role::kTether});
+  }
+}
+
+}  // namespace felt
