@@ -1,0 +1,20 @@
+tool_room(width
+  SOURCES
+    arc_places.cc
+    profile_knots.cc
+    width_brush.cc
+    width_options.cc
+    width_retrace.cc
+    width_tool.cc
+  HEADERS
+    arc_places.h
+    profile_knots.h
+    width_brush.h
+    width_force.h
+    width_options.h
+    width_retrace.h
+    width_tool.h
+  TESTS
+    width_brush_test.cc
+    width_force_test.cc
+    width_test.cc)

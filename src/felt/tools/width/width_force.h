@@ -1,0 +1,138 @@
+#pragma once
+
+#include <algorithm>
+#include <optional>
+
+#include "felt/haptics/compose.h"
+#include "felt/haptics/drawing_feel.h"
+#include "felt/haptics/known_velocity.h"
+#include "felt/haptics/spring.h"
+#include "felt/tools/feel_id.h"
+#include "felt/tools/pressing.h"
+#include "felt/tools/scene.h"
+#include "felt/tools/width/width_options.h"
+
+namespace felt {
+
+/// How near the width under the pen is to where the brush must stop: 0 far, 1 there.
+struct WidthStops {
+  double harder = 0.0;   ///< the end to which pressing harder leads
+  double lighter = 0.0;  ///< the one to which pressing less leads
+};
+
+/// The spring and damper that counteract the pressure where the width can go no farther (paper,
+/// "Change curve width"; E20). Beside the plane of the sheet, with d the depth and d0 the depth at
+/// which the width stands still:
+///
+///   F = K (harder max(0, d - d0) + lighter min(d, d0)) - B vz,   |B vz| at most the spring
+///
+/// So at the broadest the sheet gets stiff against pressing on, and at the thinnest it takes more
+/// to leave: a detent. Zero at the surface, never pulling in, continuous; both springs are
+/// functions of the depth, so they give back what they took. Stands behind the plane, whose speed
+/// it reads. K is what the plane leaves of the device's stiffness, see width_stop_stiffness.
+class WidthStop {
+ public:
+  WidthStop(const WidthStops& stops, double neutral_mm, double stiffness_n_per_m) noexcept
+      : stops_(stops), neutral_mm_(neutral_mm), stiffness_(stiffness_n_per_m) {}
+
+  Force operator()(const PenSample& sample, ForceMemory& memory) const noexcept {
+    const double depth = depth_mm(sample);
+    const double stretch = stops_.harder * std::max(0.0, depth - neutral_mm_) +
+                           stops_.lighter * std::min(depth, neutral_mm_);
+    const double spring = 1e-3 * stiffness_ * memory.scale.normal * stretch;
+    const double speed = memory.normal_speed_mm_per_s;
+    const double damper = std::clamp(-1e-3 * kDampingNSPerM * speed, -spring, spring);
+    const Force force{0.0, 0.0, spring + damper};
+    memory.terms.add("stop", force);
+    return force;
+  }
+  [[nodiscard]] Slopes slopes() const noexcept {
+    return {.normal_n_per_m = stiffness_ * std::max(stops_.harder, stops_.lighter)};
+  }
+
+ private:
+  static constexpr double kDampingNSPerM = 1.0;
+
+  WidthStops stops_;
+  double neutral_mm_;
+  double stiffness_;
+};
+
+/// Stiffness left for a stop beside the plane of a sheet, N/m: of the budget (R56), of 0.9 of the
+/// device's cap (R55), and of what the steps of its sensor allow; 400 at most. 0 on a device whose
+/// plane takes all there is: there the stop is felt as friction only.
+inline double width_stop_stiffness(const SurfaceMaterial& surface, const Capabilities& device) {
+  constexpr double kMost = 400.0, kMostPerStepN = 0.025;
+  double room = stiffness_budget_n_per_m(device);
+  if (device.max_stiffness_n_per_m > 0.0) {
+    room = std::min(room, 0.9 * device.max_stiffness_n_per_m);
+  }
+  if (device.position_step_mm > 0.0) {
+    room = std::min(room, 1e3 * kMostPerStepN / device.position_step_mm);
+  }
+  return std::clamp(room - plane_for(surface, device).stiffness_n_per_m, 0.0, kMost);
+}
+
+/// Draws the pen back to the height at which it took a line to scale it: EditSpring along y only.
+class HeightSpring {
+ public:
+  HeightSpring(double origin_y_mm, double share) noexcept : origin_y_mm_(origin_y_mm) {
+    options_.law.gain = share;
+    options_.damping_n_s_per_m *= share;
+  }
+
+  Force operator()(const PenSample& sample, ForceMemory& memory) const noexcept {
+    const Force force =
+        pull_back(options_.law, {0.0, sample.position.y - origin_y_mm_}, options_.damping_n_s_per_m,
+                  {0.0, known_velocity(sample).y}, memory.scale.lateral);
+    memory.terms.add("edit", force);
+    return force;
+  }
+  [[nodiscard]] Slopes slopes() const noexcept {
+    return {.lateral_n_per_m = options_.law.max_slope_n_per_m()};
+  }
+
+ private:
+  double origin_y_mm_;
+  EditOptions options_;
+};
+
+/// What the width tool wants to be felt.
+struct WidthFeel {
+  WidthStops stops;  ///< of the brush
+  WidthDirection direction = WidthDirection::kPressure;
+  std::optional<double> origin_y_mm;  ///< while a line is scaled
+};
+
+/// What the hand feels: the sheet, more friction towards a stop, the stop itself, and while a line
+/// is scaled the pull back to where that began. The stops change smoothly, the feel stays the same.
+inline ForceModel make_width_force(const WidthSettings& settings, const Scene& scene,
+                                   const WidthFeel& feel) {
+  ToolMaterial material = tool_materials().front();
+  const double near = std::max(feel.stops.harder, feel.stops.lighter);
+  material.friction *= settings.strength * (1.0 + near);
+  material.grain *= settings.strength;
+  const SheetForce sheet =
+      make_sheet_force(scene.surface, material, scene.device, surface_grain(scene.surface));
+
+  FeelId id("width");
+  id.with(scene.surface.id).with(settings.strength);
+  ForceModel model;
+  if (feel.origin_y_mm) {
+    id.with("scale").with(*feel.origin_y_mm);
+    model = ForceModel(Compose(sheet, HeightSpring(*feel.origin_y_mm, settings.strength)));
+  } else {
+    // Where the width stands still: at half the pressure, or at none when harder only does more.
+    const Pressing pressing(scene.surface, scene.device);
+    const bool by_pressure = feel.direction == WidthDirection::kPressure;
+    const double neutral_n =
+        Pressing::kLeastN + (by_pressure ? 0.5 * (pressing.most_n() - Pressing::kLeastN) : 0.0);
+    const double neutral_mm = 1e3 * neutral_n / std::max(pressing.stiffness_n_per_m(), 1.0);
+    const double stiffness = settings.strength * width_stop_stiffness(scene.surface, scene.device);
+    model = ForceModel(Compose(sheet, WidthStop(feel.stops, neutral_mm, stiffness)));
+  }
+  model.set_fade_id(id.value());
+  return model;
+}
+
+}  // namespace felt

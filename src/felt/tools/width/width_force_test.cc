@@ -1,0 +1,159 @@
+#include "felt/tools/width/width_force.h"
+
+#include <gtest/gtest.h>
+
+#include "felt/haptics/feel_rig.h"
+#include "felt/tools/desk.h"
+
+namespace felt {
+namespace {
+
+using testing::Desk;
+
+Force force_at(const ForceModel& model, const Vec3& position, const Vec3& velocity = {}) {
+  ForceMemory memory;
+  memory.begin_tick(0.001);
+  model(rig::pen_at(position), memory);  // the plane has seen where the pen is
+  memory.begin_tick(0.001);
+  return model(rig::pen_at(position, velocity), memory);
+}
+
+WidthFeel at_stop(double harder, double lighter) {
+  WidthFeel feel;
+  feel.stops = {harder, lighter};
+  return feel;
+}
+
+TEST(WidthForce, TheStopPushesMoreTheNearerTheLimitAndNeverPullsIn) {
+  const Desk desk;
+  const WidthSettings settings;
+  const double neutral = 1e3 * (0.1 + 0.5 * 1.9) / 500.0;  // 2.1 mm on paper
+  for (double z = 0.0; z < 6.0; z += 0.05) {
+    double last = 500.0 * 1e-3 * z;
+    for (const double near : {0.0, 0.25, 0.5, 0.75, 1.0}) {
+      const double push =
+          force_at(make_width_force(settings, desk.scene(), at_stop(near, 0)), {0, 0, -z}).z;
+      EXPECT_GE(push, last - 1e-12);
+      if (z <= neutral) {
+        EXPECT_NEAR(push, 0.5 * z, 1e-12);
+      } else {
+        EXPECT_NEAR(push, 0.5 * z + near * 0.4 * (z - neutral), 1e-9);
+      }
+      last = push;
+    }
+    const double light =
+        force_at(make_width_force(settings, desk.scene(), at_stop(0, 1)), {0, 0, -z}).z;
+    EXPECT_NEAR(light, 0.5 * z + 0.4 * std::min(z, neutral), 1e-9);
+  }
+}
+
+TEST(WidthForce, R56_TheStiffnessStaysWithinTheBudgetAndTheCapOfTheDevice) {
+  for (const SurfaceMaterial& surface : surface_materials()) {
+    for (const double cap : {0.0, 300.0, 400.0, 700.0, 1000.0, 3000.0}) {
+      for (const int delay : {1, 2, 3}) {
+        Desk desk;
+        desk.surface = surface;
+        desk.device.max_stiffness_n_per_m = cap;
+        desk.device.delay_ticks = delay;
+        const ForceModel model = make_width_force({}, desk.scene(), at_stop(1, 1));
+        const double slope = model.slopes().normal_n_per_m;
+        EXPECT_LE(slope, stiffness_budget_n_per_m(desk.device) + 1e-9);
+        if (cap > 0.0) {
+          EXPECT_LE(slope, 0.9 * cap + 1e-9);
+        }
+        // The claim holds.
+        for (double z = 0.0; z < 6.0; z += 0.1) {
+          const double rise = force_at(model, {0, 0, -z - 1e-4}).z - force_at(model, {0, 0, -z}).z;
+          EXPECT_LE(rise, 1e-3 * slope * 1e-4 + 1e-12);
+        }
+      }
+    }
+  }
+}
+
+TEST(WidthForce, R12_TheStopIsCalmInEveryHand) {
+  for (const int delay : {0, 1, 2}) {
+    rig::for_each_grip(0.001, delay, [&](const rig::Setup& setup) {
+      SCOPED_TRACE(setup.name());
+      Desk held;
+      held.device = setup.capabilities();
+      held.surface.id = "smooth";  // grain is meant to be felt above 30 Hz
+      held.surface.grain_um = 0.0;
+      const double plane = plane_for(held.surface, held.device).stiffness_n_per_m;
+      rig::Bench bench(setup, make_width_force({}, held.scene(), at_stop(1, 0)));
+      const double down = rig::aim_z_mm(setup.hand, 1.6, plane);
+      const auto aim = [&](double t) {
+        return Vec3{15.0 * t, 0.0, t < 0.3 ? 2.0 + (down - 2.0) * t / 0.3 : down};
+      };
+      bench.run(0.6, aim);
+      bench.begin_measuring();
+      bench.run(1.0, aim);
+      EXPECT_LT(bench.figures().hf_n, 0.03);
+    });
+  }
+}
+
+TEST(WidthForce, PressingIntoTheStopAndOutTakesEnergy) {
+  for (const rig::Hand& hand : rig::kHands) {
+    const rig::Setup setup{hand, rig::kStyluses[0], 0.001, 1};
+    SCOPED_TRACE(setup.name());
+    Desk held;
+    held.device = setup.capabilities();
+    for (const WidthFeel& feel : {at_stop(1, 0), at_stop(0, 1), at_stop(1, 1)}) {
+      rig::Bench bench(setup, make_width_force({}, held.scene(), feel), {0, 0, 1});
+      bench.run(0.2, [](double) { return Vec3{0, 0, 1}; });
+      bench.begin_measuring();
+      const double depth = -rig::aim_z_mm(hand, 1.5, 500.0);
+      bench.run(5.0, [&](double t) {
+        return Vec3{0, 0, 1.0 - (1.0 + depth) * 0.5 * (1.0 - std::cos(6.283185307 * (t - 0.2)))};
+      });
+      EXPECT_LE(bench.figures().energy_mj, 1.0);
+    }
+  }
+}
+
+TEST(WidthForce, ScalingPullsBackAlongTheHeightOnly) {
+  const Desk desk;
+  WidthFeel feel;
+  feel.origin_y_mm = 20.0;
+  const ForceModel model = make_width_force({}, desk.scene(), feel);
+  double last = 0.0;
+  for (double dy = 0.0; dy < 60.0; dy += 0.05) {
+    const Force up = force_at(model, {3, 20 - dy, 5}), down = force_at(model, {-9, 20 + dy, 5});
+    EXPECT_EQ(up.x, 0.0);
+    EXPECT_NEAR(up.y, -down.y, 1e-12);
+    if (dy == 0.0) {
+      EXPECT_EQ(up.y, 0.0);
+    } else {
+      EXPECT_GT(up.y, last);
+    }
+    EXPECT_LT(up.y, 1.0);
+    EXPECT_LE(up.y - last, 0.3 * 0.05 + 1e-12);
+    last = up.y;
+  }
+  EXPECT_LE(model.slopes().lateral_n_per_m, 300.0);
+}
+
+TEST(WidthForce, StrengthScalesWhatTheToolAdds) {
+  const Desk desk;
+  WidthSettings none;
+  none.strength = 0.0;
+  WidthFeel feel = at_stop(1, 1);
+  EXPECT_EQ(force_at(make_width_force(none, desk.scene(), feel), {0, 0, -4}), (Force{0, 0, 2.0}));
+  feel.origin_y_mm = 20.0;
+  EXPECT_EQ(force_at(make_width_force(none, desk.scene(), feel), {0, 0, -4}), (Force{0, 0, 2.0}));
+}
+
+TEST(WidthForce, TheFeelStaysTheSameWhileTheStopComes) {
+  const Desk desk;
+  const auto id = [&](const WidthFeel& feel) {
+    return make_width_force({}, desk.scene(), feel).fade_id();
+  };
+  EXPECT_EQ(id(at_stop(0, 0)), id(at_stop(0.4, 0.7)));
+  WidthFeel scale;
+  scale.origin_y_mm = 1.0;
+  EXPECT_NE(id(at_stop(0, 0)), id(scale));
+}
+
+}  // namespace
+}  // namespace felt

@@ -1,0 +1,119 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <string_view>
+
+#include "felt/stroke/stroke.h"
+#include "felt/stroke/width_map.h"
+#include "felt/tools/tool_options.h"
+
+namespace felt {
+
+/// What a gesture of the width tool does.
+enum class WidthMode { kBrush, kRetrace, kScale };
+/// Which way the brush goes.
+enum class WidthDirection { kPressure, kThicker, kThinner };
+
+inline constexpr std::array<std::string_view, 3> kWidthModes = {"brush", "retrace", "scale"};
+inline constexpr std::array<std::string_view, 3> kWidthDirections = {"pressure", "thicker",
+                                                                     "thinner"};
+
+/// Rows of kWidthOptions.
+struct WidthOption {
+  enum Row : std::size_t {
+    kMode,
+    kDirection,
+    kRate,
+    kReach,
+    kMinWidth,
+    kMaxWidth,
+    kGamma,
+    kMousePressure,
+    kStrength,
+    kCount
+  };
+};
+
+inline constexpr std::array<OptionSpec, WidthOption::kCount> kWidthOptions = {{
+    {.id = "mode",
+     .label = "Mode",
+     .unit = "",
+     .kind = OptionKind::kChoice,
+     .fallback = 0,
+     .choices = kWidthModes,
+     .help = "Brush: thicker or thinner under the pen. Retrace: drawing along a line gives it the "
+             "new pressure. Scale: dragging up or down scales a whole line."},
+    {.id = "direction",
+     .label = "Direction of the brush",
+     .unit = "",
+     .kind = OptionKind::kChoice,
+     .fallback = 0,
+     .choices = kWidthDirections,
+     .help = "By pressure, hard for thicker and light for thinner, or always the same way. The "
+             "first button of the pen makes thinner, the second thicker."},
+    {.id = "rate_mm_per_s",
+     .label = "Speed of the brush",
+     .unit = "mm/s",
+     .min = 0.1,
+     .max = 50.0,
+     .fallback = 6.0,
+     .help = "How fast the width changes, per unit of pressure."},
+    {.id = "reach_mm",
+     .label = "Reach of the brush",
+     .unit = "mm",
+     .min = 1.0,
+     .max = 100.0,
+     .fallback = 10.0,
+     .help = "Way along the line, to both sides of the pen, within which the width changes."},
+    {.id = "min_width_mm",
+     .label = "Thinnest retraced line",
+     .unit = "mm",
+     .min = kMinWidthMm,
+     .max = 20.0,
+     .fallback = 0.3,
+     .help = "Width of a retraced line without pressure."},
+    {.id = "max_width_mm",
+     .label = "Broadest line",
+     .unit = "mm",
+     .min = kMinWidthMm,
+     .max = 50.0,
+     .fallback = 6.0,
+     .help = "No line is made broader than this; one that is may stay so."},
+    {.id = "gamma",
+     .label = "Pressure curve",
+     .unit = "",
+     .min = 0.2,
+     .max = 5.0,
+     .fallback = 1.0,
+     .help = "Of retracing: above 1 a light hand stays thin for longer."},
+    {.id = "mouse_pressure",
+     .label = "Pressure of a mouse",
+     .unit = "",
+     .min = 0.0,
+     .max = 1.0,
+     .fallback = 0.75,
+     .help = "Pressure of a device that knows neither pressure nor depth."},
+    {.id = "strength",
+     .label = "Strength of forces",
+     .unit = "",
+     .min = 0.0,
+     .max = 1.0,
+     .fallback = 1.0,
+     .help = "Share of friction, stops and pull that is felt; the sheet stays as hard as it is."},
+}};
+
+/// The options as the tool uses them.
+struct WidthSettings {
+  WidthMode mode = WidthMode::kBrush;
+  WidthDirection direction = WidthDirection::kPressure;
+  double rate_mm_per_s = 6.0;
+  double reach_mm = 10.0;
+  WidthMapOptions map;  ///< of retracing; its max_mm is the limit of all modes
+  double strength = 1.0;
+};
+
+/// Reads them. Requires values of kWidthOptions.
+WidthSettings width_settings(const OptionValues& values);
+
+}  // namespace felt
