@@ -30,6 +30,8 @@ class StrokeDivisions {
   void clear() noexcept;
 
   [[nodiscard]] bool empty() const noexcept { return divided_.empty(); }
+  /// Strokes and parts: the changes that build() makes.
+  [[nodiscard]] std::size_t size() const noexcept { return divided_.size() + parts_; }
   /// Linear in the strokes and their parts, whatever the size of the document. New ids are given in
   /// drawing order, so the edit depends on the parts only and not on the order of the calls.
   [[nodiscard]] Edit build(const Document& document, std::string label) const;

@@ -12,9 +12,9 @@ constexpr std::size_t kMostCoefficients = 7;
 constexpr std::size_t kMostHalvings = 48;
 
 struct Piece {
-  std::array<double, kMostCoefficients> c{};
-  double from = 0.0;
-  double width = 1.0;
+  std::array<double, kMostCoefficients> c;
+  double from;
+  double width;
 };
 
 /// De Casteljau in the middle: the piece becomes its left half, the right one is returned.
@@ -127,13 +127,16 @@ UnitParts below_zero(std::span<const double> coefficients) noexcept {
   const std::size_t n = coefficients.size();
   FELT_CHECK(n > 0 && n <= kMostCoefficients);
   UnitParts parts;
-  Piece piece;
+  Piece piece{{}, 0.0, 1.0};
   for (std::size_t k = 0; k < n; ++k) {
     if (!std::isfinite(coefficients[k])) return parts;
     piece.c[k] = coefficients[k];
   }
-  std::array<Piece, kMostHalvings> waiting;  // filled before it is read
-  std::size_t count = 0;
+  if (settle(piece, n, parts)) return parts;
+  // Not cleared: it is filled before it is read.
+  std::array<Piece, kMostHalvings> waiting;  // NOLINT(cppcoreguidelines-pro-type-member-init)
+  waiting[0] = halve(piece, n);
+  std::size_t count = 1;
   while (true) {
     if (!settle(piece, n, parts) && piece.width > 0x1p-47) {
       waiting[count++] = halve(piece, n);

@@ -42,12 +42,12 @@ ToolResult EraserTool::begin(const PenSample& sample, const Scene& scene) {
   pen_ = on_sheet(sample.position);
   aim_.clear();
   erasing_.emplace(settings_, mode_of(sample));
-  return preview(erasing_->begin(*pen_, scene), scene);
+  return preview(erasing_->begin(*pen_, sample.time_ns, scene), scene);
 }
 
 ToolResult EraserTool::move(const PenSample& sample, const Scene& scene) {
   pen_ = on_sheet(sample.position);
-  return preview(erasing_->move(*pen_, scene), scene);
+  return preview(erasing_->move(*pen_, sample.time_ns, scene), scene);
 }
 
 ToolResult EraserTool::end(const Scene& scene) {

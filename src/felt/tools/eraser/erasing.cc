@@ -15,46 +15,64 @@ std::optional<StrokeHit> aimed_at(Point pen, const EraserSettings& settings, con
   return hit->distance_mm < settings.radius_mm + half_width ? hit : std::nullopt;
 }
 
-bool Erasing::begin(Point pen, const Scene& scene) {
+bool Erasing::begin(Point pen, std::int64_t time_ns, const Scene& scene) {
   pen_ = pen;
-  if (mode_ != EraserMode::kCrossing) return sweep(pen, pen, scene);
-  if (const auto hit = aimed_at(pen, settings_, scene)) {
-    const ParameterSet::Interval at{hit->u, hit->u};
-    pending_.push_back({hit->stroke, at, SpanSearch(at)});
+  time_ns_ = shown_ns_ = time_ns;
+  if (mode_ == EraserMode::kCrossing) {
+    if (const auto hit = aimed_at(pen, settings_, scene)) {
+      const ParameterSet::Interval at{hit->u, hit->u};
+      pending_.push_back({hit->stroke, at, SpanSearch(at)});
+    }
+  } else {
+    sweep(pen, pen, scene);
   }
   search(kCrossingBudget, scene);
-  return cut_changed(scene);
+  cut(kMostCuts, scene);
+  return std::exchange(changed_, false);
 }
 
-bool Erasing::move(Point pen, const Scene& scene) {
+bool Erasing::move(Point pen, std::int64_t time_ns, const Scene& scene) {
   const Point from = std::exchange(pen_, pen);
-  if (from != pen) return sweep(from, pen, scene);
-  if (pending_.empty()) return false;
+  if (from != pen) sweep(from, pen, scene);
   search(kCrossingBudget, scene);
-  return cut_changed(scene);
+  // In double: the difference of two hostile times does not fit into 64 bits.
+  const double ms = 1e-6 * (static_cast<double>(time_ns) - static_cast<double>(time_ns_));
+  time_ns_ = time_ns;
+  cut(static_cast<int>(std::clamp(kCutsPerMs * ms, 1.0 * kCutsPerMs, 1.0 * kMostCuts)), scene);
+  return shows(time_ns);
 }
 
-bool Erasing::finish(const Scene& scene) {
+bool Erasing::shows(std::int64_t time_ns) {
+  if (!changed_) return false;
+  const double many = static_cast<double>(divisions_.size());
+  const double pause = std::clamp(static_cast<double>(kShowNsPerStroke) * many,
+                                  static_cast<double>(kShowNs), static_cast<double>(kShowNsAtMost));
+  const double since = static_cast<double>(time_ns) - static_cast<double>(shown_ns_);
+  if (since >= 0.0 && since < pause) return false;
+  shown_ns_ = time_ns;
+  changed_ = false;
+  return true;
+}
+
+void Erasing::finish(const Scene& scene) {
   search(std::numeric_limits<int>::max(), scene);
-  return cut_changed(scene);
+  cut(std::numeric_limits<int>::max(), scene);
 }
 
-bool Erasing::sweep(Point from, Point to, const Scene& scene) {
+void Erasing::sweep(Point from, Point to, const Scene& scene) {
   const bool crossing = mode_ == EraserMode::kCrossing;
   const Capsule capsule{from, to, crossing ? kPointMm : settings_.radius_mm,
-                        settings_.include_width && !crossing};
+                        settings_.include_width && !crossing, from != to && !crossing};
   const Rect area = capsule.bounds().inflated(capsule.adds_half_width ? kWidestHalfMm : 0.0);
   looked_at_ = nullptr;
+  const std::size_t before = pending_.size();
   scene.index.for_each_segment_in(
       area, [&](StrokeId id, int segment) { meet(id, segment, capsule, scene); });
-  if (crossing) {
-    // In an order that does not depend on the index.
-    std::sort(pending_.begin(), pending_.end(), [](const Pending& a, const Pending& b) {
-      return a.stroke != b.stroke ? a.stroke < b.stroke : a.touched.from < b.touched.from;
-    });
-    search(kCrossingBudget, scene);
-  }
-  return cut_changed(scene);
+  // In an order that does not depend on the index.
+  std::sort(pending_.begin() + static_cast<std::ptrdiff_t>(before), pending_.end(),
+            [](const Pending& a, const Pending& b) {
+              return a.stroke != b.stroke ? a.stroke < b.stroke : a.touched.from < b.touched.from;
+            });
 }
 
 void Erasing::meet(StrokeId id, int segment, const Capsule& capsule, const Scene& scene) {
@@ -63,7 +81,7 @@ void Erasing::meet(StrokeId id, int segment, const Capsule& capsule, const Scene
   if (known != lines_.end() && known->second.erased.contains({u, u + 1.0})) return;
   if (known != lines_.end() && mode_ == EraserMode::kTouched) {
     if (add_swept(*known->second.stroke, segment, capsule, known->second.erased)) {
-      changed_.push_back(id);
+      mark(id, known->second);
     }
     return;
   }
@@ -94,8 +112,13 @@ Erasing::Line& Erasing::line_of(StrokeId id, const Scene& scene) {
                                : lines_.emplace(id, scene.document.find(id)).first->second;
 }
 
+void Erasing::mark(StrokeId id, Line& line) {
+  if (!std::exchange(line.waits, true)) to_cut_.push_back(id);
+}
+
 void Erasing::erase(StrokeId id, ParameterSet::Interval part, const Scene& scene) {
-  if (line_of(id, scene).erased.add(part)) changed_.push_back(id);
+  Line& line = line_of(id, scene);
+  if (line.erased.add(part)) mark(id, line);
 }
 
 void Erasing::search(int budget, const Scene& scene) {
@@ -120,21 +143,20 @@ void Erasing::search(int budget, const Scene& scene) {
   }
 }
 
-bool Erasing::cut_changed(const Scene& scene) {
-  std::sort(changed_.begin(), changed_.end());
-  changed_.erase(std::unique(changed_.begin(), changed_.end()), changed_.end());
-  for (const StrokeId id : changed_) {
+void Erasing::cut(int most, const Scene& scene) {
+  for (; most > 0 && !to_cut_.empty(); --most) {
+    const StrokeId id = to_cut_.front();
+    to_cut_.pop_front();
     Line& line = lines_.at(id);
+    line.waits = false;
     line.remains.cut(line.erased);
     if (line.remains.is_whole()) {
       divisions_.unset(id);
     } else {
       divisions_.set(scene.document, id, line.remains.pieces());
     }
+    changed_ = true;
   }
-  const bool any = !changed_.empty();
-  changed_.clear();
-  return any;
 }
 
 }  // namespace felt

@@ -1,10 +1,10 @@
 #pragma once
 
+#include <cstdint>
 #include <deque>
 #include <map>
 #include <optional>
 #include <utility>
-#include <vector>
 
 #include "felt/document/stroke_divisions.h"
 #include "felt/tools/eraser/crossing_span.h"
@@ -21,8 +21,9 @@ namespace felt {
 /// a tail could not be taken without what it hangs on: at the touch on the line nearest to the
 /// pen, within the radius, and then on each line that the pen's way crosses.
 ///
-/// Work of a sample: the segments near its capsule, cutting the strokes of which something new is
-/// covered, the crossings of the budget, and a copy of all that was touched so far.
+/// Work of a sample: the segments near its capsule, a few cuts, and the crossings of a budget. What
+/// does not fit waits for the next samples, until finish() at most. What is to be shown holds all
+/// that was erased so far, so it is made as often as eyes can tell, and less often when it is long.
 class Erasing {
  public:
   /// Half of the width of ink that is looked for with adds_half_width: broader ink counts as this
@@ -32,17 +33,24 @@ class Erasing {
   /// resting hand trembles.
   static constexpr double kPointMm = 0.1;
   /// Work on crossings of one sample (StrokeCrossings::on_segment).
-  static constexpr int kCrossingBudget = 200;
+  static constexpr int kCrossingBudget = 120;
+  /// Strokes that are cut per millisecond of the pen, and at most by one sample.
+  static constexpr int kCutsPerMs = 6;
+  static constexpr int kMostCuts = 64;
+  /// Time between two previews: 120 Hz, and for many strokes what copying them is worth.
+  static constexpr std::int64_t kShowNs = 8'000'000;
+  static constexpr std::int64_t kShowNsPerStroke = 10'000;
+  static constexpr std::int64_t kShowNsAtMost = 40'000'000;
 
   Erasing(const EraserSettings& settings, EraserMode mode) noexcept
       : settings_(settings), mode_(mode) {}
 
-  /// The pen touches here. Like the others true when more is erased than before.
-  bool begin(Point pen, const Scene& scene);
+  /// The pen touches here. Like move() true when what is left is to be shown anew.
+  bool begin(Point pen, std::int64_t time_ns, const Scene& scene);
   /// It has come here since.
-  bool move(Point pen, const Scene& scene);
+  bool move(Point pen, std::int64_t time_ns, const Scene& scene);
   /// No sample follows: does what is left to do.
-  bool finish(const Scene& scene);
+  void finish(const Scene& scene);
 
   [[nodiscard]] bool empty() const noexcept { return divisions_.empty(); }
   /// All that was erased so far.
@@ -58,6 +66,7 @@ class Erasing {
     ParameterSet erased;
     Remains remains;
     std::optional<StrokeCrossings> crossings;
+    bool waits = false;  // to be cut
   };
   struct Pending {
     StrokeId stroke;
@@ -65,12 +74,14 @@ class Erasing {
     SpanSearch search;
   };
 
-  bool sweep(Point from, Point to, const Scene& scene);
+  void sweep(Point from, Point to, const Scene& scene);
   void meet(StrokeId id, int segment, const Capsule& capsule, const Scene& scene);
   void erase(StrokeId id, ParameterSet::Interval part, const Scene& scene);
   void search(int budget, const Scene& scene);
   Line& line_of(StrokeId id, const Scene& scene);
-  bool cut_changed(const Scene& scene);
+  void mark(StrokeId id, Line& line);
+  void cut(int most, const Scene& scene);
+  bool shows(std::int64_t time_ns);
 
   EraserSettings settings_;
   EraserMode mode_;
@@ -78,10 +89,13 @@ class Erasing {
   std::map<StrokeId, Line> lines_;
   std::deque<Pending> pending_;
   StrokeDivisions divisions_;
-  std::vector<StrokeId> changed_;  // by this sample, perhaps more than once
-  StrokePtr looked_at_;            // the last stroke that was met, and
-  StrokeId looked_at_id_;          // its name
-  ParameterSet covered_;           // reused
+  std::deque<StrokeId> to_cut_;
+  bool changed_ = false;       // since what was shown last
+  std::int64_t shown_ns_ = 0;  // when that was
+  std::int64_t time_ns_ = 0;   // of the last sample
+  StrokePtr looked_at_;        // the last stroke that was met, and
+  StrokeId looked_at_id_;      // its name
+  ParameterSet covered_;       // reused
 };
 
 /// What an eraser there would take in kCrossing: the line nearest to the pen and the place on it.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <span>
 
 #include "felt/stroke/width_profile.h"
 #include "felt/tools/eraser/below_zero.h"
@@ -69,10 +70,14 @@ class Sweep {
     if (!control_bounds(curve).intersects(axis_.inflated(most))) return;
     unite(within_disc(tube, capsule_.to), u0, u1);
     if (capsule_.from == capsule_.to) return;
-    unite(within_disc(tube, capsule_.from), u0, u1);
+    if (!capsule_.goes_on) unite(within_disc(tube, capsule_.from), u0, u1);
     unite(within_rectangle(tube, capsule_.from, capsule_.to), u0, u1);
   }
 
+  /// False when the capsule is surely too far away from ink of that width.
+  [[nodiscard]] bool may_reach(const Cubic& curve, double width_mm) const noexcept {
+    return control_bounds(curve).intersects(axis_.inflated(capsule_.radius_mm + 0.5 * width_mm));
+  }
   [[nodiscard]] bool grew() const noexcept { return grew_; }
 
  private:
@@ -87,6 +92,15 @@ class Sweep {
   bool grew_ = false;
 };
 
+/// The largest width from u = begin to u = end.
+double widest_between(std::span<const WidthKnot> knots, double begin, double end) noexcept {
+  double widest = std::max(width_at(knots, begin), width_at(knots, end));
+  auto k = std::upper_bound(knots.begin(), knots.end(), begin,
+                            [](double x, const WidthKnot& knot) { return x < knot.u; });
+  for (; k != knots.end() && k->u < end; ++k) widest = std::max(widest, k->width_mm);
+  return widest;
+}
+
 }  // namespace
 
 bool add_swept(const Stroke& stroke, int segment, const Capsule& capsule, ParameterSet& swept) {
@@ -99,6 +113,7 @@ bool add_swept(const Stroke& stroke, int segment, const Capsule& capsule, Parame
   }
   const auto knots = stroke.widths();
   double u = begin, width = width_at(knots, begin);
+  if (!sweep.may_reach(curve, widest_between(knots, begin, end))) return false;
   auto next = std::upper_bound(knots.begin(), knots.end(), begin,
                                [](double x, const WidthKnot& k) { return x < k.u; });
   while (u < end) {

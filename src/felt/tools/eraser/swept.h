@@ -13,6 +13,8 @@ struct Capsule {
   double radius_mm = 2.0;
   /// The radius grows by half the width of the ink: what the eye sees touched is touched.
   bool adds_half_width = false;
+  /// What lies around `from` was covered before: the capsule goes on from another one's end.
+  bool goes_on = false;
 
   /// Around the axis.
   [[nodiscard]] Rect axis_bounds() const noexcept {
