@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "commands.h"
+#include "felt/haptics/drawing_feel.h"
 #include "felt/stroke/color_text.h"
 
 namespace felt::cli {
@@ -61,6 +62,13 @@ void PictureArguments::add_to(CLI::App& command) {
                   "Colour behind the ink: #rrggbb, #rrggbbaa, white or transparent; without it\n"
                   "white in a .png, transparent in an .svg")
       ->group("Pictures (.svg, .png)");
+  command
+      .add_option(
+          "--surface", surface,
+          "Sheet whose grain shows in dry ink of a .png: paper, blackboard, felt or glass\n"
+          "(smooth), the same that the hand feels; without it, ink is solid. Felt-tip, which\n"
+          "is wet, shows none")
+      ->group("Pictures (.svg, .png)");
 }
 
 Result<PictureOptions> PictureArguments::parse() const {
@@ -69,6 +77,9 @@ Result<PictureOptions> PictureArguments::parse() const {
   const Result<std::optional<Rect>> sheet = parse_page(page);
   if (!sheet) return tl::unexpected(sheet.error());
   options.sheet = *sheet;
+  const Result<Grain> grain = parse_surface(surface);
+  if (!grain) return tl::unexpected(grain.error());
+  options.grain = *grain;
   if (paper.empty()) return options;
   const Result<Rgba> color = parse_paper(paper);
   if (!color) return tl::unexpected(color.error());
@@ -91,6 +102,13 @@ Result<Rgba> parse_paper(const std::string& text) {
   if (const std::optional<Rgba> color = color_from_text(text)) return *color;
   return fail(ErrorCode::kInvalidArgument,
               "--paper: '" + text + "' is not #rrggbb, #rrggbbaa, white or transparent");
+}
+
+Result<Grain> parse_surface(const std::string& text) {
+  if (text.empty()) return Grain();
+  if (const SurfaceMaterial* surface = find_surface(text)) return Grain(surface_grain(*surface));
+  return fail(ErrorCode::kInvalidArgument,
+              "--surface: '" + text + "' is not paper, blackboard, felt or glass");
 }
 
 }  // namespace felt::cli

@@ -6,6 +6,7 @@
 
 #include "felt/base/result.h"
 #include "felt/geometry/rect.h"
+#include "felt/render/grain.h"
 #include "felt/stroke/stroke.h"
 
 namespace felt::cli {
@@ -15,6 +16,7 @@ struct PictureOptions {
   double dpi = 300.0;         ///< of a .png
   std::optional<Rect> sheet;  ///< none: all ink and a margin
   std::optional<Rgba> paper;  ///< none: white in a .png, nothing in an .svg
+  Grain grain;                ///< the relief of the sheet in the ink of a .png; smooth without
 };
 
 /// The options as written, before they are understood.
@@ -22,8 +24,9 @@ struct PictureArguments {
   double dpi = 300.0;
   std::string page = "fit";
   std::string paper;
+  std::string surface;
 
-  /// Adds --dpi, --page and --paper to a sub-command.
+  /// Adds --dpi, --page, --paper and --surface to a sub-command.
   void add_to(CLI::App& command);
   /// Error: one of them makes no sense; it is a usage error.
   [[nodiscard]] Result<PictureOptions> parse() const;
@@ -34,5 +37,8 @@ Result<std::optional<Rect>> parse_page(const std::string& text);
 
 /// "#rrggbb", "#rrggbbaa", "white" or "transparent".
 Result<Rgba> parse_paper(const std::string& text);
+
+/// The relief of one of surface_materials(), by id; "" is smooth.
+Result<Grain> parse_surface(const std::string& text);
 
 }  // namespace felt::cli

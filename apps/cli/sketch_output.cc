@@ -45,7 +45,7 @@ class PngOutput final : public SketchOutput {
     const Pixels pixels = image->pixels();
     Rasterizer rasterizer;
     Result<void> drawn = spool_.for_each([&](const SketchStroke& stroke) -> Result<void> {
-      rasterizer.draw(stroke.stroke, view, pixels.rect(), pixels);
+      rasterizer.draw(stroke.stroke, view, pixels.rect(), options_.grain, pixels);
       return {};
     });
     if (!drawn) return drawn;

@@ -31,6 +31,15 @@ run 1 "$feltline" render a.ndjson -o r.png --dpi 4800 --page 100000x100000
 run 0 "$feltline" render headed.ndjson -o headed.png --dpi 50 --paper transparent
 same headed.png p.png
 
+# The grain of a sheet shows in a picture, the same each time; without it, or where it is smooth, the
+# ink is solid (R47).
+run 0 "$feltline" render a.ndjson -o g1.png --dpi 50 --paper transparent --surface paper
+run 0 "$feltline" fit in.ndjson -o g2.png --dpi 50 --paper transparent --surface paper
+same g1.png g2.png
+! cmp -s g1.png p.png || fail "no grain"
+run 0 "$feltline" render a.ndjson -o glass.png --dpi 50 --paper transparent --surface glass
+same glass.png p.png
+
 # The paper is there in an .svg as well, and nowhere when it is transparent or not asked for.
 run 0 "$feltline" convert a.ndjson -o plain.svg
 run 0 "$feltline" convert a.ndjson -o clear.svg --paper transparent

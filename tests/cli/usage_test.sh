@@ -38,6 +38,7 @@ for page in A9 10 10x x10 0x5 -1x5 nanxnan 1e9x1 A4-portrait; do
   run 2 "$feltline" render in.ndjson -o x.png --page "$page"
 done
 run 2 "$feltline" render in.ndjson -o x.png --paper reddish
+run 2 "$feltline" render in.ndjson -o x.png --surface wood
 run 2 "$feltline" render in.ndjson -o x.png --dpi 0
 is_empty out
 [ ! -e x.ndjson ] || fail "a wrong command line made a file"

@@ -19,6 +19,7 @@ complete -c feltline -n "__fish_seen_subcommand_from $makes_output" -l to -x -a 
 complete -c feltline -n "__fish_seen_subcommand_from $makes_output" -l dpi -x -d 'Resolution of a .png'
 complete -c feltline -n "__fish_seen_subcommand_from $makes_output" -l page -x -a 'fit A3 A4 A5 A4-landscape' -d 'What to show'
 complete -c feltline -n "__fish_seen_subcommand_from $makes_output" -l paper -x -a 'white transparent' -d 'Colour behind the ink in a .png'
+complete -c feltline -n "__fish_seen_subcommand_from $makes_output" -l surface -x -a 'paper blackboard felt glass' -d 'Grain in the dry ink of a .png'
 
 complete -c feltline -n '__fish_seen_subcommand_from fit bench' -l tolerance -x -d 'Largest distance sample to curve, mm'
 complete -c feltline -n '__fish_seen_subcommand_from fit bench' -l mm-per-unit -x -d 'Size of one unit of the input'

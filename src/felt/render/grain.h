@@ -9,12 +9,14 @@ namespace felt {
 /// The relief of the sheet for the eye (paper, "future work"; specification 5i; R47): dry ink lies
 /// on the hills and leaves the valleys bare, and the harder it is pressed on, the deeper it goes.
 ///
-///   alpha = smoothstep((h - h_cut(p)) / soft),   h the very height that the hand feels there
+///   alpha = smoothstep((r - h_cut(p)) / soft),   r = h(x) + tooth (h(4.3 x) + h(8.3 x))
 ///
-/// h is counted in its own RMS, so that paper of 3 um and a blackboard of 11 um look alike grainy;
-/// the wavelength differs. h_cut falls from a light line, of which the hills alone are seen, to a
-/// heavy one that is nearly solid. Towards the edge of a line, where the tip presses less, it
-/// rises.
+/// h is the very height that the hand feels at x. The tooth is the same map again at finer scales:
+/// grain shorter than 1 mm cannot be given to a hand at 1 kHz, stable and strong enough to be felt
+/// (specification, decision 10), but an eye misses it. r is counted in its own RMS, so that paper
+/// of 3 um and a blackboard of 11 um are alike grainy; the wavelength differs. h_cut falls from a
+/// light line, of which the hills alone are seen, to a heavy one that is nearly solid. Towards the
+/// edge of a line, where the tip presses less, it rises.
 class Grain {
  public:
   /// `field` must outlive this; null is smooth.
@@ -23,6 +25,8 @@ class Grain {
   /// Share of the ink that is seen at a place, 0..1, pressed on with p in 0..1. `share`: how much
   /// of the grain the material lets through, 0 for none.
   [[nodiscard]] double alpha(Point place, double pressure, double share) const noexcept;
+  /// r in its RMS.
+  [[nodiscard]] double relief(Point place) const noexcept;
   /// What it looks at: the same function of the same object that a Texture feels.
   [[nodiscard]] HeightField::Sample at(Point place) const noexcept;
   [[nodiscard]] bool is_smooth() const noexcept;

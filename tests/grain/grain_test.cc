@@ -1,0 +1,90 @@
+#include "felt/render/grain.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "felt/base/hash.h"
+#include "felt/haptics/drawing_feel.h"
+#include "felt/io/png.h"
+#include "felt/render/page.h"
+#include "felt/stroke/random_stroke.h"
+
+namespace felt {
+namespace {
+
+/// What a texture does to a pen that rests at a place, pressed with half a newton.
+struct Felt {
+  Force force;
+  double friction_factor;
+};
+Felt felt_at(const Texture& texture, Point place) {
+  ForceMemory memory;
+  memory.begin_tick(0.001);
+  memory.normal_force_n = 0.5;
+  PenSample pen;
+  pen.position = {place.x, place.y, -1.0};
+  const Force force = texture(pen, memory);
+  return {force, memory.friction_factor};
+}
+
+std::vector<const HeightField*> reliefs() {
+  std::vector<const HeightField*> all;
+  for (const SurfaceMaterial& surface : surface_materials()) {
+    if (const HeightField* field = surface_grain(surface)) all.push_back(field);
+  }
+  return all;
+}
+
+TEST(Grain, R47_OneHeightMapForEyeAndHand) {
+  ASSERT_EQ(reliefs().size(), 3u);
+  for (const HeightField* field : reliefs()) {
+    const Grain eye(field);
+    const Texture slopes(field, {.law = TextureLaw::kGradient});
+    const Texture heights(field, {.law = TextureLaw::kFriction});
+    // One place says how strong the textures are; everywhere else the eye's texel must say what the
+    // hand feels.
+    const Point first{3.21, 4.56};
+    const double per_slope = felt_at(slopes, first).force.x / eye.at(first).slope.x;
+    const double per_height =
+        (felt_at(heights, first).friction_factor - 1.0) / eye.at(first).height_mm;
+    ASSERT_LT(per_slope, 0.0);
+    ASSERT_GT(per_height, 0.0);
+    Fnv1a by_hand, by_eye;
+    for (int y = 0; y < 100; ++y) {
+      for (int x = 0; x < 100; ++x) {
+        const Point p{0.173 * x - 5, 0.219 * y + 7};
+        const HeightField::Sample seen = eye.at(p), known = field->at(p);
+        const Force force = felt_at(slopes, p).force;
+        ASSERT_NEAR(force.x, per_slope * seen.slope.x, 1e-12);
+        ASSERT_NEAR(force.y, per_slope * seen.slope.y, 1e-12);
+        ASSERT_NEAR(felt_at(heights, p).friction_factor - 1.0, per_height * seen.height_mm, 1e-12);
+        by_hand.add_value(known.height_mm);
+        by_eye.add_value(seen.height_mm);
+      }
+    }
+    EXPECT_EQ(by_hand.value(), by_eye.value());
+  }
+}
+
+TEST(Grain, R47_ThePngIsTheSameBytesWhoeverMadeTheField) {
+  const auto png = [](const HeightField* field) {
+    Sketch sketch;
+    for (std::uint64_t seed = 1; seed <= 4; ++seed) {
+      sketch.push_back({"s", testing::random_stroke(seed)});
+    }
+    PageOptions page{.dpi = 150, .sheet = Rect{0, 0, 20, 20}};
+    page.grain = Grain(field);
+    return encode_png(render_page(sketch, page).value(), page.dpi).value();
+  };
+  for (const HeightField* field : reliefs()) {
+    const HeightField again(field->spec());
+    const std::string bytes = png(field);
+    EXPECT_EQ(png(&again), bytes);
+    EXPECT_EQ(png(field), bytes);
+    EXPECT_NE(png(nullptr), bytes);
+  }
+}
+
+}  // namespace
+}  // namespace felt
