@@ -106,6 +106,7 @@ BrushReach brush_reach(const Stroke& stroke, const ArcMap& map, double u0,
                        const BrushOptions& options) {
   BrushReach reach;
   reach.grab_mm = map.length_at(u0);
+  reach.is_ring = stroke.closed();
   const Side before(stroke, map, reach.grab_mm, -1.0), after(stroke, map, reach.grab_mm, 1.0);
   Hold first, last;
   if (!options.free_ends) {
@@ -136,7 +137,7 @@ double BrushReach::last_u(const ArcMap& map) const noexcept {
   if (is_whole) return map.u_at(map.length_mm());
   // Both sides of a ring meet: they end at one and the same place.
   const double reach = before.held_mm + before.way_mm + after.held_mm + after.way_mm;
-  if (reach >= map.length_mm() - kMeetMm) return first_u(map);
+  if (is_ring && reach >= map.length_mm() - kMeetMm) return first_u(map);
   return map.u_at(grab_mm + after.held_mm + after.way_mm);
 }
 

@@ -37,6 +37,7 @@ struct BrushReach {
   double grab_mm = 0.0;  ///< arc length from the start of the stroke
   BrushSide before, after;
   bool is_whole = false;  ///< all of the stroke moves with the pen
+  bool is_ring = false;   ///< the stroke is closed
 
   /// The part of the stroke that moves; on a closed one last <= first goes through the seam.
   [[nodiscard]] double first_u(const ArcMap& map) const noexcept;
