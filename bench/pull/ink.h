@@ -1,0 +1,17 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "felt/base/result.h"
+#include "felt/document/edit.h"
+
+namespace felt::bench {
+
+/// Strokes of a file of raw pen strokes, fitted as the pencil does at pen-up.
+Result<std::vector<StrokePtr>> fitted_file(const std::string& path, double mm_per_unit);
+
+/// The project's own sample sets, drawn by the simulated hand and fitted.
+std::vector<StrokePtr> fitted_samples();
+
+}  // namespace felt::bench
