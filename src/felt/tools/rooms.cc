@@ -1,8 +1,10 @@
 // The one file that knows all rooms of this layer: adding a tool is a folder and a line here.
 
 #include "felt/tools/connect/connect_tool.h"
+#include "felt/tools/eraser/eraser_tool.h"
 #include "felt/tools/lasso/lasso_tool.h"
 #include "felt/tools/pencil/pencil_tool.h"
+#include "felt/tools/pull/pull_tool.h"
 #include "felt/tools/tool.h"
 #include "felt/tools/transform/transform_tool.h"
 
@@ -11,6 +13,8 @@ namespace felt {
 std::vector<std::unique_ptr<Tool>> make_tools() {
   std::vector<std::unique_ptr<Tool>> tools;
   tools.push_back(make_pencil());
+  tools.push_back(make_pull());
+  tools.push_back(make_eraser());
   tools.push_back(make_lasso());
   tools.push_back(make_transform());
   tools.push_back(make_connect());

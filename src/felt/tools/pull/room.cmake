@@ -1,24 +1,31 @@
 tool_room(pull
   SOURCES
+    brush_gesture.cc
     brush_pull.cc
     brush_reach.cc
     edit_weights.cc
     grab_gesture.cc
     grab_pull.cc
     nib_push.cc
+    pull_options.cc
+    pull_tool.cc
     push_gesture.cc
     refit.cc
     strand.cc
     sweep_gesture.cc
     sweep_pull.cc
   HEADERS
+    brush_gesture.h
     brush_pull.h
     brush_reach.h
     edit_weights.h
     grab_gesture.h
     grab_pull.h
     nib_push.h
+    pull_force.h
     pull_gesture.h
+    pull_options.h
+    pull_tool.h
     push_gesture.h
     refit.h
     strand.h
@@ -26,4 +33,10 @@ tool_room(pull
     sweep_pull.h
   TESTS
     brush_pull_test.cc
-    edit_weights_test.cc)
+    pull_test.cc
+    edit_weights_test.cc
+    grab_pull_test.cc
+    nib_push_test.cc
+    other_modes_test.cc
+    strand_test.cc
+    sweep_pull_test.cc)

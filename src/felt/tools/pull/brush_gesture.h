@@ -1,0 +1,21 @@
+#pragma once
+
+#include <memory>
+
+#include "felt/document/stroke_index.h"
+#include "felt/tools/pull/brush_reach.h"
+#include "felt/tools/pull/pull_gesture.h"
+
+namespace felt {
+
+/// Pulls a stroke with a brush (BrushPull): a function of the stroke at the touch and of how far
+/// the pen has come since, so going back undoes it and the rate of samples means nothing (R23).
+/// Feels like EditSpring about the place of the touch.
+///
+/// `hit` is what scene.index found under the touch. The touch itself moves nothing: the point that
+/// was taken hold of keeps its distance from the pen. A shape that would break an invariant is not
+/// shown, the last good one stays.
+std::unique_ptr<PullGesture> make_brush(const PenSample& touch, const Scene& scene,
+                                        const StrokeHit& hit, const BrushOptions& options);
+
+}  // namespace felt

@@ -1,0 +1,50 @@
+#pragma once
+
+#include "felt/haptics/compose.h"
+#include "felt/haptics/drawing_feel.h"
+#include "felt/haptics/spring.h"
+#include "felt/tools/feel_id.h"
+#include "felt/tools/pull/pull_gesture.h"
+#include "felt/tools/pull/pull_options.h"
+#include "felt/tools/scene.h"
+
+namespace felt {
+
+/// What the hand feels with the pull tool (paper, eq. 8 and 9; R29, R30): the sheet, and while
+/// something is held the counter-force, back to where the pen took hold or, in modes that remember
+/// their way, to the line that gives way. One feel lasts as long as the gesture, so that nothing is
+/// cross-faded in between.
+inline ForceModel make_pull_force(const PullSettings& settings, const Scene& scene,
+                                  const PullFeel& feel) {
+  ToolMaterial material = *find_tool_material("pencil");
+  material.friction *= settings.strength;
+  material.grain *= settings.strength;
+  const SheetForce sheet =
+      make_sheet_force(scene.surface, material, scene.device, surface_grain(scene.surface));
+  EditOptions edit;
+  edit.law.gain = settings.strength;
+
+  FeelId id("pull");
+  id.with(scene.surface.id).with(settings.strength);
+  ForceModel model;
+  switch (feel.kind) {
+    case PullFeel::Kind::kNone:
+      model = ForceModel(sheet);
+      break;
+    case PullFeel::Kind::kSpring:
+      id.with("spring").with(feel.origin.x).with(feel.origin.y);
+      model = ForceModel(Compose(sheet, EditSpring(feel.origin, edit)));
+      break;
+    case PullFeel::Kind::kSweep: {
+      const double seconds =
+          settings.mode == PullMode::kSweep ? settings.sweep.time_constant_s : 0.050;
+      id.with("sweep").with(std::uint64_t{feel.gesture}).with(seconds);
+      model = ForceModel(Compose(sheet, SweepSpring(feel.gesture, edit, seconds)));
+      break;
+    }
+  }
+  model.set_fade_id(id.value());
+  return model;
+}
+
+}  // namespace felt

@@ -1,0 +1,130 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <string_view>
+
+#include "felt/tools/pull/brush_reach.h"
+#include "felt/tools/pull/grab_pull.h"
+#include "felt/tools/pull/push_gesture.h"
+#include "felt/tools/pull/sweep_gesture.h"
+#include "felt/tools/tool_options.h"
+
+namespace felt {
+
+inline constexpr std::array<std::string_view, 4> kPullModes = {"brush", "grab", "push", "sweep"};
+inline constexpr std::array<std::string_view, 3> kPullWeights = {"soft", "paper", "printed"};
+
+/// In the order of kPullModes.
+enum class PullMode : std::uint8_t { kBrush, kGrab, kPush, kSweep };
+
+/// Rows of kPullOptions.
+struct PullOption {
+  enum Row : std::size_t {
+    kMode,
+    kRadius,
+    kFreeEnds,
+    kGrabRadius,
+    kTolerance,
+    kWeights,
+    kAffected,
+    kNibRadius,
+    kSweepTime,
+    kStrength,
+    kCount
+  };
+};
+
+inline constexpr std::array<OptionSpec, PullOption::kCount> kPullOptions = {{
+    {.id = "mode",
+     .label = "Mode",
+     .unit = "",
+     .kind = OptionKind::kChoice,
+     .fallback = 0,
+     .choices = kPullModes,
+     .help = "Pull a stretch of a line (brush), bend one segment (grab), push lines from outside "
+             "(push), or draw a line over again (sweep)."},
+    {.id = "radius_mm",
+     .label = "Radius",
+     .unit = "mm",
+     .min = 1.0,
+     .max = 200.0,
+     .fallback = 20.0,
+     .help = "How far the brush reaches along the line, to each side."},
+    {.id = "free_ends",
+     .label = "Free ends and corners",
+     .unit = "",
+     .kind = OptionKind::kSwitch,
+     .fallback = 0,
+     .help = "Ends and corners go along, instead of staying unless taken hold of; the first "
+             "modifier turns this round for one gesture."},
+    {.id = "grab_radius_mm",
+     .label = "Grab radius",
+     .unit = "mm",
+     .min = 0.5,
+     .max = 50.0,
+     .fallback = 8.0,
+     .help = "A line farther from the pen than this is not taken hold of."},
+    {.id = "tolerance_mm",
+     .label = "Tolerance",
+     .unit = "mm",
+     .min = 0.01,
+     .max = 0.5,
+     .fallback = 0.05,
+     .help = "How closely a line pulled by the brush follows; more leaves fewer segments."},
+    {.id = "weights",
+     .label = "Weights of grab",
+     .unit = "",
+     .kind = OptionKind::kChoice,
+     .fallback = 0,
+     .choices = kPullWeights,
+     .help = "How grab bends a segment: with least motion (soft), by the paper's three cases "
+             "(paper), or by its equation 7 as printed, which does not reach the pen."},
+    {.id = "affected_mm",
+     .label = "Length bent by grab",
+     .unit = "mm",
+     .min = 0.0,
+     .max = 200.0,
+     .fallback = 0.0,
+     .help = "Grab divides the line so that no more than this is bent; 0 takes segments as they "
+             "are."},
+    {.id = "nib_radius_mm",
+     .label = "Radius of the nib",
+     .unit = "mm",
+     .min = 0.5,
+     .max = 50.0,
+     .fallback = 3.0,
+     .help = "Size of the round nib that pushes lines."},
+    {.id = "sweep_time_s",
+     .label = "Time of sweep",
+     .unit = "s",
+     .min = 0.005,
+     .max = 1.0,
+     .fallback = 0.05,
+     .help = "How slowly a line gives way to the pen that sweeps it."},
+    {.id = "strength",
+     .label = "Strength of forces",
+     .unit = "",
+     .min = 0.0,
+     .max = 1.0,
+     .fallback = 1.0,
+     .help = "Share of the counter-force, friction and grain that is felt; the sheet stays as hard "
+             "as it is."},
+}};
+
+/// The options as the tool uses them.
+struct PullSettings {
+  PullMode mode = PullMode::kBrush;
+  BrushOptions brush;
+  GrabOptions grab;
+  PushOptions push;
+  SweepOptions sweep;
+  double grab_radius_mm = 8.0;
+  double strength = 1.0;
+};
+
+/// Reads them. Requires values of kPullOptions.
+PullSettings pull_settings(const OptionValues& values);
+
+}  // namespace felt

@@ -1,0 +1,143 @@
+#include "felt/tools/pull/pull_tool.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "felt/tools/pull/brush_gesture.h"
+#include "felt/tools/pull/grab_gesture.h"
+#include "felt/tools/pull/pull_force.h"
+#include "felt/tools/pull/push_gesture.h"
+#include "felt/tools/pull/sweep_gesture.h"
+
+namespace felt {
+namespace {
+
+constexpr ToolInfo kInfo{
+    .id = "pull",
+    .label = "Pull",
+    .help = "Corrects lines: take hold of one and pull it into shape, or push it from outside.",
+    .shortcut = 'a',
+    .options = kPullOptions,
+};
+
+Point place_of(const PenSample& pen) noexcept {
+  return {pen.position.x, pen.position.y};
+}
+
+}  // namespace
+
+PullTool::PullTool() : GestureTool(kInfo) {}
+
+void PullTool::take_options(const OptionValues& options) {
+  settings_ = pull_settings(options);
+}
+
+BrushOptions PullTool::brush_for(const PenSample& sample) const {
+  BrushOptions brush = settings_.brush;
+  if ((sample.buttons & kFirstModifier) != 0) brush.free_ends = !brush.free_ends;
+  return brush;
+}
+
+ToolResult PullTool::hover(const PenSample& sample, const Scene& scene) {
+  hovers_ = true;
+  pen_ = place_of(sample);
+  const auto hit = settings_.mode == PullMode::kPush
+                       ? std::nullopt
+                       : scene.index.nearest(pen_, settings_.grab_radius_mm);
+  has_target_ = hit.has_value();
+  if (!hit) return {};
+  StrokePtr stroke = scene.document.find(hit->stroke);
+  if (!target_ || target_->stroke != stroke) target_ = std::make_unique<Target>(std::move(stroke));
+  target_->u = hit->u;
+  target_->point = hit->point;
+  target_->is_free = brush_for(sample).free_ends;
+  return {};
+}
+
+ToolResult PullTool::begin(const PenSample& sample, const Scene& scene) {
+  hovers_ = has_target_ = false;
+  if (settings_.mode == PullMode::kPush) {
+    gesture_ = make_push(sample, scene, settings_.push);
+    return move(sample, scene);
+  }
+  const auto hit = scene.index.nearest(place_of(sample), settings_.grab_radius_mm);
+  if (!hit) return {};
+  const BrushOptions brush = brush_for(sample);
+  switch (settings_.mode) {
+    case PullMode::kGrab: {
+      GrabOptions grab = settings_.grab;
+      grab.pins_joints = !brush.free_ends;
+      gesture_ = make_grab(sample, scene, *hit, grab);
+      break;
+    }
+    case PullMode::kSweep:
+      gesture_ = make_sweep(sample, scene, *hit, settings_.sweep);
+      break;
+    case PullMode::kBrush:
+    case PullMode::kPush:
+      gesture_ = make_brush(sample, scene, *hit, brush);
+      break;
+  }
+  return {};
+}
+
+ToolResult PullTool::move(const PenSample& sample, const Scene& scene) {
+  ToolResult result{.same_preview = true};
+  if (gesture_) result.preview = gesture_->move(sample, scene);
+  return result;
+}
+
+ToolResult PullTool::end(const Scene& scene) {
+  ToolResult result;
+  if (gesture_) {
+    Edit edit = gesture_->end(scene);
+    if (!edit.empty()) result.commit = std::move(edit);
+  }
+  drop();
+  return result;
+}
+
+void PullTool::drop() {
+  gesture_.reset();
+  target_.reset();  // the document may be another soon
+  has_target_ = false;
+}
+
+ForceModel PullTool::force(const Scene& scene) const {
+  return make_pull_force(settings_, scene, gesture_ ? gesture_->feel() : PullFeel{});
+}
+
+void PullTool::draw(Overlay& overlay) const {
+  if (gesture_) {
+    gesture_->draw(overlay);
+  } else if (hovers_ && settings_.mode == PullMode::kPush) {
+    overlay.rings.push_back({pen_, settings_.push.radius_mm, Overlay::Role::kReach});
+  } else if (hovers_ && has_target_) {
+    draw_target(overlay);
+  }
+}
+
+/// What a touch would do.
+void PullTool::draw_target(Overlay& overlay) const {
+  const Stroke& stroke = *target_->stroke;
+  overlay.dots.push_back({target_->point, Overlay::Role::kHandle});
+  overlay.lines.push_back({pen_, target_->point, Overlay::Role::kTether});
+  if (settings_.mode == PullMode::kBrush) {
+    BrushOptions brush = settings_.brush;
+    brush.free_ends = target_->is_free;
+    const BrushReach reach = brush_reach(stroke, target_->map, target_->u, brush);
+    add_span(overlay, stroke, reach.first_u(target_->map), reach.last_u(target_->map),
+             Overlay::Role::kSpan);
+    overlay.rings.push_back({target_->point, brush.radius_mm, Overlay::Role::kReach});
+  } else {
+    const double i = std::min(std::floor(target_->u), stroke.segment_count() - 1.0);
+    add_span(overlay, stroke, i, i + 1.0, Overlay::Role::kSpan);
+  }
+}
+
+std::unique_ptr<Tool> make_pull() {
+  return std::make_unique<PullTool>();
+}
+
+}  // namespace felt
