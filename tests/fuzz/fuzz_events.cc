@@ -46,6 +46,18 @@ struct CheckWhat {
   void operator()(const RedoEvent&) const {}
   void operator()(const CancelEvent&) const {}
   void operator()(const ImportEvent& e) const { check_text(e.path); }
+  void operator()(const SelectStrokes& e) const {
+    FELT_CHECK(e.what <= SelectStrokes::What::kInvert);
+  }
+  void operator()(const DeleteEvent&) const {}
+  void operator()(const DuplicateEvent&) const {}
+  void operator()(const LayerEvent& e) const {
+    using Do = LayerEvent::Do;
+    FELT_CHECK(e.what <= Do::kUse);
+    FELT_CHECK((e.what == Do::kAdd) == !e.layer);
+    if (e.what == Do::kRename || !e.name.empty()) check_text(e.name);
+    FELT_CHECK(e.name.empty() || e.what == Do::kAdd || e.what == Do::kRename);
+  }
 };
 
 void check_round_trip(const std::vector<Event>& events) {

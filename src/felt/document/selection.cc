@@ -12,6 +12,12 @@ bool all_set(const Selection::Marks& marks) {
   return std::find(marks.begin(), marks.end(), 0) == marks.end();
 }
 
+/// Requires that it is there.
+bool is_editable(const Document& document, StrokeId id) {
+  const Layer& layer = *document.layer(document.layer_of(id));
+  return layer.visible && !layer.locked;
+}
+
 }  // namespace
 
 const Selection::Marks* Selection::find(StrokeId id) const noexcept {
@@ -64,6 +70,25 @@ void Selection::follow(const Edit& edit) {
       strokes_.erase(found);
     }
   }
+}
+
+void Selection::follow(const Edit& edit, const Document& document) {
+  follow(edit);
+  if (!edit.layers.empty()) {
+    hold_to(document);
+    return;
+  }
+  for (const StrokeChange& change : edit.changes) {
+    if (change.after && !is_editable(document, change.id)) strokes_.erase(change.id);
+  }
+}
+
+void Selection::hold_to(const Document& document) {
+  std::erase_if(strokes_, [&](const auto& entry) {
+    const StrokePtr stroke = document.find(entry.first);
+    return !stroke || stroke->data().points.size() != entry.second.size() ||
+           !is_editable(document, entry.first);
+  });
 }
 
 Rect Selection::bounds(const Document& document) const {

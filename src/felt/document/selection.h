@@ -42,6 +42,13 @@ class Selection {
 
   /// Follows an edit that was applied (undo's and redo's too).
   void follow(const Edit& edit);
+  /// The same, and strokes that come to stand in a hidden or locked layer are no longer selected:
+  /// what is selected is what the next command will touch. `document` is what the edit made. Costs
+  /// what the edit changes; one that changes a layer, what is selected.
+  void follow(const Edit& edit, const Document& document);
+  /// Takes out what cannot be selected in this document: strokes that are not there, stand in a
+  /// hidden or locked layer, or have another number of points.
+  void hold_to(const Document& document);
   /// Around the selected on-curve points and handles, as they are drawn: empty without any.
   /// Requires the document that it belongs to.
   [[nodiscard]] Rect bounds(const Document& document) const;

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "felt/io/event_words.h"
+
 namespace felt::json {
 namespace {
 
@@ -85,6 +87,32 @@ Result<void> parse_option_value(Value& value, EventFields& out) {
   return {};
 }
 
+/// A word of a list into the enumeration with the same order.
+template <class Enum, std::size_t N>
+Result<void> parse_word(Value& value, const char* key, const std::array<std::string_view, N>& words,
+                        Enum& out) {
+  std::string text;
+  if (Result<void> read = parse_text(value, key, text); !read) return read;
+  std::string known;
+  for (std::size_t i = 0; i < N; ++i) {
+    if (words[i] == text) {
+      out = static_cast<Enum>(i);
+      return {};
+    }
+    known += (known.empty() ? "" : ", ") + std::string(words[i]);
+  }
+  return bad(std::string(key) + ": \"" + excerpt(text) + "\" is not one of " + known);
+}
+
+Result<void> parse_layer(Value& value, EventFields& out) {
+  const std::string_view token = token_of(value);
+  if (token.size() > limits::kMaxNumberChars || value.get_uint64().get(out.layer.value) ||
+      !out.layer) {
+    return bad("id: " + excerpt(token) + " is not a layer, a whole number from 1 on");
+  }
+  return {};
+}
+
 using EventField = Field<EventFields>;
 
 /// Read before the others, to know which they are.
@@ -105,6 +133,17 @@ constexpr std::array kImportFields = {kEvent, kTime,
                                       EventField{"path", true, [](Value& v, EventFields& e) {
                                                    return parse_text(v, "path", e.path);
                                                  }}};
+constexpr std::array kSelectFields = {
+    kEvent, kTime, EventField{"what", true, [](Value& v, EventFields& e) {
+                                return parse_word(v, "what", kSelectionWords, e.selection);
+                              }}};
+constexpr std::array kLayerFields = {
+    kEvent, kTime,
+    EventField{"do", true,
+               [](Value& v, EventFields& e) { return parse_word(v, "do", kLayerWords, e.action); }},
+    EventField{"id", false, parse_layer}, EventField{"name", false, [](Value& v, EventFields& e) {
+                                                       return parse_text(v, "name", e.name);
+                                                     }}};
 constexpr std::array kPoseFields = {
     kEvent,
     kTime,
@@ -125,10 +164,18 @@ struct NamedEvent {
   std::span<const EventField> fields;
 };
 constexpr NamedEvent kEvents[] = {
-    {"tool", EventName::kTool, kToolFields},      {"option", EventName::kOption, kOptionFields},
-    {"pen", EventName::kPen, kPoseFields},        {"hand", EventName::kHand, kPoseFields},
-    {"undo", EventName::kUndo, kPlainFields},     {"redo", EventName::kRedo, kPlainFields},
-    {"cancel", EventName::kCancel, kPlainFields}, {"import", EventName::kImport, kImportFields},
+    {"tool", EventName::kTool, kToolFields},
+    {"option", EventName::kOption, kOptionFields},
+    {"pen", EventName::kPen, kPoseFields},
+    {"hand", EventName::kHand, kPoseFields},
+    {"undo", EventName::kUndo, kPlainFields},
+    {"redo", EventName::kRedo, kPlainFields},
+    {"cancel", EventName::kCancel, kPlainFields},
+    {"import", EventName::kImport, kImportFields},
+    {"select", EventName::kSelect, kSelectFields},
+    {"delete", EventName::kDelete, kPlainFields},
+    {"duplicate", EventName::kDuplicate, kPlainFields},
+    {"layer", EventName::kLayer, kLayerFields},
 };
 
 }  // namespace
@@ -145,8 +192,11 @@ Result<EventName> parse_event_name(Value& value) {
   for (const NamedEvent& event : kEvents) {
     if (event.text == text) return event.name;
   }
-  return bad("event: \"" + excerpt(text) +
-             "\" is not one of tool, option, pen, hand, undo, redo, cancel, import");
+  std::string known;
+  for (const NamedEvent& event : kEvents) {
+    known += (known.empty() ? "" : ", ") + std::string(event.text);
+  }
+  return bad("event: \"" + excerpt(text) + "\" is not one of " + known);
 }
 
 std::span<const Field<EventFields>> fields_of(EventName name) noexcept {

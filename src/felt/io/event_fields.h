@@ -9,7 +9,7 @@
 
 #include "felt/geometry/vec3.h"
 #include "felt/io/ndjson_object.h"
-#include "felt/tools/tool_options.h"
+#include "felt/session/event.h"
 
 namespace felt::json {
 
@@ -23,10 +23,27 @@ struct EventFields {
   std::optional<double> pressure;
   std::uint32_t buttons = 0;
   std::string path;
+  SelectStrokes::What selection{};
+  LayerEvent::Do action{};
+  LayerId layer;
+  std::string name;
 };
 
 /// The kinds of events, by their name in the file.
-enum class EventName { kTool, kOption, kPen, kHand, kUndo, kRedo, kCancel, kImport };
+enum class EventName {
+  kTool,
+  kOption,
+  kPen,
+  kHand,
+  kUndo,
+  kRedo,
+  kCancel,
+  kImport,
+  kSelect,
+  kDelete,
+  kDuplicate,
+  kLayer
+};
 
 /// Error: none of ours.
 Result<EventName> parse_event_name(Value& value);

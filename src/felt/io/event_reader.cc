@@ -22,6 +22,15 @@ struct Glance {
   bool is_other = false;  ///< a stroke or a header: NdjsonParser's
 };
 
+/// Only what means something to it.
+LayerEvent layer_event(EventFields&& fields) {
+  using Do = LayerEvent::Do;
+  LayerEvent event{fields.action, fields.layer, {}};
+  if (event.what == Do::kAdd) event.layer = {};
+  if (event.what == Do::kAdd || event.what == Do::kRename) event.name = std::move(fields.name);
+  return event;
+}
+
 Event event_of(EventName name, EventFields&& fields) {
   Event event;
   event.time_ns = fields.time_ns;
@@ -50,6 +59,18 @@ Event event_of(EventName name, EventFields&& fields) {
     case EventName::kImport:
       event.what = ImportEvent{std::move(fields.path)};
       break;
+    case EventName::kSelect:
+      event.what = SelectStrokes{fields.selection};
+      break;
+    case EventName::kDelete:
+      event.what = DeleteEvent{};
+      break;
+    case EventName::kDuplicate:
+      event.what = DuplicateEvent{};
+      break;
+    case EventName::kLayer:
+      event.what = layer_event(std::move(fields));
+      break;
   }
   return event;
 }
@@ -59,6 +80,18 @@ Result<void> check_pose(EventName name, const EventFields& fields) {
   const bool is_pose = name == EventName::kPen || name == EventName::kHand;
   if (!is_pose || fields.has_z || fields.pressure) return {};
   return json::bad("key \"z\" is missing, and there is no pressure");
+}
+
+/// Which keys a layer event needs depends on what it does.
+Result<void> check_layer(EventName name, const EventFields& fields) {
+  if (name != EventName::kLayer) return {};
+  if (fields.action != LayerEvent::Do::kAdd && !fields.layer) {
+    return json::bad("key \"id\" is missing");
+  }
+  if (fields.action == LayerEvent::Do::kRename && fields.name.empty()) {
+    return json::bad("key \"name\" is missing");
+  }
+  return {};
 }
 
 std::string milliseconds(std::int64_t time_ns) {
@@ -100,6 +133,7 @@ struct EventReader::State {
         [&fields](std::string_view key, Value value) { return fields.take(key, value); });
     if (read) read = fields.finish();
     if (read) read = check_pose(name, values);
+    if (read) read = check_layer(name, values);
     if (!read) return tl::unexpected(read.error());
     if (values.time_ns < last_ns) {
       return json::bad("t_ms: " + milliseconds(values.time_ns) + " is before " +

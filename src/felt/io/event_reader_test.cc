@@ -63,6 +63,50 @@ TEST(EventReader, ReadsEveryKind) {
   EXPECT_EQ(event_of(R"({"event":"cancel","t_ms":3})"), (Event{3'000'000, CancelEvent{}}));
   EXPECT_EQ(event_of(R"({"event":"import","path":"a/b.ndjson","t_ms":3})"),
             (Event{3'000'000, ImportEvent{"a/b.ndjson"}}));
+  EXPECT_EQ(event_of(R"({"event":"delete","t_ms":3})"), (Event{3'000'000, DeleteEvent{}}));
+  EXPECT_EQ(event_of(R"({"event":"duplicate","t_ms":3})"), (Event{3'000'000, DuplicateEvent{}}));
+  EXPECT_EQ(event_of(R"({"event":"select","what":"invert","t_ms":3})"),
+            (Event{3'000'000, SelectStrokes{SelectStrokes::What::kInvert}}));
+}
+
+TEST(EventReader, ReadsWhatIsDoneToLayers) {
+  using Do = LayerEvent::Do;
+  EXPECT_EQ(event_of(R"({"event":"layer","do":"add","t_ms":0})"), (Event{0, LayerEvent{}}));
+  EXPECT_EQ(event_of(R"({"event":"layer","do":"add","id":7,"name":"Ideas","t_ms":0})"),
+            (Event{0, LayerEvent{Do::kAdd, {}, "Ideas"}}))
+      << "a new layer gets its own id";
+  EXPECT_EQ(event_of(R"({"event":"layer","do":"rename","id":2,"name":"b","t_ms":0})"),
+            (Event{0, LayerEvent{Do::kRename, {2}, "b"}}));
+  EXPECT_EQ(event_of(R"({"event":"layer","do":"hide","id":18446744073709551615,"name":"b",)"
+                     R"("t_ms":0})"),
+            (Event{0, LayerEvent{Do::kHide, {18446744073709551615U}, ""}}));
+  const std::pair<const char*, Do> kinds[] = {
+      {"remove", Do::kRemove}, {"show", Do::kShow},   {"lock", Do::kLock}, {"unlock", Do::kUnlock},
+      {"raise", Do::kRaise},   {"lower", Do::kLower}, {"use", Do::kUse}};
+  for (const auto& [word, what] : kinds) {
+    const std::string text =
+        R"({"event":"layer","id":3,"t_ms":0,"do":")" + std::string(word) + "\"}";
+    EXPECT_EQ(event_of(text), (Event{0, LayerEvent{what, {3}, ""}}));
+  }
+}
+
+TEST(EventReader, SaysWhatIsWrongWithCommands) {
+  EXPECT_EQ(error_of(R"({"event":"select","t_ms":0})"), "key \"what\" is missing");
+  EXPECT_EQ(error_of(R"({"event":"select","what":"some","t_ms":0})"),
+            "what: \"some\" is not one of all, none, invert");
+  EXPECT_EQ(error_of(R"({"event":"layer","id":1,"t_ms":0})"), "key \"do\" is missing");
+  EXPECT_EQ(error_of(R"({"event":"layer","do":"fly","id":1,"t_ms":0})"),
+            "do: \"fly\" is not one of add, remove, rename, show, hide, lock, unlock, raise, "
+            "lower, use");
+  EXPECT_EQ(error_of(R"({"event":"layer","do":"hide","t_ms":0})"), "key \"id\" is missing");
+  EXPECT_EQ(error_of(R"({"event":"layer","do":"rename","id":1,"t_ms":0})"),
+            "key \"name\" is missing");
+  EXPECT_EQ(error_of(R"({"event":"layer","do":"rename","id":1,"name":"","t_ms":0})"),
+            "name: is empty");
+  for (const char* id : {"0", "-1", "1.5", "\"1\"", "18446744073709551616", "null"}) {
+    EXPECT_EQ(error_of(R"({"event":"layer","do":"hide","t_ms":0,"id":)" + std::string(id) + "}"),
+              "id: " + std::string(id) + " is not a layer, a whole number from 1 on");
+  }
 }
 
 TEST(EventReader, KeysInAnyOrderAndOthersIgnored) {
@@ -88,8 +132,10 @@ TEST(EventReader, PressureIsClampedToItsRange) {
 }
 
 TEST(EventReader, NamesTheKeyAndTheReason) {
-  EXPECT_EQ(error_of(R"({"event":"fly","t_ms":0})"),
-            "event: \"fly\" is not one of tool, option, pen, hand, undo, redo, cancel, import");
+  EXPECT_EQ(
+      error_of(R"({"event":"fly","t_ms":0})"),
+      "event: \"fly\" is not one of tool, option, pen, hand, undo, redo, cancel, import, select, "
+      "delete, duplicate, layer");
   EXPECT_EQ(error_of(R"({"event":7,"t_ms":0})"), "event: 7 is not a string");
   EXPECT_EQ(error_of(R"({"event":"undo"})"), "key \"t_ms\" is missing");
   EXPECT_EQ(error_of(R"({"event":"undo","t_ms":null})"), "t_ms: null is not a number");

@@ -2,6 +2,7 @@
 
 #include <string_view>
 
+#include "felt/io/event_words.h"
 #include "felt/io/ndjson_writer.h"
 
 namespace felt {
@@ -59,6 +60,19 @@ struct AppendWhat {
   void operator()(const ImportEvent& e) const {
     kind("import");
     append_key_string(out, "path", e.path);
+  }
+  void operator()(const SelectStrokes& e) const {
+    kind("select");
+    append_key_string(out, "what", json::word_of(e.what));
+  }
+  void operator()(const DeleteEvent&) const { kind("delete"); }
+  void operator()(const DuplicateEvent&) const { kind("duplicate"); }
+  void operator()(const LayerEvent& e) const {
+    kind("layer");
+    append_key_string(out, "do", json::word_of(e.what));
+    // An id has up to 20 digits: more than a double holds.
+    if (e.layer) out += ",\"id\":" + std::to_string(e.layer.value);
+    if (!e.name.empty()) append_key_string(out, "name", e.name);
   }
 
  private:

@@ -35,6 +35,14 @@ TEST(EventWriter, WritesKeysInAFixedOrder) {
   EXPECT_EQ(line_of({0, CancelEvent{}}), "{\"t_ms\":0,\"event\":\"cancel\"}\n");
   EXPECT_EQ(line_of({0, ImportEvent{"a.svg"}}),
             "{\"t_ms\":0,\"event\":\"import\",\"path\":\"a.svg\"}\n");
+  EXPECT_EQ(line_of({0, SelectStrokes{SelectStrokes::What::kNone}}),
+            "{\"t_ms\":0,\"event\":\"select\",\"what\":\"none\"}\n");
+  EXPECT_EQ(line_of({0, DeleteEvent{}}), "{\"t_ms\":0,\"event\":\"delete\"}\n");
+  EXPECT_EQ(line_of({0, DuplicateEvent{}}), "{\"t_ms\":0,\"event\":\"duplicate\"}\n");
+  EXPECT_EQ(line_of({0, LayerEvent{LayerEvent::Do::kAdd, {}, "Ideas"}}),
+            "{\"t_ms\":0,\"event\":\"layer\",\"do\":\"add\",\"name\":\"Ideas\"}\n");
+  EXPECT_EQ(line_of({0, LayerEvent{LayerEvent::Do::kHide, {12}, ""}}),
+            "{\"t_ms\":0,\"event\":\"layer\",\"do\":\"hide\",\"id\":12}\n");
 }
 
 /// Any number that a script may hold, many of them with all 17 digits.
@@ -74,9 +82,18 @@ std::optional<double> any_pressure() {
   return *rc::gen::inRange(0, 1 << 20) / 1048576.0;
 }
 
+LayerEvent any_layer_event() {
+  using Do = LayerEvent::Do;
+  LayerEvent event{static_cast<Do>(*rc::gen::inRange(0, 10)), {}, {}};
+  if (event.what != Do::kAdd) event.layer.value = *rc::gen::positive<std::uint64_t>();
+  const bool is_named = event.what == Do::kAdd ? *rc::gen::arbitrary<bool>() : false;
+  if (is_named || event.what == Do::kRename) event.name = *texts();
+  return event;
+}
+
 Event any_event(std::int64_t time_ns) {
   Event event{time_ns, {}};
-  switch (*rc::gen::inRange(0, 8)) {
+  switch (*rc::gen::inRange(0, 12)) {
     case 0:
       event.what = SelectTool{*texts()};
       break;
@@ -97,6 +114,18 @@ Event any_event(std::int64_t time_ns) {
       break;
     case 6:
       event.what = CancelEvent{};
+      break;
+    case 7:
+      event.what = SelectStrokes{static_cast<SelectStrokes::What>(*rc::gen::inRange(0, 3))};
+      break;
+    case 8:
+      event.what = DeleteEvent{};
+      break;
+    case 9:
+      event.what = DuplicateEvent{};
+      break;
+    case 10:
+      event.what = any_layer_event();
       break;
     default:
       event.what = ImportEvent{*texts()};

@@ -5,6 +5,7 @@
 #include <string>
 #include <variant>
 
+#include "felt/base/id.h"
 #include "felt/haptics/pen_sample.h"
 #include "felt/tools/tool_options.h"
 
@@ -59,12 +60,53 @@ struct ImportEvent {
   friend bool operator==(const ImportEvent&, const ImportEvent&) = default;
 };
 
+/// {"event":"select","what":"all"}: whole strokes of visible, unlocked layers.
+struct SelectStrokes {
+  enum class What : std::uint8_t {
+    kAll,
+    kNone,
+    kInvert,  ///< what is wholly selected no longer is, all others wholly are
+  };
+  What what = What::kAll;
+  friend bool operator==(const SelectStrokes&, const SelectStrokes&) = default;
+};
+
+/// {"event":"delete"}: the strokes that are wholly selected go; of others nothing does.
+struct DeleteEvent {
+  friend bool operator==(const DeleteEvent&, const DeleteEvent&) = default;
+};
+/// {"event":"duplicate"}: copies of the strokes that are wholly selected, a little beside them,
+/// each on top of its layer; they are what is selected then.
+struct DuplicateEvent {
+  friend bool operator==(const DuplicateEvent&, const DuplicateEvent&) = default;
+};
+
+/// {"event":"layer","do":"hide","id":2}, {"event":"layer","do":"add","name":"Ideas"}
+struct LayerEvent {
+  enum class Do : std::uint8_t {
+    kAdd,     ///< above the one in use, and in use from then on; "Layer N" where there is no name
+    kRemove,  ///< with its strokes
+    kRename,
+    kShow,
+    kHide,
+    kLock,
+    kUnlock,
+    kRaise,  ///< one place up; nothing at the top
+    kLower,  ///< one place down; nothing at the bottom
+    kUse,    ///< new ink goes there; no step of undo
+  };
+  Do what = Do::kAdd;
+  LayerId layer;     ///< none for kAdd
+  std::string name;  ///< of kAdd and kRename
+  friend bool operator==(const LayerEvent&, const LayerEvent&) = default;
+};
+
 /// Everything that can happen to a drawing session: its only input (architecture section 6). Times
 /// never run backwards.
 struct Event {
   std::int64_t time_ns = 0;
   std::variant<SelectTool, SetOption, PenEvent, HandEvent, UndoEvent, RedoEvent, CancelEvent,
-               ImportEvent>
+               ImportEvent, SelectStrokes, DeleteEvent, DuplicateEvent, LayerEvent>
       what;
   friend bool operator==(const Event&, const Event&) = default;
 };

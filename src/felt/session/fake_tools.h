@@ -102,8 +102,8 @@ class FakePencil : public Tool {
   bool waits_for_lift_ = false;
 };
 
-/// Takes the topmost stroke away as soon as it touches, and says so at once: a gesture whose
-/// outcome comes before the pen is lifted.
+/// Takes the topmost stroke of the layer in use away as soon as it touches, and says so at once: a
+/// gesture whose outcome comes before the pen is lifted.
 class FakeEraser : public FakePencil {
  public:
   FakeEraser() : FakePencil("eraser") {}
@@ -111,10 +111,11 @@ class FakeEraser : public FakePencil {
   ToolResult sample(const PenSample& sample, const Scene& scene) override {
     const bool touches = in_contact(sample);
     if (!touches) waits_ = false;
-    if (!touches || waits_ || scene.document.stroke_count() == 0) return {};
+    const std::vector<StrokeId>& strokes = scene.document.layer(scene.layer)->strokes;
+    if (!touches || waits_ || strokes.empty()) return {};
     waits_ = true;
     EditBuilder builder(scene.document);
-    builder.remove(scene.document.layer(scene.layer)->strokes.back());
+    builder.remove(strokes.back());
     return {{}, std::move(builder).build("Erase")};
   }
   ToolResult finish(const Scene&) override { return {}; }

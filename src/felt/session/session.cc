@@ -6,6 +6,7 @@
 
 #include "felt/base/check.h"
 #include "felt/document/edit_builder.h"
+#include "felt/session/layer_edit.h"
 
 namespace felt {
 namespace {
@@ -63,6 +64,10 @@ struct Session::Apply {
   Result<void> operator()(const ImportEvent&) const {
     return fail(ErrorCode::kUnsupported, "an import is for whoever reads the file");
   }
+  Result<void> operator()(const SelectStrokes& e) const { return session.select_strokes(e.what); }
+  Result<void> operator()(const DeleteEvent&) const { return session.delete_selected(); }
+  Result<void> operator()(const DuplicateEvent&) const { return session.duplicate_selected(); }
+  Result<void> operator()(const LayerEvent& e) const { return session.change_layer(e); }
 };
 
 Session::Session(std::vector<std::unique_ptr<Tool>> tools, SessionOptions options)
@@ -73,6 +78,12 @@ Session::Session(std::vector<std::unique_ptr<Tool>> tools, SessionOptions option
       history_(options_.history_limit_bytes) {
   FELT_CHECK(!tools_.empty());
   active_ = find_tool("pencil").value_or(0);
+  if (!highest_open_layer(document_)) {
+    const Edit edit = add_layer_on_top(document_);
+    FELT_CHECK(document_.apply(edit).has_value());
+    follow(edit);
+  }
+  keep_layer_open();
 }
 
 Result<void> Session::apply(const Event& event) {
@@ -106,14 +117,14 @@ Result<void> Session::sample(const PenSample& told) {
 Result<void> Session::import(std::int64_t time_ns, const std::string& path,
                              std::span<const SketchStroke> strokes) {
   if (Result<void> ended = finish(); !ended) return ended;
-  if (Result<void> done = commit(import_edit(document_, layer(), strokes)); !done) return done;
+  if (Result<void> done = commit(import_edit(document_, layer_, strokes)); !done) return done;
   record({time_ns, ImportEvent{path}});
   return {};
 }
 
 Result<void> Session::finish() {
   Result<void> taken = take(tools_[active_]->finish(scene()));
-  preview_.reset();
+  show({});
   gesture_is_open_ = false;
   // Whatever the pen does next, it is a new gesture.
   pen_is_down_ = false;
@@ -146,53 +157,34 @@ Result<void> Session::set_option(const std::string& id, const OptionValue& value
   return {};
 }
 
-Result<void> Session::undo() {
-  if (gesture_in_work()) {
-    cancel();
-    return {};
-  }
-  if (Result<void> settled = settle(); !settled) return settled;
-  if (!history_.can_undo()) return {};
-  const Result<Edit> undone = history_.undo(document_);
-  if (!undone) return tl::unexpected(undone.error());
-  follow(*undone);
-  return {};
-}
-
-Result<void> Session::redo() {
-  if (gesture_in_work()) return {};
-  if (Result<void> settled = settle(); !settled) return settled;
-  if (!history_.can_redo()) return {};
-  const Result<Edit> redone = history_.redo(document_);
-  if (!redone) return tl::unexpected(redone.error());
-  follow(*redone);
-  return {};
-}
-
-Result<void> Session::settle() {
-  if (!pen_is_down_) return finish();
-  cancel();
-  return {};
-}
-
 void Session::cancel() {
   tools_[active_]->cancel();
-  preview_.reset();
+  show({});
   gesture_is_open_ = false;
 }
 
 Result<void> Session::take(ToolResult result) {
-  if (result.preview || !result.same_preview) preview_ = std::move(result.preview);
+  // A preview of another document is none.
+  if (result.preview || result.commit || !result.same_preview) show(std::move(result.preview));
   Result<void> done;
   if (result.commit) {
     gesture_is_open_ = false;
     done = commit(std::move(*result.commit));
   }
-  if (done && result.selection) selection_ = std::move(*result.selection);
+  if (done && result.selection) {
+    selection_ = std::move(*result.selection);
+    selection_.hold_to(document_);
+  }
   if (!done) {
     return tl::unexpected(with_context(done.error(), std::string(tool().info().id)));
   }
   return done;
+}
+
+void Session::show(std::optional<Edit> preview) {
+  // A gesture's preview may outlive the touch for a while, a hovering pen's begins without one.
+  preview_is_of_gesture_ = preview && (gesture_is_open_ || preview_is_of_gesture_);
+  preview_ = std::move(preview);
 }
 
 Result<void> Session::commit(Edit edit) {
@@ -206,7 +198,8 @@ Result<void> Session::commit(Edit edit) {
 void Session::follow(const Edit& applied) {
   ++edits_;
   index_.update(applied, document_);
-  selection_.follow(applied);
+  selection_.follow(applied, document_);
+  if (!applied.layers.empty()) keep_layer_open();
   if (options_.on_edit) options_.on_edit(applied);
 }
 
@@ -239,15 +232,8 @@ Sketch Session::sketch() const {
 }
 
 Scene Session::scene() const {
-  return {document_,         index_,          selection_,    layer(),
+  return {document_,         index_,          selection_,    layer_,
           sheet_.material(), options_.device, sheet_.color()};
-}
-
-LayerId Session::layer() const {
-  const std::span<const Layer> layers = document_.layers();
-  const auto open = std::find_if(layers.rbegin(), layers.rend(),
-                                 [](const Layer& l) { return l.visible && !l.locked; });
-  return open == layers.rend() ? layers.back().id : open->id;
 }
 
 Result<std::size_t> Session::find_tool(std::string_view id) const {

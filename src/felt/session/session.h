@@ -41,13 +41,19 @@ struct SessionOptions {
 ///   servo.publish(session.force());       // every few ms
 ///
 /// A *gesture* is in work from the sample that touches the sheet until the tool says what came of
-/// it (as a rule when the pen is lifted), or while the tool shows a preview.
+/// it (as a rule when the pen is lifted), or while the preview that it left behind is shown. What
+/// a hovering pen shows is no gesture.
 ///   tool chosen, import, finish    the gesture is ended as if the pen were lifted: no ink is lost
 ///   cancel                         it never was
 ///   undo                           cancels it, and does nothing else: what was seen last goes
-///   redo                           does nothing
+///   redo, select, delete, duplicate, layer    do nothing
 /// After a tool was chosen or a gesture cancelled, the pen must be lifted before it begins
 /// anything.
+///
+/// New ink goes to the *layer in use*, which is always visible and unlocked: when it no longer is,
+/// the highest other one is used, and where there is none the edit that takes the last one away
+/// adds one. The *selection* follows every edit; strokes that come to stand in hidden or locked
+/// layers are no longer selected. Neither is part of undo.
 ///
 /// Samples that no device can mean (not finite, or farther than 1e9 mm) are dropped. Velocities are
 /// worked out here from places and times, whatever the device says, and pressures held to 0..1: a
@@ -61,7 +67,7 @@ class Session {
 
   /// Error: no such tool or option, or a value that it does not take; a HandEvent, which is for the
   /// Player; an ImportEvent, whose file the caller reads for import(). Nothing changes then, and
-  /// the event is not recorded.
+  /// the event is not recorded. Likewise for a layer that is not there or cannot be used.
   Result<void> apply(const Event& event);
   /// What a PenEvent ends in. Error: the tool made an edit that does not fit: a defect.
   Result<void> sample(const PenSample& sample);
@@ -75,17 +81,20 @@ class Session {
   [[nodiscard]] ForceModel force() const { return tool().force(scene()); }
   /// What is to be seen besides the document. Replaces the content.
   void draw(Overlay& overlay) const;
-  /// The document with this edit is what is to be seen, while a gesture is in work.
+  /// The document with this edit is what is to be seen: what a gesture in work would do, or one
+  /// that would begin here.
   [[nodiscard]] const std::optional<Edit>& preview() const noexcept { return preview_; }
 
   [[nodiscard]] const Document& document() const noexcept { return document_; }
   [[nodiscard]] const Selection& selection() const noexcept { return selection_; }
+  /// The layer in use.
+  [[nodiscard]] LayerId layer() const noexcept { return layer_; }
   [[nodiscard]] const History& history() const noexcept { return history_; }
   [[nodiscard]] const SheetOptions& sheet() const noexcept { return sheet_; }
   [[nodiscard]] std::span<const std::unique_ptr<Tool>> tools() const noexcept { return tools_; }
   [[nodiscard]] const Tool& tool() const noexcept { return *tools_[active_]; }
   [[nodiscard]] bool gesture_in_work() const noexcept {
-    return gesture_is_open_ || preview_.has_value();
+    return gesture_is_open_ || preview_is_of_gesture_;
   }
   /// By "tool.option" or "sheet.option".
   [[nodiscard]] Result<OptionValue> option(std::string_view id) const;
@@ -101,7 +110,6 @@ class Session {
   struct Apply;
 
   [[nodiscard]] Scene scene() const;
-  [[nodiscard]] LayerId layer() const;
   [[nodiscard]] Result<std::size_t> find_tool(std::string_view id) const;
   Result<void> select(const std::string& id);
   Result<void> set_option(const std::string& id, const OptionValue& value);
@@ -112,6 +120,12 @@ class Session {
   /// With the pen down, the tool said already what came of its gesture: no more of it.
   Result<void> settle();
   void cancel();
+  Result<void> select_strokes(SelectStrokes::What what);
+  Result<void> delete_selected();
+  Result<void> duplicate_selected();
+  Result<void> change_layer(const LayerEvent& event);
+  void keep_layer_open();
+  void show(std::optional<Edit> preview);
   Result<void> take(ToolResult result);
   Result<void> commit(Edit edit);
   void follow(const Edit& applied);
@@ -125,7 +139,9 @@ class Session {
   StrokeIndex index_;
   Selection selection_;
   History history_;
+  LayerId layer_;
   std::optional<Edit> preview_;
+  bool preview_is_of_gesture_ = false;
   VelocityFilter velocity_;
   std::int64_t last_sample_ns_ = 0;
   bool pen_is_down_ = false;

@@ -1,0 +1,28 @@
+#pragma once
+
+/// The words of event lines that stand for enumerations, in the order of these. Private to this
+/// layer.
+
+#include <array>
+#include <string_view>
+
+#include "felt/session/event.h"
+
+namespace felt::json {
+
+inline constexpr std::array<std::string_view, 3> kSelectionWords = {"all", "none", "invert"};
+
+inline constexpr std::array<std::string_view, 10> kLayerWords = {
+    "add", "remove", "rename", "show", "hide", "lock", "unlock", "raise", "lower", "use"};
+
+constexpr std::string_view word_of(SelectStrokes::What what) {
+  return kSelectionWords[static_cast<std::size_t>(what)];
+}
+constexpr std::string_view word_of(LayerEvent::Do what) {
+  return kLayerWords[static_cast<std::size_t>(what)];
+}
+
+static_assert(word_of(SelectStrokes::What::kInvert) == "invert");
+static_assert(word_of(LayerEvent::Do::kUse) == "use");
+
+}  // namespace felt::json

@@ -1,0 +1,138 @@
+#include "felt/session/layer_edit.h"
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+#include "felt/document/edit_builder.h"
+
+namespace felt {
+namespace {
+
+using Do = LayerEvent::Do;
+
+std::string label_of(Do what) {
+  switch (what) {
+    case Do::kAdd:
+      return "Add layer";
+    case Do::kRemove:
+      return "Remove layer";
+    case Do::kRename:
+      return "Rename layer";
+    case Do::kShow:
+      return "Show layer";
+    case Do::kHide:
+      return "Hide layer";
+    case Do::kLock:
+      return "Lock layer";
+    case Do::kUnlock:
+      return "Unlock layer";
+    case Do::kRaise:
+      return "Raise layer";
+    case Do::kLower:
+      return "Lower layer";
+    case Do::kUse:
+      break;
+  }
+  return "Use layer";
+}
+
+std::string title_of(const Layer& layer) {
+  return "layer " + std::to_string(layer.id.value) + " (" + layer.name + ")";
+}
+
+std::size_t index_of(const Document& document, LayerId id) {
+  const std::span<const Layer> layers = document.layers();
+  const auto found =
+      std::find_if(layers.begin(), layers.end(), [id](const Layer& l) { return l.id == id; });
+  return static_cast<std::size_t>(found - layers.begin());
+}
+
+LayerChange new_layer(const Document& document, std::string name, std::size_t index) {
+  const LayerId id = document.new_layer_id();
+  if (name.empty()) name = "Layer " + std::to_string(id.value);
+  return {id, std::nullopt, LayerState{std::move(name)}, 0, index};
+}
+
+/// The layer as it will be, but for its place and whether it stays.
+LayerState changed(LayerState state, const LayerEvent& event) {
+  if (event.what == Do::kRename) state.name = event.name;
+  if (event.what == Do::kShow || event.what == Do::kHide) {
+    state.visible = event.what == Do::kShow;
+  }
+  if (event.what == Do::kLock || event.what == Do::kUnlock) {
+    state.locked = event.what == Do::kLock;
+  }
+  return state;
+}
+
+std::size_t moved(std::size_t index, std::size_t count, Do what) {
+  if (what == Do::kRaise) return std::min(index + 1, count - 1);
+  if (what == Do::kLower) return index - std::min<std::size_t>(index, 1);
+  return index;
+}
+
+Edit change_of(const Document& document, const Layer& layer, const LayerEvent& event) {
+  const std::size_t count = document.layers().size();
+  const std::size_t index = index_of(document, layer.id);
+  LayerChange change{layer.id, layer.state(), changed(layer.state(), event), index,
+                     moved(index, count, event.what)};
+  if (change.after == change.before && change.after_index == index) return {};
+  return {label_of(event.what), {}, {std::move(change)}};
+}
+
+Edit removal_of(const Document& document, const Layer& layer) {
+  EditBuilder builder(document);
+  for (const StrokeId id : layer.strokes) builder.remove(id);
+  Edit edit = std::move(builder).build(label_of(Do::kRemove));
+  edit.layers.push_back({layer.id, layer.state(), {}, index_of(document, layer.id), 0});
+  return edit;
+}
+
+/// At the end of what an edit of one layer does.
+void keep_one_open(const Document& document, Edit& edit) {
+  if (edit.layers.empty()) return;
+  const LayerChange& change = edit.layers.front();
+  const std::span<const Layer> layers = document.layers();
+  const bool stays_open = change.after && change.after->visible && !change.after->locked;
+  const bool other_is_open = std::any_of(layers.begin(), layers.end(), [&](const Layer& l) {
+    return l.id != change.id && is_open(l);
+  });
+  if (stays_open || other_is_open) return;
+  edit.layers.push_back(new_layer(document, {}, layers.size() - (change.after ? 0 : 1)));
+}
+
+}  // namespace
+
+LayerId highest_open_layer(const Document& document) noexcept {
+  const std::span<const Layer> layers = document.layers();
+  const auto open = std::find_if(layers.rbegin(), layers.rend(), is_open);
+  return open == layers.rend() ? LayerId{} : open->id;
+}
+
+Result<Edit> layer_edit(const Document& document, const LayerEvent& event, LayerId in_use) {
+  if (event.what == Do::kAdd) {
+    const std::size_t above = std::min(index_of(document, in_use) + 1, document.layers().size());
+    return Edit{label_of(event.what), {}, {new_layer(document, event.name, above)}};
+  }
+  const Layer* layer = document.layer(event.layer);
+  if (!layer) {
+    return fail(ErrorCode::kNotFound, "no layer " + std::to_string(event.layer.value));
+  }
+  if (event.what == Do::kUse) {
+    if (is_open(*layer)) return Edit{};
+    return fail(ErrorCode::kInvalidArgument, title_of(*layer) +
+                                                 (layer->visible ? " is locked" : " is hidden") +
+                                                 ": nothing can be drawn there");
+  }
+  Edit edit =
+      event.what == Do::kRemove ? removal_of(document, *layer) : change_of(document, *layer, event);
+  keep_one_open(document, edit);
+  return edit;
+}
+
+Edit add_layer_on_top(const Document& document) {
+  return {label_of(Do::kAdd), {}, {new_layer(document, {}, document.layers().size())}};
+}
+
+}  // namespace felt

@@ -1,0 +1,87 @@
+// What a session does at a command rather than at a sample: undo, redo, selection, layers.
+#include <utility>
+
+#include "felt/session/layer_edit.h"
+#include "felt/session/selection_edit.h"
+#include "felt/session/session.h"
+
+namespace felt {
+
+Result<void> Session::undo() {
+  if (gesture_in_work()) {
+    cancel();
+    return {};
+  }
+  if (Result<void> settled = settle(); !settled) return settled;
+  if (!history_.can_undo()) return {};
+  const Result<Edit> undone = history_.undo(document_);
+  if (!undone) return tl::unexpected(undone.error());
+  follow(*undone);
+  return {};
+}
+
+Result<void> Session::redo() {
+  if (gesture_in_work()) return {};
+  if (Result<void> settled = settle(); !settled) return settled;
+  if (!history_.can_redo()) return {};
+  const Result<Edit> redone = history_.redo(document_);
+  if (!redone) return tl::unexpected(redone.error());
+  follow(*redone);
+  return {};
+}
+
+Result<void> Session::settle() {
+  if (!pen_is_down_) return finish();
+  cancel();
+  return {};
+}
+
+Result<void> Session::select_strokes(SelectStrokes::What what) {
+  if (gesture_in_work()) return {};
+  if (Result<void> settled = settle(); !settled) return settled;
+  selection_ = selected(document_, selection_, what);
+  return {};
+}
+
+Result<void> Session::delete_selected() {
+  if (gesture_in_work()) return {};
+  if (Result<void> settled = settle(); !settled) return settled;
+  return commit(delete_edit(document_, selection_));
+}
+
+Result<void> Session::duplicate_selected() {
+  if (gesture_in_work()) return {};
+  if (Result<void> settled = settle(); !settled) return settled;
+  Result<Edit> edit = duplicate_edit(document_, selection_);
+  if (!edit) return tl::unexpected(with_context(edit.error(), "duplicate"));
+  if (edit->empty()) return {};
+  Selection copies = made_by(*edit);
+  if (Result<void> done = commit(*std::move(edit)); !done) return done;
+  selection_ = std::move(copies);
+  return {};
+}
+
+Result<void> Session::change_layer(const LayerEvent& event) {
+  if (gesture_in_work()) return {};
+  // What is wrong is said before anything changes. Settling changes no layer.
+  if (Result<Edit> edit = layer_edit(document_, event, layer_); !edit) {
+    return tl::unexpected(edit.error());
+  }
+  if (Result<void> settled = settle(); !settled) return settled;
+  Result<Edit> edit = layer_edit(document_, event, layer_);
+  if (!edit) return tl::unexpected(edit.error());
+  const LayerId added = event.what == LayerEvent::Do::kAdd ? edit->layers.front().id : LayerId{};
+  if (Result<void> done = commit(*std::move(edit)); !done) return done;
+  if (added) layer_ = added;
+  if (event.what == LayerEvent::Do::kUse) layer_ = event.layer;
+  return {};
+}
+
+void Session::keep_layer_open() {
+  const Layer* layer = document_.layer(layer_);
+  if (layer && is_open(*layer)) return;
+  // Every step of a session leaves one open.
+  if (const LayerId open = highest_open_layer(document_)) layer_ = open;
+}
+
+}  // namespace felt
