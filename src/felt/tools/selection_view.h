@@ -15,7 +15,7 @@ namespace felt {
 /// What is selected, as the lasso shows it and the transform tool takes hold of it: a box round the
 /// selected control points, and the selected ink marked. Follows the selection and the document by
 /// looking at some of it with each sample, so that a selection of 10^5 strokes costs a sample no
-/// more than one of thirty; one of up to kPointsPerLook points is up to date after every look.
+/// more than one of fifteen; one of up to kPointsPerLook points is up to date after every look.
 ///
 ///   view.look(scene.document, scene.selection);   // each sample
 ///   view.draw(overlay);
@@ -23,8 +23,8 @@ namespace felt {
 /// Strokes of layers that are hidden or locked do not count: tools leave them alone. Edit thread.
 class SelectionView {
  public:
-  /// Control points that one look looks at: 20 to 30 us.
-  static constexpr std::size_t kPointsPerLook = 1'000;
+  /// Control points that one look looks at: 30 us at most, of strokes that are far apart in memory.
+  static constexpr std::size_t kPointsPerLook = 500;
   /// Marked pieces at most; of a larger selection the first ones are marked.
   static constexpr std::size_t kMostSpans = 2'000;
 

@@ -143,6 +143,7 @@ std::optional<Edit> MovedStrokes::step(const Affine& map, double width_factor) {
     aim_ = next;
     work_ = {};
     work_.changes.reserve(items_.size());
+    shown_.resize(items_.size());
   }
   for (std::size_t points = 0; points < kPointsPerStep && work_.changes.size() < items_.size();) {
     const std::size_t i = work_.changes.size();
@@ -153,6 +154,7 @@ std::optional<Edit> MovedStrokes::step(const Affine& map, double width_factor) {
     }
     points += items_[i].marks.size();
     work_.changes.push_back(places_.changes[i]);
+    shown_[i].before = std::exchange(shown_[i].last, after);
     work_.changes.back().after = std::move(after);
   }
   if (work_.changes.size() < items_.size()) return std::nullopt;

@@ -57,6 +57,12 @@ class MovedStrokes {
     friend bool operator==(const Aim&, const Aim&) noexcept = default;
   };
 
+  /// The strokes of the last two previews are let go one by one as the next is made: whoever
+  /// showed them drops a thousand at once, which would take half a millisecond.
+  struct Shown {
+    StrokePtr last, before;
+  };
+
   void prepare_originals(const Document& document, const Selection& selection);
   void prepare_copies(const Document& document, const Selection& selection);
   void add(StrokePtr stroke, Selection::Marks marks);
@@ -70,7 +76,8 @@ class MovedStrokes {
   double least_scale_ = 0.0;
   std::optional<Selection> copies_;
 
-  Edit work_;                // of the preview in work, its first strokes
+  Edit work_;  // of the preview in work, its first strokes
+  std::vector<Shown> shown_;
   std::optional<Aim> aim_;   // of the preview in work
   std::optional<Aim> done_;  // of the last complete one
 };
