@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <vector>
 
@@ -307,9 +308,10 @@ TEST(GrabPull, Divided_at_the_grab_little_changes) {
 TEST(GrabPull, What_is_no_pull_is_an_error) {
   const StrokePtr stroke = wave(2);
   const GrabPull pull(stroke, 0.5, {});
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
   EXPECT_FALSE(pull.at({std::nan(""), 0.0}));
-  EXPECT_FALSE(pull.at({0.0, INFINITY}));
-  EXPECT_FALSE(pull.finished({-INFINITY, 0.0}));
+  EXPECT_FALSE(pull.at({0.0, kInfinity}));
+  EXPECT_FALSE(pull.finished({-kInfinity, 0.0}));
 }
 
 }  // namespace
