@@ -161,7 +161,7 @@ TEST(GrabPull, R24_two_thousand_committed_pulls_do_not_blow_up) {
     stroke = shared(*done);
     most = std::max(most, static_cast<std::size_t>(stroke->segment_count()));
   }
-  EXPECT_LE(most, 40U);  // measured: 30
+  EXPECT_LE(most, 40U);                                    // measured: 30
   EXPECT_LT(length_of(*stroke), 2.5 * length_of(*first));  // measured: 1.95
 }
 
