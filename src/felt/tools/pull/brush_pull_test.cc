@@ -200,6 +200,20 @@ TEST(BrushPull, FollowsTheExactDisplacementOnCurvedInk) {
   }
 }
 
+TEST(BrushReach, OfAnOpenLineThatIsShorterIsAllOfIt) {
+  const Stroke s = straight_stroke({0, 0}, {30, 0}, 1, 1);
+  const ArcMap map(s);
+  const BrushReach reach = brush_reach(s, map, 0.5, {.radius_mm = 100.0});
+  EXPECT_EQ(reach.first_u(map), 0.0);
+  EXPECT_EQ(reach.last_u(map), 1.0);
+  const BrushPull pull(share(s), 0.5, {.radius_mm = 100.0});
+  EXPECT_EQ(pull.first_u(), 0.0);
+  EXPECT_EQ(pull.last_u(), 1.0);
+  const Stroke r = pull.at({0.0, 5.0}).value();
+  EXPECT_EQ(r.segment_count(), 2);
+  EXPECT_LE(distance(r.position(1.0), {15, 5}), 1e-12);
+}
+
 TEST(BrushPull, R26_EndsAndCornersStayUnlessTakenHoldOf) {
   StrokeData d{.points = {{0, 0}, {10, 0}, {20, 0}, {30, 0}, {30, 10}, {30, 20}, {30, 30}},
                .joints = {JointKind::kCorner},
