@@ -23,8 +23,8 @@ WidthBrush::WidthBrush(const Stroke& stroke, const ArcMap& map, double reach_mm,
       added_(places_.slot_count(), 0.0) {}
 
 double WidthBrush::limited(double base_mm, double added_mm) const noexcept {
-  // An untouched place stays as it is, bit for bit.
-  if (added_mm == 0.0) return base_mm;
+  // An untouched place stays as it is; between two knots of 0.05 mm rounding may say less.
+  if (added_mm == 0.0) return std::max(base_mm, kMinWidthMm);
   return std::clamp(base_mm + added_mm, kMinWidthMm, std::max(max_width_mm_, base_mm));
 }
 

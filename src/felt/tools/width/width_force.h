@@ -51,7 +51,7 @@ class WidthStop {
   }
 
  private:
-  static constexpr double kDampingNSPerM = 1.0;
+  static constexpr double kDampingNSPerM = 0.5;
 
   WidthStops stops_;
   double neutral_mm_;

@@ -1,0 +1,211 @@
+#include "felt/tools/smooth/ironing.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "felt/stroke/subdivide.h"
+#include "felt/tools/smooth/ironed_stroke.h"
+
+namespace felt {
+namespace {
+
+/// The bump of all brushes: S(x) = 1 - 3x^2 + 2x^3.
+double bump(double x) noexcept {
+  return x < 1.0 ? 1.0 - x * x * (3.0 - 2.0 * x) : 0.0;
+}
+
+}  // namespace
+
+Ironing::Ironing(const Stroke& stroke, const ArcMap& map, const IronOptions& options)
+    : stroke_(stroke), map_(map), options_(options), places_(stroke, map, !options.smooth_corners) {
+  const auto size = static_cast<std::size_t>(places_.count()) + 1;
+  doses_.assign(size, 0.0);
+  longest_.assign(size, std::numeric_limits<double>::quiet_NaN());
+  ironed_.resize(size);
+}
+
+void Ironing::add(double length_mm, double reach_mm, double dose) {
+  const int here = places_.nearest(length_mm), most = places_.count() - (places_.closed() ? 1 : 0);
+  const auto give = [&](int k) {
+    const double way = std::fabs(map_.way(length_mm, places_.length_at(k)));
+    if (way >= reach_mm) return false;
+    doses_[index(k)] += dose * bump(way / reach_mm);
+    return true;
+  };
+  give(places_.wrapped(here));
+  int left = most;
+  for (const int side : {1, -1}) {
+    for (int i = 1; left > 0; ++i) {
+      const int k = here + side * i;
+      if (!places_.closed() && (k < 0 || k > places_.count())) break;
+      if (!give(places_.wrapped(k))) break;
+      --left;
+    }
+  }
+}
+
+/// Of the jerk at a place when the share `share` of the longest wave goes.
+double Ironing::weight_of(int k, double share) {
+  double& longest = longest_[index(k)];
+  if (std::isnan(longest)) {
+    const int at = places_.wrapped(k);
+    const double bend = places_.mean_curvature(at, options_.wave_mm);
+    const double end = bump(places_.from_fixed_mm(at, options_.wave_mm) / options_.wave_mm);
+    const double part = kBendShare + end * (kEndBendShare - kBendShare);
+    const double limit = part * 2.0 * std::numbers::pi;
+    longest = bend * options_.wave_mm > limit ? limit / bend : options_.wave_mm;
+  }
+  return jerk_weight(std::min(longest, options_.wave_mm * share), IronPlaces::kSpacingMm);
+}
+
+void Ironing::filter_row(int first, int count, int skip) {
+  row_.clear();
+  for (int k = first; k < first + count; ++k) {
+    const int at = places_.wrapped(k);
+    const double dose = doses_[index(k)];
+    const double weight = dose > 0.0 ? weight_of(k, std::sqrt(-std::expm1(-dose))) : 0.0;
+    row_.push_back({places_.point(at), weight, places_.is_fixed(at)});
+  }
+  out_.resize(row_.size());
+  filter_.apply(row_, out_);
+  for (int i = skip; i < count - skip; ++i) {
+    ironed_[index(first + i)] = out_[static_cast<std::size_t>(i)];
+  }
+}
+
+/// Fills ironed_ wherever there is a dose.
+void Ironing::filter() {
+  const int n = places_.count();
+  int start = 0;
+  if (places_.closed()) {
+    while (start < n && is_dosed(start)) ++start;
+    if (start == n) {
+      // All around: overlapping itself, so that the cut is not felt.
+      const int overlap = std::min(n, static_cast<int>(4.0 * options_.wave_mm / 0.25));
+      filter_row(-overlap, n + 2 * overlap, overlap);
+      ironed_.back() = ironed_.front();
+      return;
+    }
+  }
+  const int end = start + n + (places_.closed() ? 0 : 1);
+  for (int k = start; k < end;) {
+    if (!is_dosed(k)) {
+      ++k;
+      continue;
+    }
+    int last = k;
+    while (last < end && is_dosed(last)) ++last;
+    // With a place without a dose, or the end of the stroke, at either side.
+    const int from = places_.closed() ? k - 1 : std::max(k - 1, 0);
+    const int to = places_.closed() ? last : std::min(last, n);
+    filter_row(from, to - from + 1, 0);
+    k = last;
+  }
+  if (places_.closed()) ironed_.back() = ironed_.front();
+}
+
+double Ironing::largest_move() const {
+  double most = 0.0;
+  for (int k = 0; k <= places_.count(); ++k) {
+    if (is_dosed(k)) most = std::max(most, distance(ironed_[index(k)], places_.point(k)));
+  }
+  return most;
+}
+
+double Ironing::roughness_mm(double length_mm, double reach_mm) {
+  const int here = places_.nearest(length_mm);
+  const int half = static_cast<int>(reach_mm / IronPlaces::kSpacingMm) + 1;
+  const int margin = static_cast<int>(options_.wave_mm / IronPlaces::kSpacingMm) + 1;
+  int first = here - half - margin, last = here + half + margin;
+  if (places_.closed()) {
+    last = std::min(last, first + places_.count() - 1);
+  } else {
+    first = std::max(first, 0);
+    last = std::min(last, places_.count());
+  }
+  const auto filtered = [&](bool fully) {
+    row_.clear();
+    for (int k = first; k <= last; ++k) {
+      const int at = places_.wrapped(k);
+      const double dose = doses_[index(k)];
+      const double share = fully ? 1.0 : std::sqrt(-std::expm1(-dose));
+      row_.push_back(
+          {places_.point(at), share > 0.0 ? weight_of(k, share) : 0.0, places_.is_fixed(at)});
+    }
+    out_.resize(row_.size());
+    filter_.apply(row_, out_);
+  };
+  filtered(false);
+  const std::vector<Point> now = out_;
+  filtered(true);
+  double sum = 0.0, weights = 0.0;
+  for (int k = first; k <= last; ++k) {
+    const auto i = static_cast<std::size_t>(k - first);
+    const double way = std::fabs(map_.way(length_mm, places_.length_at(places_.wrapped(k))));
+    const double weight = bump(way / reach_mm);
+    sum += weight * distance_squared(now[i], out_[i]);
+    weights += weight;
+  }
+  const double rms = weights > 0.0 ? std::sqrt(sum / weights) : 0.0;
+  return std::max(0.0, rms - kSmoothMm);
+}
+
+/// Stretches of places that have a dose, from the place without one before to that after.
+std::vector<Ironing::Run> Ironing::runs() const {
+  std::vector<Run> runs;
+  const int n = places_.count();
+  for (int k = 0; k <= n;) {
+    if (!is_dosed(k)) {
+      ++k;
+      continue;
+    }
+    int last = k;
+    while (last <= n && is_dosed(last)) ++last;
+    const Run run{std::max(k - 1, 0), std::min(last, n)};
+    // Between two runs at least one segment of the old stroke must remain.
+    if (!runs.empty() && run.first - runs.back().last < 2) {
+      runs.back().last = run.last;
+    } else if (run.last - run.first >= 4) {
+      runs.push_back(run);
+    }
+    k = last + 1;
+  }
+  return runs;
+}
+
+std::optional<Stroke> Ironing::build(std::vector<Run>& joints) {
+  filter();
+  if (!(largest_move() > kLeastMm)) return std::nullopt;
+  IronedStroke result(stroke_, map_, places_,
+                      [&](int k) { return is_dosed(k) ? ironed_[index(k)] : places_.point(k); });
+  for (const Run& run : runs()) {
+    const auto made = result.add(run.first, run.last, is_dosed(0) && places_.closed());
+    joints.push_back({made.first, made.last});
+  }
+  auto stroke = std::move(result).finish();
+  // Should an invariant break, the ink stays as it was.
+  if (!stroke) return std::nullopt;
+  return *std::move(stroke);
+}
+
+std::optional<Stroke> Ironing::quick() {
+  std::vector<Run> joints;
+  return build(joints);
+}
+
+std::optional<Stroke> Ironing::finished() {
+  std::vector<Run> joints;
+  std::optional<Stroke> stroke = build(joints);
+  if (!stroke) return stroke;
+  for (auto run = joints.rbegin(); run != joints.rend(); ++run) {
+    const bool whole = stroke->closed() && run->first == 0 && run->last == stroke->segment_count();
+    auto fewer =
+        with_fewer_segments(*stroke, run->first, whole ? 0 : run->last, options_.tolerance_mm);
+    if (fewer) stroke = *std::move(fewer);
+  }
+  return stroke;
+}
+
+}  // namespace felt

@@ -1,0 +1,18 @@
+tool_room(smooth
+  SOURCES
+    iron_places.cc
+    ironed_stroke.cc
+    ironing.cc
+    jerk_filter.cc
+    smooth_tool.cc
+  HEADERS
+    iron_places.h
+    ironed_stroke.h
+    ironing.h
+    jerk_filter.h
+    smooth_force.h
+    smooth_options.h
+    smooth_tool.h
+  TESTS
+    ironing_test.cc
+    smooth_test.cc)

@@ -1,0 +1,152 @@
+#include "felt/tools/smooth/smooth_tool.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <utility>
+
+#include "felt/tools/pressing.h"
+#include "felt/tools/smooth/smooth_force.h"
+
+namespace felt {
+namespace {
+
+constexpr ToolInfo kInfo{.id = "smooth",
+                         .label = "Smooth",
+                         .help = "Irons the jitter out of lines and leaves their shape.",
+                         .shortcut = 's',
+                         .options = kSmoothOptions};
+constexpr const char* kLabel = "Smooth";
+/// The iron stands at most this far apart along the line between two samples.
+constexpr double kIronStepMm = 1.0;
+/// Roughness comes and goes in the hand with this time constant.
+constexpr double kFeelSeconds = 0.040;
+
+double seconds_between(std::int64_t from_ns, std::int64_t to_ns) {
+  // In double: the difference of two hostile times does not fit into 64 bits.
+  const double ns = static_cast<double>(to_ns) - static_cast<double>(from_ns);
+  return std::clamp(1e-9 * ns, 0.0, SmoothTool::kLongestStepS);
+}
+
+}  // namespace
+
+std::unique_ptr<Tool> make_smooth() {
+  return std::make_unique<SmoothTool>();
+}
+
+SmoothTool::SmoothTool() : GestureTool(kInfo), settings_(smooth_settings(options())) {}
+
+void SmoothTool::take_options(const OptionValues& options) {
+  settings_ = smooth_settings(options);
+}
+
+ToolResult SmoothTool::hover(const PenSample& sample, const Scene& scene) {
+  hold_.take(scene, on_sheet(sample.position));
+  return {};
+}
+
+ToolResult SmoothTool::begin(const PenSample& sample, const Scene& scene) {
+  return take(sample, scene);
+}
+
+ToolResult SmoothTool::take(const PenSample& sample, const Scene& scene) {
+  if (!hold_.take(scene, on_sheet(sample.position))) return {};
+  replacement_.emplace(scene.document, hold_.id());
+  ironing_.emplace(*hold_.stroke(), hold_.map(), settings_.iron);
+  last_ns_ = preview_ns_ = sample.time_ns;
+  const auto points = static_cast<std::int64_t>(hold_.stroke()->data().points.size());
+  preview_interval_ns_ = std::max(kPreviewNs, kPreviewNsPerPoint * points);
+  iron(sample, scene, true);
+  feel(kLongestStepS);
+  return {};
+}
+
+ToolResult SmoothTool::move(const PenSample& sample, const Scene& scene) {
+  if (!ironing_) return take(sample, scene);
+  iron(sample, scene, hold_.follow(scene, on_sheet(sample.position)));
+  const double waited =
+      1e-9 * std::fabs(static_cast<double>(sample.time_ns) - static_cast<double>(preview_ns_));
+  if (!has_changed_ || waited < 1e-9 * static_cast<double>(preview_interval_ns_)) {
+    return {.same_preview = true};
+  }
+  preview_ns_ = sample.time_ns;
+  has_changed_ = false;
+  feel(std::min(waited, kLongestStepS));
+  std::optional<Stroke> ironed = ironing_->quick();
+  if (!ironed) return {.same_preview = true};
+  return {.preview =
+              replacement_->with(std::make_shared<const Stroke>(*std::move(ironed)), kLabel)};
+}
+
+void SmoothTool::iron(const PenSample& sample, const Scene& scene, bool is_near) {
+  const double seconds = seconds_between(last_ns_, sample.time_ns);
+  last_ns_ = sample.time_ns;
+  const double pressure = Pressing(scene.surface, scene.device).of(sample).value_or(kMousePressure);
+  const double rate = is_near ? kDoseRate * settings_.amount * (0.2 + 1.6 * pressure) : 0.0;
+  const double dose = 0.5 * (rate + std::exchange(rate_, rate)) * seconds;
+  if (!is_near || !hold_.way_mm() || !(dose > 0.0)) return;
+  has_changed_ = true;
+  const double way = *hold_.way_mm(), whole = hold_.map().length_mm();
+  const int steps = std::max(1, static_cast<int>(std::ceil(std::fabs(way) / kIronStepMm)));
+  for (int i = 0; i < steps; ++i) {
+    double length = hold_.place().length_mm - way * (1.0 - (i + 0.5) / steps);
+    if (hold_.stroke()->closed()) length -= whole * std::floor(length / whole);
+    ironing_->add(std::clamp(length, 0.0, whole), settings_.radius_mm, dose / steps);
+  }
+}
+
+void SmoothTool::feel(double seconds) {
+  const double now = ironing_->roughness_mm(hold_.place().length_mm, 0.5 * settings_.radius_mm);
+  rough_mm_ += seconds / (kFeelSeconds + seconds) * (now - rough_mm_);
+}
+
+ToolResult SmoothTool::end(const Scene&) {
+  ToolResult result;
+  if (ironing_) {
+    if (std::optional<Stroke> done = ironing_->finished()) {
+      result.commit = replacement_->with(std::make_shared<const Stroke>(*std::move(done)), kLabel);
+    }
+  }
+  stop();
+  return result;
+}
+
+void SmoothTool::drop() {
+  stop();
+}
+
+void SmoothTool::stop() {
+  ironing_.reset();
+  replacement_.reset();
+  hold_.release();  // what was held has changed
+  has_changed_ = false;
+  rate_ = rough_mm_ = 0.0;
+}
+
+ForceModel SmoothTool::force(const Scene& scene) const {
+  return make_smooth_force(scene, rough_mm_, settings_.strength);
+}
+
+void SmoothTool::draw(Overlay& overlay) const {
+  if (!hold_.holds() || is_waiting()) return;
+  const ArcMap& map = hold_.map();
+  const Stroke& stroke = *hold_.stroke();
+  const StrokeHold::Place& here = hold_.place();
+  overlay.rings.push_back({here.point, settings_.radius_mm, Overlay::Role::kReach});
+  double first = here.length_mm - settings_.radius_mm, last = here.length_mm + settings_.radius_mm;
+  if (last - first >= map.length_mm()) {
+    add_span(overlay, stroke, 0.0, stroke.segment_count(), Overlay::Role::kSpan);
+  } else {
+    if (!stroke.closed()) first = std::max(first, 0.0);
+    if (!stroke.closed()) last = std::min(last, map.length_mm());
+    add_span(overlay, stroke, map.u_at(first), map.u_at(last), Overlay::Role::kSpan);
+  }
+  if (ironing_) {
+    std::array<char, 32> text{};
+    std::snprintf(text.data(), text.size(), "%.2f mm rough", rough_mm_);
+    overlay.labels.push_back({here.point + Vec{1.5, -1.5}, text.data()});
+  }
+}
+
+}  // namespace felt

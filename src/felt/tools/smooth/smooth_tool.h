@@ -1,0 +1,62 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+
+#include "felt/document/edit_builder.h"
+#include "felt/tools/gesture_tool.h"
+#include "felt/tools/smooth/ironing.h"
+#include "felt/tools/smooth/smooth_options.h"
+#include "felt/tools/stroke_hold.h"
+
+namespace felt {
+
+/// Irons the jitter out of a line under the pen without shrinking it (smooth.md). Rubbing on irons
+/// on; one gesture acts on the line that the pen first comes within 8 mm of.
+class SmoothTool final : public GestureTool {
+ public:
+  static constexpr double kLongestStepS = 0.050;
+  /// Dose a second of the iron at rest, at full amount and pressure p: kDoseRate (0.2 + 1.6 p).
+  static constexpr double kDoseRate = 6.0;
+  static constexpr double kMousePressure = 0.5;
+  /// Previews and the feel are renewed at least this far apart in time, and by
+  /// kPreviewNsPerPoint for each control point of the line.
+  static constexpr std::int64_t kPreviewNs = 12'000'000;
+  static constexpr std::int64_t kPreviewNsPerPoint = 10'000;
+
+  SmoothTool();
+
+  [[nodiscard]] ForceModel force(const Scene& scene) const override;
+  void draw(Overlay& overlay) const override;
+
+ protected:
+  ToolResult hover(const PenSample& sample, const Scene& scene) override;
+  ToolResult begin(const PenSample& sample, const Scene& scene) override;
+  ToolResult move(const PenSample& sample, const Scene& scene) override;
+  ToolResult end(const Scene& scene) override;
+  void drop() override;
+  void take_options(const OptionValues& options) override;
+
+ private:
+  ToolResult take(const PenSample& sample, const Scene& scene);
+  void iron(const PenSample& sample, const Scene& scene, bool is_near);
+  void feel(double seconds);
+  void stop();
+
+  SmoothSettings settings_;
+  StrokeHold hold_;
+  // Of the gesture:
+  std::optional<StrokeReplacement> replacement_;
+  std::optional<Ironing> ironing_;
+  double rate_ = 0.0;  // dose a second, at the last sample
+  std::int64_t last_ns_ = 0;
+  std::int64_t preview_ns_ = 0;
+  std::int64_t preview_interval_ns_ = kPreviewNs;
+  bool has_changed_ = false;
+  double rough_mm_ = 0.0;  // as felt, low-passed
+};
+
+std::unique_ptr<Tool> make_smooth();
+
+}  // namespace felt
