@@ -5,8 +5,10 @@
 #include "felt/tools/lasso/lasso_tool.h"
 #include "felt/tools/pencil/pencil_tool.h"
 #include "felt/tools/pull/pull_tool.h"
+#include "felt/tools/smooth/smooth_tool.h"
 #include "felt/tools/tool.h"
 #include "felt/tools/transform/transform_tool.h"
+#include "felt/tools/width/width_tool.h"
 
 namespace felt {
 
@@ -14,6 +16,8 @@ std::vector<std::unique_ptr<Tool>> make_tools() {
   std::vector<std::unique_ptr<Tool>> tools;
   tools.push_back(make_pencil());
   tools.push_back(make_pull());
+  tools.push_back(make_smooth());
+  tools.push_back(make_width());
   tools.push_back(make_eraser());
   tools.push_back(make_lasso());
   tools.push_back(make_transform());
