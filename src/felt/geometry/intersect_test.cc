@@ -69,7 +69,7 @@ TEST(Intersect, FindsEveryCrossingThatDenseSamplingFindsOnAnyKindOfCubic) {
   int crossings = 0;
   for (int k = 0; k < kCaseKinds; ++k) {
     if (static_cast<CaseKind>(k) == CaseKind::kTiny) continue;  // below the tolerance of the check
-    for (unsigned seed = 0; seed < 60; ++seed) {
+    for (unsigned seed = 0; seed < 24; ++seed) {
       std::mt19937_64 random(1000U * static_cast<unsigned>(k) + seed);
       const Cubic f = make_case(static_cast<CaseKind>(k), random).curve;
       const Cubic g = make_case(static_cast<CaseKind>(seed % 3 == 0 ? k : 0), random).curve;
@@ -83,7 +83,7 @@ TEST(Intersect, FindsEveryCrossingThatDenseSamplingFindsOnAnyKindOfCubic) {
       }
     }
   }
-  EXPECT_GT(crossings, 100);
+  EXPECT_GT(crossings, 60);
 }
 
 TEST(Intersect, DoesNotReportAPlaceTwice) {

@@ -306,6 +306,52 @@ TEST(Eraser, TheRingAndWhatWouldGoAreShownBefore) {
   EXPECT_EQ(e.overlay().rings.size(), 1u);
 }
 
+TEST(Eraser, RandomGesturesInEveryModeOnlyTakeAwayAndAreTakenBack) {
+  int commits = 0;
+  for (std::uint64_t seed = 0; seed < 60; ++seed) {
+    testing::RandomStroke make(seed);
+    Eraser e;
+    e.choose_mode(kEraserModes[seed % 3].data());
+    e.set("radius_mm", make.uniform(0.2, 6.0));
+    e.set("include_width", make.chance(0.5));
+    for (std::uint64_t k = 0; k < 5; ++k) e.desk.add(random_stroke(100 * seed + k));
+    const auto before = e.desk.strokes();
+    const Document original = e.desk.document;
+    const Point a{make.uniform(0, 20), make.uniform(0, 20)};
+    const Point b{make.uniform(0, 20), make.uniform(0, 20)};
+    e.pen.line(way(a, b, make.uniform(0.01, 5.0)));
+    for (const StrokePtr& piece : e.desk.strokes()) {
+      const double n = piece->segment_count();
+      for (double u = 0.0; u <= n; u += 0.1) {
+        double off = 1e300;
+        for (const StrokePtr& s : before) off = std::min(off, distance_to(*s, piece->position(u)));
+        ASSERT_LE(off, 1e-6) << "seed " << seed;
+      }
+    }
+    commits += e.pen.commits;
+    if (e.pen.commits > 0) e.desk.undo();
+    EXPECT_EQ(e.desk.document, original) << "seed " << seed;
+  }
+  EXPECT_GT(commits, 40);
+}
+
+TEST(Eraser, WhatIsLeftIsShownWithinAFrameOfThePen) {
+  // More strokes at once than one sample cuts; then the pen rests.
+  Eraser e;
+  e.set("radius_mm", 20.0);
+  for (int i = 0; i < 300; ++i) e.desk.add(straight_stroke({0, 0.1 * i}, {100, 0.1 * i}, 1, 1));
+  e.pen.down({50, -30});
+  std::size_t shown = 0;
+  for (int i = 0; i < 100; ++i) {
+    const ToolResult r = e.pen.at({50, 15, -1});
+    EXPECT_TRUE(r.preview || r.same_preview);
+    if (r.preview) shown = r.preview->changes.size();
+  }
+  EXPECT_EQ(shown, 900u) << "each stroke goes and leaves two";
+  e.pen.up({50, 15});
+  EXPECT_EQ(e.desk.strokes().size(), 600u);
+}
+
 /// As a hand moves: resting, sliding on, rubbing to and fro.
 Vec3 hand(int scenario, double time, double aim) {
   const double x = std::min(time / 0.4, 1.0), z = 1 + (aim - 1) * x * x * (3 - 2 * x);
