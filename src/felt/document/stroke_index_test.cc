@@ -3,7 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <cmath>
 #include <limits>
+#include <set>
 
 #include "felt/document/edit_builder.h"
 #include "felt/document/random_document.h"
@@ -101,6 +103,76 @@ TEST(StrokeIndex, AnswersNonsenseWithNothing) {
   EXPECT_FALSE(index.nearest_tip(d, {0, 0}, -1));
   EXPECT_EQ(index.nearest_tip(d, {8, 0}, 1e308)->point, (Point{9, 0}));
   EXPECT_EQ(index.nearest_tip(d, {-1e300, 1e300}, 1)->distance_mm, 0.0);
+}
+
+/// The same, one segment after the other.
+std::optional<StrokeHit> nearest_by_hand(const Document& d, Point q, double radius_mm) {
+  std::optional<StrokeHit> best;
+  double least = radius_mm * radius_mm;
+  std::vector<StrokeId> ids;
+  for (const Layer& layer : d.layers()) {
+    if (!layer.visible || layer.locked) continue;
+    ids.insert(ids.end(), layer.strokes.begin(), layer.strokes.end());
+  }
+  std::sort(ids.begin(), ids.end());
+  for (const StrokeId id : ids) {
+    const StrokePtr stroke = d.find(id);
+    for (int i = 0; i < stroke->segment_count(); ++i) {
+      const auto hit = nearest_within(stroke->segment(i), q, least);
+      if (!hit || (best && hit->distance_squared >= least)) continue;
+      least = hit->distance_squared;
+      best = StrokeHit{id, i + hit->t, hit->point, std::sqrt(least)};
+    }
+  }
+  return best;
+}
+
+TEST(StrokeIndex, R19_R20_FindsTheNearestPlaceAfterAnyEditsUndoAndLayersToggled) {
+  int hits = 0, misses = 0;
+  for (std::uint64_t seed = 0; seed < 60; ++seed) {
+    SCOPED_TRACE(seed);
+    testing::RandomEdits edits(seed);
+    testing::RandomStroke random(seed + 1);
+    Document d;
+    StrokeIndex index;
+    std::vector<Edit> done;
+    for (int k = 0; k < 30; ++k) {
+      const bool back = !done.empty() && random.chance(0.3);
+      const Edit edit = back ? done.back().inverse() : edits.next(d);
+      ASSERT_TRUE(d.apply(edit));
+      index.update(edit, d);
+      if (back) {
+        done.pop_back();
+      } else {
+        done.push_back(edit);
+      }
+      for (int q = 0; q < 10; ++q) {
+        const Point place{random.uniform(-40, 60), random.uniform(-40, 60)};
+        const double radius = random.chance(0.2) ? 1e9 : 8.0;
+        const auto found = index.nearest(place, radius), truth = nearest_by_hand(d, place, radius);
+        ASSERT_EQ(found.has_value(), truth.has_value());
+        ++(found ? hits : misses);
+        if (!found) continue;
+        ASSERT_EQ(found->distance_mm, truth->distance_mm);
+        ASSERT_EQ(found->stroke, truth->stroke);
+        ASSERT_EQ(found->point, truth->point);
+        ASSERT_NEAR(found->u, truth->u, 1e-9);
+      }
+      const Rect area{random.uniform(0, 10), random.uniform(0, 10), 15.0, 12.0};
+      std::set<StrokeId> inside;
+      for (const Layer& layer : d.layers()) {
+        if (!layer.visible || layer.locked) continue;
+        for (const StrokeId id : layer.strokes) {
+          for (int i = 0; i < d.find(id)->segment_count(); ++i) {
+            if (bounds(d.find(id)->segment(i)).intersects(area)) inside.insert(id);
+          }
+        }
+      }
+      ASSERT_EQ(index.strokes_in(area), std::vector<StrokeId>(inside.begin(), inside.end()));
+    }
+  }
+  EXPECT_GT(hits, 3000);
+  EXPECT_GT(misses, 3000);
 }
 
 TEST(StrokeIndex, TheHundredThousandthStrokeCostsNoMoreThanTheFirst) {
