@@ -149,13 +149,14 @@ void tool_rows(Sheet& sheet, Session& session, const std::string& id, std::int64
       const double k = sheet.uniform(0, static_cast<double>(ids.size()) - 1.0);
       stroke = session.document().find(ids[static_cast<std::size_t>(k)]);
     }
-    const Point start = stroke->position(sheet.uniform(0, stroke->segment_count()));
+    Point start = stroke->position(sheet.uniform(0, stroke->segment_count()));
     if (id == "transform" && has_tool(session, "lasso")) {
       // Something to transform: a ring of 15 mm around the place.
       choose(session, "lasso");
       Hand other(session, now_ns);
       other.gesture(start + Vec{0, -15}, 0.0, 0.1 / 15.0, 940);
       choose(session, id);
+      start = start + Vec{6, 4};  // beside the dot in the middle, which would move alone
     }
     const double bend = sheet.uniform(-0.02, 0.02);
     hand.gesture(start, sheet.uniform(0, 6.28), bend, i % 4 == 0 ? 1000 : 250);
