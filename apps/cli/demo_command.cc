@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <memory>
 
+#include "act_pictures.h"
 #include "commands.h"
 #include "demo_scripts.h"
 #include "felt/io/png.h"
@@ -22,17 +23,17 @@ namespace {
 
 constexpr double kMarginMm = 6.0;
 constexpr Rgba kPaper{255, 254, 250, 255};
-constexpr Rgba kRingColor{0, 114, 178, 190};
-constexpr double kRingWidthMm = 0.3;
+constexpr double kActDpi = 192.0;
 constexpr double kPlotUnits = 900.0;
 /// What the plot shows: from shortly before the pen first touches.
 constexpr double kPlotBeforeS = 0.25;
 constexpr double kPlotS = 5.0;
 
 constexpr const char* kLegend =
-    "samples: of the pen on the sheet, one a tick. N: force sent meanwhile. off: mean distance "
-    "between "
-    "the path that the hand meant and the ink. real time: how much faster than life it was played.";
+    "touches: times that the pen came down. strokes: in the drawing, before and after. changed: "
+    "strokes that became others, came or went. N: force sent while the pen is on the sheet. off: "
+    "mean distance between the path that the hand meant to draw and the ink. real time: how much "
+    "faster than life it was played.";
 
 struct DemoArguments {
   std::string folder;
@@ -45,64 +46,36 @@ struct DemoRecorder {
   ForcesCsv forces;
   ForcePlot plot;
   std::optional<double> first_contact_s{};
-  Overlay overlay{};                      // scratch
-  std::vector<Overlay::Ring> in_reach{};  // rings around the target of the gesture in work
-  std::vector<Overlay::Ring> rings{};     // those that ended a gesture
+  PenSample pen{};
+  ActPictures* act = nullptr;  ///< the one that is played
 
   Result<void> see(const ReplayTick& tick) {
-    const PenSample& pen = tick.report.sample;
+    pen = tick.report.sample;
     if (!first_contact_s && in_contact(pen)) {
       first_contact_s = 1e-9 * static_cast<double>(pen.time_ns);
     }
     plot.add(tick.report, tick.width_mm);
     return forces.add(tick.report, tick.pressure);
   }
-
-  /// Notes the rings that a line ran into.
-  void see(const Session& session) {
-    if (!session.gesture_in_work()) {
-      rings.insert(rings.end(), in_reach.begin(), in_reach.end());
-      in_reach.clear();
-      return;
-    }
-    overlay.clear();
-    session.draw(overlay);
-    in_reach.clear();
-    for (const Overlay::Ring& ring : overlay.rings) {
-      if (ring.role == Overlay::Role::kSnap) in_reach.push_back(ring);
-    }
+  void see(const Session& session) const {
+    if (act) act->see(session, pen);
   }
 };
-
-/// A ring of the overlay as a thin line, for a picture.
-SketchStroke ring_stroke(const Overlay::Ring& ring) {
-  constexpr double kHandle = 0.5522847498;  // of a quarter circle
-  const double r = ring.radius_mm, h = kHandle * r;
-  const auto at = [&ring](double x, double y) { return ring.center + Vec{x, y}; };
-  StrokeData data;
-  data.points = {at(r, 0),   at(r, h),   at(h, r),  at(0, r),  at(-h, r), at(-r, h), at(-r, 0),
-                 at(-r, -h), at(-h, -r), at(0, -r), at(h, -r), at(r, -h), at(r, 0)};
-  data.joints.assign(4, JointKind::kSmooth);
-  data.closed = true;
-  data.widths = {{0.0, kRingWidthMm}, {4.0, kRingWidthMm}};
-  data.color = kRingColor;
-  return {"ring", Stroke::create(std::move(data)).value()};
-}
 
 /// The table of what was done, a row an act.
 class Summary {
  public:
   void add(std::string_view act, const ReplayStats& stats) {
-    const bool all_came = stats.strokes == drawn_ + stats.strokes_meant;
-    drawn_ += stats.strokes_meant;
-    table_.add_row(
-        {std::string(act.substr(act.find('-') + 1)),
-         all_came ? std::to_string(stats.strokes_meant)
-                  : fmt::format("{} of {}", stats.strokes, drawn_),
-         std::to_string(stats.ticks_in_contact), std::to_string(stats.segments),
-         fmt::format("{:.2f}", stats.mean_sent_n()), fmt::format("{:.2f}", stats.max_sent_n),
-         fmt::format("{:.3f}", stats.distance.mean_mm()), fmt::format("{:.1f}", stats.simulated_s),
-         fmt::format("{:.0f} x", stats.times_real_time())});
+    const bool drew = stats.strokes_meant > 0;
+    table_.add_row({std::string(act.substr(act.find('-') + 1)), std::to_string(stats.touches),
+                    fmt::format("{} > {}", strokes_, stats.strokes),
+                    std::to_string(stats.strokes_changed), std::to_string(stats.segments),
+                    fmt::format("{:.2f}", stats.mean_sent_n()),
+                    fmt::format("{:.2f}", stats.max_sent_n),
+                    drew ? fmt::format("{:.3f}", stats.distance.mean_mm()) : "",
+                    fmt::format("{:.1f}", stats.simulated_s),
+                    fmt::format("{:.0f} x", stats.times_real_time())});
+    strokes_ = stats.strokes;
     faults_ += stats.soft_faults + stats.hard_faults;
   }
   void print() const {
@@ -114,15 +87,16 @@ class Summary {
  private:
   static constexpr TextTable::Align kRight = TextTable::Align::kRight;
   TextTable table_{{{"act"},
+                    {"touches", kRight},
                     {"strokes", kRight},
-                    {"samples", kRight},
+                    {"changed", kRight},
                     {"segments", kRight},
                     {"mean N", kRight},
                     {"peak N", kRight},
                     {"off mm", kRight},
                     {"seconds", kRight},
                     {"real time", kRight}}};
-  std::int64_t drawn_ = 0;
+  std::int64_t strokes_ = 0;
   std::int64_t faults_ = 0;
 };
 
@@ -147,18 +121,15 @@ Result<void> write_picture(const std::string& path, const Sketch& sketch,
   return write_strokes(sketch, *format, **output);
 }
 
-Result<void> write_pictures(const DemoArguments& args, const Sketch& sketch,
-                            const DemoRecorder& recorder) {
+Result<void> write_pictures(const DemoArguments& args, const Sketch& sketch) {
   PictureOptions picture;
   picture.sheet = ink_bounds(sketch).inflated(kMarginMm);
   picture.dpi = kMmPerInch * args.size_px / picture.sheet->width();
   for (const char* name : {"sketch.ndjson", "sketch.svg"}) {
     if (Result<void> done = write_picture(path_in(args, name), sketch, picture); !done) return done;
   }
-  Sketch annotated = sketch;
-  for (const Overlay::Ring& ring : recorder.rings) annotated.push_back(ring_stroke(ring));
   picture.paper = kPaper;
-  return write_picture(path_in(args, "sketch.png"), annotated, picture);
+  return write_picture(path_in(args, "sketch.png"), sketch, picture);
 }
 
 Result<void> write_plot(const DemoArguments& args, DemoRecorder& recorder) {
@@ -176,6 +147,20 @@ Result<void> write_plot(const DemoArguments& args, DemoRecorder& recorder) {
   return write_png(path_in(args, "forces.png"), *image, 96.0 * scale);
 }
 
+Result<void> play_act(const DemoScript& act, const DemoArguments& args, DemoRecorder& recorder,
+                      ReplayMachine& machine, ReplayRun& run) {
+  ActPictures pictures(act.name);
+  recorder.act = &pictures;
+  const std::string name = "share/demo/" + std::string(act.name) + ".ndjson";
+  Result<void> done = run.script(name, "", read_text(act.text));
+  if (done) done = run.play();
+  recorder.act = nullptr;
+  if (!done) return done;
+  const Result<Image> image = pictures.draw(machine.session(), args.size_px);
+  if (!image) return tl::unexpected(image.error());
+  return write_png(path_in(args, (std::string(act.name) + ".png").c_str()), *image, kActDpi);
+}
+
 Result<void> play_acts(const DemoArguments& args, Console& console, DemoRecorder& recorder) {
   ReplayMachine::Observer observer;
   observer.tick = [&recorder](const ReplayTick& tick) { return recorder.see(tick); };
@@ -189,17 +174,13 @@ Result<void> play_acts(const DemoArguments& args, Console& console, DemoRecorder
   Summary summary;
   for (const DemoScript& act : demo_scripts()) {
     const auto start = std::chrono::steady_clock::now();
-    const std::string name = "share/demo/" + std::string(act.name) + ".ndjson";
-    if (Result<void> read = run.script(name, "", read_text(act.text)); !read) return read;
-    if (Result<void> played = run.play(); !played) return played;
+    if (Result<void> played = play_act(act, args, recorder, machine, run); !played) return played;
     ReplayStats stats = machine.take_stats();
     stats.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     summary.add(act.name, stats);
   }
   console.end_progress();
-  if (Result<void> done = write_pictures(args, machine.session().sketch(), recorder); !done) {
-    return done;
-  }
+  if (Result<void> done = write_pictures(args, machine.session().sketch()); !done) return done;
   if (Result<void> done = write_plot(args, recorder); !done) return done;
   if (Result<void> done = recorder.forces.finish(); !done) return done;
   summary.print();
@@ -217,14 +198,15 @@ void run_demo(const DemoArguments& args, Console& console) {
   const Result<void> played = play_acts(args, console, recorder);
   console.end_progress();
   if (!played) return console.error(played.error().message);
-  fmt::print("\nIn {}: sketch.svg, sketch.png, sketch.ndjson, forces.csv, forces.png\n",
-             args.folder);
+  fmt::print("\nIn {}: sketch.svg, sketch.png, sketch.ndjson, forces.csv, forces.png", args.folder);
+  for (const DemoScript& act : demo_scripts()) fmt::print(", {}.png", act.name);
+  fmt::print("\n");
 }
 
 }  // namespace
 
 void add_demo_command(CLI::App& app, Console& console) {
-  CLI::App* command = app.add_subcommand("demo", "Let the simulated hand draw a picture");
+  CLI::App* command = app.add_subcommand("demo", "Let the simulated hand draw and edit a picture");
   const auto args = std::make_shared<DemoArguments>();
   command->add_option("-o,--output", args->folder, "The folder for pictures and forces; it is made")
       ->required();

@@ -5,9 +5,8 @@
 #include <fstream>
 #include <numbers>
 
+#include "demo_act.h"
 #include "felt/devices/simulated/drawings.h"
-#include "felt/devices/simulated/sample_sets.h"
-#include "felt/io/event_writer.h"
 
 namespace felt {
 namespace {
@@ -56,19 +55,48 @@ std::vector<Gesture> ball_of_wool() {
   return ball;
 }
 
-std::string event_line(const Event& event) {
-  std::string line;
-  append_event_line(line, event);
-  return line;
+/// Fine lines that swell when pressed: the tool's own width is for broad strokes.
+void fine_pencil(DemoAct& act) {
+  act.set("pencil.min_width_mm", 0.25);
+  act.set("pencil.max_width_mm", 2.2);
+  act.set("pencil.gamma", 1.2);
 }
 
-/// What the hand records of some gestures, as lines of raw strokes with names that go on counting.
-std::string recorded(WritingHand& hand, const std::vector<Gesture>& gestures, int& count) {
-  SampleSet set{"", {}};
-  for (const Gesture& gesture : gestures) {
-    set.strokes.push_back({"demo-" + std::to_string(++count), hand.draw(gesture)});
-  }
-  return to_ndjson(set);
+/// A line drawn by a hand that trembles.
+std::vector<Gesture> shaky_line() {
+  return {{.via = {{22, 130}, {38, 131.5}, {58, 130.5}, {80, 132}, {104, 130}, {119, 131.5}},
+           .pressure = 0.5,
+           .tempo = 0.5,
+           .end_pressure = 0.4}};
+}
+
+/// A fish, whose outline ends 7 mm from where it began.
+std::vector<Gesture> fish() {
+  const Vec at{2.0, 74.0};
+  std::vector<Gesture> fish;
+  const auto line = [&](std::vector<Vec> offsets, double pressure) {
+    Gesture gesture{.via = {}, .pressure = pressure, .end_pressure = 0.4};
+    for (const Vec& offset : offsets) gesture.via.push_back(Point{} + at + offset);
+    fish.push_back(std::move(gesture));
+  };
+  line({{24.5, 1.5},
+        {18, -3.6},
+        {9.5, -3.4},
+        {1.5, 3.0},
+        {1.5, 3.0},
+        {9.5, 9.2},
+        {17.5, 9.4},
+        {23.5, 5.6},
+        {28.5, 1.6},
+        {28.5, 1.6},
+        {29.2, 6},
+        {28.6, 10.4},
+        {28.6, 10.4},
+        {26.2, 7.6}},
+       0.5);
+  line({{6.6, 1.8}, {6.7, 2.1}}, 0.8);
+  line({{11.5, -1.0}, {13.4, 3.0}, {11.8, 7.0}}, 0.35);
+  return fish;
 }
 
 /// The first act: the ball of wool, whose outline snaps shut, and the cat, with the pencil.
@@ -76,23 +104,134 @@ std::string pencil_act() {
   WritingHand hand({.seed = 3});
   int count = 0;
   std::vector<Gesture> ball = ball_of_wool();
-  std::string script = event_line({.time_ns = 0, .what = SelectTool{.id = "pencil"}});
-  const auto set = [&script](const char* id, const OptionValue& value) {
-    script += event_line({.time_ns = 0, .what = SetOption{.id = id, .value = value}});
-  };
-  // Fine lines that swell when pressed: the tool's own width is for broad strokes.
-  set("pencil.min_width_mm", 0.25);
-  set("pencil.max_width_mm", 2.2);
-  set("pencil.gamma", 1.2);
-  set("sheet.color", std::string("#23262d"));
-  set("pencil.snap", std::string("both"));
-  script += recorded(hand, {ball.front()}, count);
+  DemoAct act;
+  act.tool("pencil");
+  fine_pencil(act);
+  act.set("sheet.color", std::string("#23262d"));
+  act.set("pencil.snap", std::string("both"));
+  act.draw(hand, {ball.front()}, count);
   ball.erase(ball.begin());
-  set("pencil.snap", std::string("off"));
-  script += recorded(hand, ball, count);
-  script += recorded(hand, cat_drawing(), count);
-  return script;
+  act.set("pencil.snap", std::string("off"));
+  act.draw(hand, ball, count);
+  act.draw(hand, cat_drawing(), count);
+  return act.text();
 }
+
+/// The tip of an ear is drawn out, and the back is made rounder.
+std::string pull_act() {
+  DemoAct act;
+  act.tool("pull");
+  act.set("pull.mode", std::string("brush"));
+  act.set("pull.radius_mm", 16.0);
+  act.gesture({{80.5, 14.2}, {84, 9.0}, {88.5, 1.5}}, 20.0);
+  act.set("pull.radius_mm", 28.0);
+  act.gesture({{86.6, 82}, {90, 80.5}, {95.5, 79}}, 20.0);
+  return act.text();
+}
+
+/// A line that trembles gets calm where the iron goes: all of it but the last part.
+std::string smooth_act() {
+  WritingHand hand({.tremor_mm = 0.28, .wander_mm = 0.3, .seed = 5});
+  int count = 100;
+  DemoAct act;
+  act.tool("pencil");
+  fine_pencil(act);
+  act.set("pencil.snap", std::string("off"));
+  act.draw(hand, shaky_line(), count);
+  act.tool("smooth");
+  act.set("smooth.radius_mm", 8.0);
+  const std::vector<Point> there{{22, 130}, {38, 131.5}, {58, 130.5}, {80, 132}};
+  std::vector<Point> to_and_fro = there;
+  to_and_fro.insert(to_and_fro.end(), there.rbegin() + 1, there.rend());
+  act.gesture(to_and_fro, 40.0, 4.0);
+  return act.text();
+}
+
+/// A line of the tail is pressed broader.
+std::string width_act() {
+  DemoAct act;
+  act.tool("width");
+  act.set("width.mode", std::string("brush"));
+  act.set("width.reach_mm", 8.0);
+  act.set("width.max_width_mm", 4.0);
+  act.gesture({{41, 70}, {41.6, 80}, {43.4, 93}, {46, 104}}, 14.0, 6.0);
+  return act.text();
+}
+
+/// A whisker is rubbed away as far as the cheek, another goes whole.
+std::string eraser_act() {
+  DemoAct act;
+  act.tool("eraser");
+  act.set("eraser.mode", std::string("touched"));
+  act.set("eraser.radius_mm", 1.5);
+  act.gesture({{26.5, 54.9}, {34, 53.0}, {44, 51.6}}, 30.0, 3.0);
+  act.set("eraser.mode", std::string("stroke"));
+  act.gesture({{30, 60.8}, {33, 59.4}}, 15.0, 3.0);
+  return act.text();
+}
+
+/// A loop round the ball selects whole lines.
+std::string lasso_act() {
+  DemoAct act;
+  act.tool("lasso");
+  act.set("lasso.take", std::string("strokes"));
+  act.gesture({{3, 100},
+               {14.5, 97.5},
+               {26.5, 104},
+               {28, 113},
+               {22, 122},
+               {10, 124},
+               {1.5, 113},
+               {3.2, 101}},
+              90.0);
+  return act.text();
+}
+
+/// The head is turned: a lasso round it, then a drag about its middle. The flanks hold it.
+std::string transform_act() {
+  DemoAct act;
+  act.tool("lasso");
+  act.set("lasso.take", std::string("points"));
+  act.gesture({{30, 8},
+               {60, 4},
+               {92, 6},
+               {96, 40},
+               {92, 60},
+               {76, 64},
+               {59, 62.4},
+               {42, 64},
+               {24, 62},
+               {24, 40},
+               {29, 10}},
+              130.0);
+  act.tool("transform");
+  act.set("transform.mode", std::string("rotate"));
+  act.gesture({{78, 30}, {80.5, 34}, {82.5, 39}, {83, 45}}, 18.0);
+  return act.text();
+}
+
+/// A fish is drawn whose outline stays open; its end is led to its beginning and closes it.
+std::string connect_act() {
+  WritingHand hand({.seed = 8});
+  int count = 200;
+  DemoAct act;
+  act.tool("pencil");
+  fine_pencil(act);
+  act.set("pencil.snap", std::string("off"));
+  act.draw(hand, fish(), count);
+  act.tool("connect");
+  act.gesture({{28.2, 81.6}, {27.4, 78.6}, {26.5, 75.5}}, 12.0);
+  return act.text();
+}
+
+struct Act {
+  const char* name;
+  std::string (*script)();
+};
+constexpr Act kActs[] = {{"1-pencil", pencil_act},       {"2-pull", pull_act},
+                         {"3-smooth", smooth_act},       {"4-width", width_act},
+                         {"5-eraser", eraser_act},       {"6-lasso", lasso_act},
+                         {"7-transform", transform_act}, {"8-connect", connect_act}};
 
 }  // namespace
 }  // namespace felt
@@ -102,10 +241,13 @@ int main(int argc, char** argv) {
     std::fprintf(stderr, "usage: %s FOLDER\n", argv[0]);
     return 2;
   }
-  const std::string path = std::string(argv[1]) + "/1-pencil.ndjson";
-  std::ofstream out(path, std::ios::binary);
-  out << felt::pencil_act();
-  if (out.flush()) return 0;
-  std::fprintf(stderr, "%s: cannot be written\n", path.c_str());
-  return 1;
+  for (const felt::Act& act : felt::kActs) {
+    const std::string path = std::string(argv[1]) + "/" + act.name + ".ndjson";
+    std::ofstream out(path, std::ios::binary);
+    out << act.script();
+    if (out.flush()) continue;
+    std::fprintf(stderr, "%s: cannot be written\n", path.c_str());
+    return 1;
+  }
+  return 0;
 }

@@ -1,12 +1,15 @@
 #include <fmt/core.h>
 
 #include <chrono>
+#include <cmath>
 #include <memory>
 
 #include "commands.h"
+#include "felt/io/limits.h"
 #include "felt/io/png.h"
 #include "force_plot.h"
 #include "forces_csv.h"
+#include "overlay_picture.h"
 #include "replay_arguments.h"
 #include "replay_run.h"
 #include "sketch_output.h"
@@ -27,12 +30,15 @@ struct ReplayCommandArguments {
   std::string material;
   std::vector<std::string> options;
   double mm_per_unit = 1.0;
+  std::optional<double> until_ms;
+  bool overlay = false;
   PictureArguments picture;
 };
 
 constexpr const char* kExamples =
     "feltline replay strokes.ndjson -o sketch.svg --forces forces.csv --plot forces.png\n"
     "feltline replay events.ndjson --on sketch.ndjson -o - | feltline info -\n"
+    "feltline replay events.ndjson --until 2500 --overlay -o work.png\n"
     "feltline replay strokes.ndjson --device premium --hand light --set pencil.snap=off \\\n"
     "      --stats json";
 
@@ -63,6 +69,12 @@ void add_options(CLI::App& command, ReplayCommandArguments& args) {
                      "What is drawn on: paper, blackboard, felt, glass");
   command.add_option("--set", args.options, "TOOL.OPTION=VALUE before the first event")
       ->allow_extra_args(false);
+  command
+      .add_option("--until", args.until_ms,
+                  "Stop at this time, in ms, and show what is in work then as it is")
+      ->check(number_between(0.0, limits::kMaxEventTimeMs));
+  command.add_flag("--overlay", args.overlay,
+                   "Show in the .png what the tool shows besides the ink, too");
   command.add_option("--mm-per-unit", args.mm_per_unit, "Size of one unit of raw strokes, in mm")
       ->check(number_between(1e-9, 1e9))
       ->capture_default_str();
@@ -73,18 +85,36 @@ void add_options(CLI::App& command, ReplayCommandArguments& args) {
 struct ReplayOutputs {
   std::optional<Format> format;
   std::unique_ptr<SketchOutput> sketch;
+  std::optional<Output> view;  ///< instead of `sketch` where the overlay is to be seen
+  PictureOptions picture;
+  std::optional<SessionView> stopped;  ///< what was in work when the play was stopped
   std::optional<ForcesCsv> forces;
   std::optional<ForcePlot> plot;
   const ReplayRun* run = nullptr;  ///< while it plays: how far it is
 };
 
 void check_outputs(const ReplayCommandArguments& args) {
+  if (args.overlay && args.output.empty()) throw UsageError("--overlay needs -o OUT.png");
   if (args.output.empty() && args.forces.empty() && args.plot.empty() && args.stats.empty()) {
     throw UsageError("replay needs -o OUT, --forces, --plot or --stats");
   }
   const int to_stdout = (args.output == "-" ? 1 : 0) + (args.forces == "-" ? 1 : 0) +
                         (args.plot == "-" ? 1 : 0) + (args.stats.empty() ? 0 : 1);
   if (to_stdout > 1) throw UsageError("-o, --forces, --plot and --stats: only one can have stdout");
+}
+
+Result<void> open_sketch(const ReplayCommandArguments& args, ReplayOutputs& outputs) {
+  if (args.overlay) {
+    Result<Output> opened = Output::create(args.output);
+    if (!opened) return tl::unexpected(opened.error());
+    outputs.view.emplace(*std::move(opened));
+    return {};
+  }
+  Result<std::unique_ptr<SketchOutput>> opened =
+      open_sketch_output(args.output, *outputs.format, outputs.picture);
+  if (!opened) return tl::unexpected(opened.error());
+  outputs.sketch = *std::move(opened);
+  return {};
 }
 
 Result<ReplayOutputs> open_outputs(const ReplayCommandArguments& args,
@@ -95,11 +125,12 @@ Result<ReplayOutputs> open_outputs(const ReplayCommandArguments& args,
     if (!format) throw UsageError(format.error().message);
     const Result<PictureOptions> picture = args.picture.parse();
     if (!picture) throw UsageError(picture.error().message);
-    Result<std::unique_ptr<SketchOutput>> opened =
-        open_sketch_output(args.output, *format, *picture);
-    if (!opened) return tl::unexpected(opened.error());
+    if (args.overlay && *format != Format::kPng) throw UsageError("--overlay needs -o OUT.png");
     outputs.format = *format;
-    outputs.sketch = *std::move(opened);
+    outputs.picture = *picture;
+    if (Result<void> opened = open_sketch(args, outputs); !opened) {
+      return tl::unexpected(opened.error());
+    }
   }
   if (!args.forces.empty()) {
     Result<ForcesCsv> opened = ForcesCsv::create(args.forces);
@@ -136,6 +167,16 @@ Result<void> play_scripts(const ReplayCommandArguments& args, ReplayRun& run) {
   return run.play();
 }
 
+/// The picture with overlay.
+Result<void> write_view(const SessionView& view, ReplayOutputs& outputs) {
+  const Result<Image> image = draw_view(view, outputs.picture);
+  if (!image) return tl::unexpected(image.error());
+  const Result<std::string> bytes = encode_png(*image, outputs.picture.dpi);
+  if (!bytes) return tl::unexpected(bytes.error());
+  if (Result<void> written = outputs.view->write(*bytes); !written) return written;
+  return outputs.view->commit();
+}
+
 Result<void> write_outputs(const ReplayCommandArguments& args, ReplayOutputs& outputs,
                            ReplayMachine& machine) {
   if (outputs.plot) {
@@ -149,12 +190,22 @@ Result<void> write_outputs(const ReplayCommandArguments& args, ReplayOutputs& ou
   if (outputs.forces) {
     if (Result<void> done = outputs.forces->finish(); !done) return done;
   }
-  if (!outputs.sketch) return {};
-  return write_strokes(machine.session().sketch(), *outputs.format, *outputs.sketch);
+  if (!outputs.format) return {};
+  const SessionView view =
+      outputs.stopped ? *std::move(outputs.stopped) : view_of(machine.session(), std::nullopt);
+  if (outputs.view) return write_view(view, outputs);
+  return write_strokes(view.sketch, *outputs.format, *outputs.sketch);
 }
 
-ReplayMachine::Observer observer_of(ReplayOutputs& outputs, Console& console) {
+ReplayMachine::Observer observer_of(const ReplayCommandArguments& args, ReplayOutputs& outputs,
+                                    Console& console) {
   ReplayMachine::Observer observer;
+  if (args.until_ms) {
+    observer.until_ns = std::llround(1e6 * *args.until_ms);
+    observer.stopped = [&outputs](const Session& session, const PenSample& pen) {
+      outputs.stopped = view_of(session, on_sheet(pen.position));
+    };
+  }
   if (outputs.plot || outputs.forces) {
     observer.tick = [&outputs](const ReplayTick& tick) -> Result<void> {
       if (outputs.plot) outputs.plot->add(tick.report, tick.width_mm);
@@ -181,7 +232,7 @@ void run_replay(const ReplayCommandArguments& args, Console& console) {
   }
   Result<ReplayOutputs> outputs = open_outputs(args, settings);
   if (!outputs) return console.error(outputs.error().message);
-  ReplayMachine machine(settings, std::move(document), observer_of(*outputs, console));
+  ReplayMachine machine(settings, std::move(document), observer_of(args, *outputs, console));
   set_options(args, machine);
   ReplayRun run(machine, args.mm_per_unit, args.seed);
   outputs->run = &run;

@@ -16,6 +16,8 @@ namespace felt::cli {
 namespace {
 
 constexpr const char* kSnapOption = "pencil.snap";
+/// What other tools do to ink is not compared with the way of the hand.
+constexpr const char* kDrawingTool = "pencil";
 
 /// Some 200 s of aims, 20 MB.
 constexpr std::size_t kManyEvents = 200'000;
@@ -78,19 +80,22 @@ PlayerOptions ReplayMachine::player_options() {
   options.forces = settings_.force;
   options.on_tick = [this](const TickReport& report) { see_tick(report); };
   options.read_import = [](const ImportEvent& import) { return read_sketch(import.path); };
-  options.is_cancelled = [this] {
-    see_turn();
-    return !observed_.has_value();
-  };
+  options.is_cancelled = [this] { return see_turn(); };
   return options;
 }
 
-void ReplayMachine::see_turn() {
-  if (!observer_.turn || events_.empty()) return;
-  const std::int64_t start_ns = events_.front().time_ns;
-  const auto all = static_cast<double>(events_.back().time_ns - start_ns);
-  const auto done = static_cast<double>(now_ns_ - start_ns);
-  observer_.turn(session_, all > 0.0 ? std::clamp(done / all, 0.0, 1.0) : 1.0);
+bool ReplayMachine::see_turn() {
+  if (observer_.turn && !events_.empty()) {
+    const std::int64_t start_ns = events_.front().time_ns;
+    const auto all = static_cast<double>(events_.back().time_ns - start_ns);
+    const auto done = static_cast<double>(pen_.time_ns - start_ns);
+    observer_.turn(session_, all > 0.0 ? std::clamp(done / all, 0.0, 1.0) : 1.0);
+  }
+  if (observer_.until_ns && pen_.time_ns >= *observer_.until_ns) {
+    is_stopped_ = true;
+    if (observer_.stopped) observer_.stopped(session_, pen_);
+  }
+  return is_stopped_ || !observed_;
 }
 
 HandScriptOptions ReplayMachine::hand_options() const {
@@ -136,7 +141,7 @@ void ReplayMachine::note_aim(std::int64_t time_ns, const HandEvent& aim) {
     if (meant_.back().start_ns < 0) meant_.back().start_ns = time_ns;
     return;
   }
-  const bool is_down = presses(aim);
+  const bool is_down = presses(aim) && probe_.tool().info().id == kDrawingTool;
   if (is_down && !hand_is_down_) meant_.push_back({time_ns, {}});
   if (is_down) meant_.back().path.push_back(on_sheet(aim.target));
   hand_is_down_ = is_down;
@@ -164,6 +169,8 @@ bool ReplayMachine::is_full() const noexcept {
 
 ReplayStats ReplayMachine::take_stats() {
   ReplayStats taken = std::exchange(stats_, {});
+  taken.strokes_changed = std::ssize(changed_);
+  changed_.clear();
   for (const SketchStroke& stroke : session_.sketch()) {
     ++taken.strokes;
     taken.segments += stroke.stroke.segment_count();
@@ -172,6 +179,7 @@ ReplayStats ReplayMachine::take_stats() {
 }
 
 Result<void> ReplayMachine::play() {
+  if (is_stopped_) events_.clear();
   if (events_.empty()) return {};
   const Result<PlayReport> report = player_.play(events_);
   if (!report) return tl::unexpected(report.error());
@@ -191,7 +199,8 @@ Result<void> ReplayMachine::play() {
 }
 
 void ReplayMachine::see_tick(const TickReport& report) {
-  now_ns_ = report.sample.time_ns;
+  if (in_contact(report.sample) && !in_contact(pen_)) ++stats_.touches;
+  pen_ = report.sample;
   if (in_contact(report.sample)) {
     ++stats_.ticks_in_contact;
     stats_.sent_sum_n += norm(report.sent);
@@ -216,7 +225,9 @@ std::optional<double> ReplayMachine::width_at(const TickReport& report,
 
 void ReplayMachine::see_edit(const Edit& edit) {
   for (const StrokeChange& change : edit.changes) {
-    if (change.after) ink_.push_back({now_ns_, *change.after});
+    changed_.insert(change.id);
+    if (change.after && session_.tool().info().id == kDrawingTool)
+      ink_.push_back({pen_.time_ns, *change.after});
   }
 }
 

@@ -3,6 +3,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -34,6 +35,10 @@ class ReplayMachine {
     std::function<Result<void>(const ReplayTick&)> tick{};  ///< an error ends the play
     /// Each 4 ms: how far the play is in what was added, 0..1.
     std::function<void(const Session& session, double fraction)> turn{};
+    /// The play stops here, to 4 ms, in the middle of whatever is in work ...
+    std::optional<std::int64_t> until_ns{};
+    /// ... and this sees what is in work, before it is ended as when a script ends.
+    std::function<void(const Session& session, const PenSample& pen)> stopped{};
   };
 
   ReplayMachine(const ReplaySettings& settings, Document document, Observer observer);
@@ -54,7 +59,7 @@ class ReplayMachine {
   void stroke_drawn(const std::vector<Point>& meant);
   /// So many events wait that they should be played as soon as the hand is in the air.
   [[nodiscard]] bool is_full() const noexcept;
-  /// Plays what was added.
+  /// Plays what was added; nothing any more once it was stopped.
   Result<void> play();
   /// When the next event may come.
   [[nodiscard]] std::int64_t next_ns() const noexcept { return next_ns_; }
@@ -79,7 +84,8 @@ class ReplayMachine {
   };
 
   [[nodiscard]] PlayerOptions player_options();
-  void see_turn();
+  /// True when the play is over.
+  bool see_turn();
   void see_tick(const TickReport& report);
   void see_edit(const Edit& edit);
   void note_aim(std::int64_t time_ns, const HandEvent& aim);
@@ -97,8 +103,10 @@ class ReplayMachine {
   bool hand_is_down_ = false;
   bool in_stroke_ = false;
   bool snap_is_chosen_ = false;
-  std::vector<Ink> ink_;  // of this play
-  std::int64_t now_ns_ = 0;
+  std::vector<Ink> ink_;        // of this play
+  std::set<StrokeId> changed_;  // since take_stats
+  PenSample pen_;               // of the last tick
+  bool is_stopped_ = false;
   std::int64_t next_ns_ = 0;
   bool pen_is_down_ = false;
   WidthMap widths_;

@@ -11,8 +11,10 @@ std::string stats_json(const ReplayStats& stats) {
   object.add_number("simulated_s", stats.simulated_s);
   object.add_number("wall_s", stats.wall_s);
   object.add_number("times_real_time", stats.times_real_time());
+  object.add_raw("touches", count(stats.touches));
   object.add_raw("strokes_meant", count(stats.strokes_meant));
   object.add_raw("strokes", count(stats.strokes));
+  object.add_raw("strokes_changed", count(stats.strokes_changed));
   object.add_raw("segments", count(stats.segments));
   object.add_raw("edits", count(stats.edits));
   object.add_raw("soft_faults", count(stats.soft_faults));

@@ -11,11 +11,13 @@ namespace felt::cli {
 struct ReplayStats {
   std::int64_t ticks = 0;
   double simulated_s = 0.0;
-  double wall_s = 0.0;             ///< of the whole loop, reading and writing included
-  std::int64_t strokes_meant = 0;  ///< that the hand was told to draw
-  std::int64_t strokes = 0;        ///< in the document at the end
-  std::int64_t segments = 0;       ///< of these
-  std::int64_t edits = 0;          ///< that the document took, undo and redo included
+  double wall_s = 0.0;               ///< of the whole loop, reading and writing included
+  std::int64_t touches = 0;          ///< times that the pen came down
+  std::int64_t strokes_meant = 0;    ///< that the hand was told to draw
+  std::int64_t strokes_changed = 0;  ///< that became others, came or went; each counted once
+  std::int64_t strokes = 0;          ///< in the document at the end
+  std::int64_t segments = 0;         ///< of these
+  std::int64_t edits = 0;            ///< that the document took, undo and redo included
   std::int64_t soft_faults = 0, hard_faults = 0;
   double max_asked_n = 0.0, max_sent_n = 0.0;
   double sent_sum_n = 0.0;  ///< over the ticks in contact

@@ -16,17 +16,38 @@ for file in sketch.png forces.png; do
   same "one/$file" "three/$file"
   [ "$(head -c 4 "one/$file" | tail -c 3)" = PNG ] || fail "$file is no PNG"
 done
-drawn=$(grep -c '"points"' "$acts/1-pencil.ndjson")
-lines one/sketch.ndjson "$drawn"
-run 0 "$feltline" info one/sketch.ndjson
-has out "closed          1"
 if command -v rsvg-convert >/dev/null; then
   run 0 rsvg-convert one/sketch.svg -o viewed.png
 fi
 
-# The script of the demonstration is an ordinary one: played by hand, the same drawing.
-run 0 "$feltline" replay "$acts/1-pencil.ndjson" -o again.ndjson
-same again.ndjson one/sketch.ndjson
+# A picture an act: before, in work, after; and a row of the table.
+run 0 "$feltline" demo -o one
+for act in "$acts"/*.ndjson; do
+  name=$(basename "$act" .ndjson)
+  [ -s "one/$name.png" ] || fail "no picture of $name"
+  same "one/$name.png" "three/$name.png"
+  has out "${name#*-}"
+done
+
+# Its scripts are ordinary ones: played on what the first one drew, each does what it is there for.
+run 0 "$feltline" replay "$acts/1-pencil.ndjson" -o cat.ndjson
+lines cat.ndjson "$(grep -c '"points"' "$acts/1-pencil.ndjson")"
+run 0 "$feltline" info cat.ndjson
+has out "closed          1"
+changes() { # ACT WHAT: what --stats says of it
+  run 0 "$feltline" replay "$acts/$1.ndjson" --on cat.ndjson --stats json
+  has out "$2"
+  has out '"hard_faults":0,'
+}
+changes 2-pull '"edits":2,'
+changes 3-smooth '"edits":2,'
+changes 4-width '"edits":1,'
+changes 5-eraser '"edits":2,'
+changes 6-lasso '"edits":0,'
+changes 7-transform '"edits":1,'
+changes 8-connect '"edits":4,'
+run 0 "$feltline" info one/sketch.ndjson
+has out "closed          2"
 
 run 1 "$feltline" demo -o /proc/nowhere
 has err "feltline: /proc/nowhere"

@@ -72,6 +72,38 @@ echo '{"event":"import","path":"sketch.ndjson","t_ms":0}' >folder/import.ndjson
 run 0 "$feltline" replay folder/import.ndjson -o imported.ndjson
 lines imported.ndjson 3
 
+# Stopped in the middle: what is in work is seen, and nothing of what follows.
+cat >pull.ndjson <<'END'
+{"t_ms":0,"event":"tool","id":"pull"}
+{"t_ms":0,"event":"hand","x":30,"y":50,"z":5}
+{"t_ms":700,"event":"hand","x":30,"y":50,"z":5}
+{"t_ms":800,"event":"hand","x":30,"y":50,"z":-2}
+{"t_ms":1600,"event":"hand","x":30,"y":62,"z":-2}
+{"t_ms":2000,"event":"hand","x":30,"y":50,"z":-2}
+{"t_ms":2200,"event":"hand","x":30,"y":50,"z":5}
+END
+cat >line.ndjson <<'END'
+{"id":"s1","closed":false,"segments":[[10,50,25,50,40,50,55,50]],"joints":[],"widths":[[0,1],[1,1]]}
+END
+run 0 "$feltline" replay pull.ndjson --on line.ndjson --until 500 -o before.ndjson
+run 0 "$feltline" replay pull.ndjson --on line.ndjson --until 1600 -o during.ndjson
+lines during.ndjson 1
+cmp -s before.ndjson during.ndjson && fail "the preview is not seen"
+run 0 "$feltline" replay pull.ndjson --on line.ndjson --until 9000 -o beyond.ndjson
+run 0 "$feltline" replay pull.ndjson --on line.ndjson -o whole.ndjson
+same beyond.ndjson whole.ndjson
+run 0 "$feltline" replay pull.ndjson --on line.ndjson --until 1600 -o plain.png --dpi 60
+run 0 "$feltline" replay pull.ndjson --on line.ndjson --until 1600 --overlay -o seen.png --dpi 60
+cmp -s plain.png seen.png && fail "the overlay is not seen"
+run 0 "$feltline" replay pull.ndjson --on line.ndjson --until 1600 --overlay -o seen2.png --dpi 60
+same seen.png seen2.png
+run 0 "$feltline" replay pull.ndjson --on line.ndjson --overlay -o end.png --dpi 60
+run 2 "$feltline" replay pull.ndjson --overlay -o seen.svg
+has err "overlay needs -o OUT.png"
+run 2 "$feltline" replay pull.ndjson --overlay --stats json
+run 2 "$feltline" replay pull.ndjson --until soon -o x.ndjson
+run 2 "$feltline" replay pull.ndjson --until -1 -o x.ndjson
+
 # What it counts.
 run 0 "$feltline" replay in.ndjson --stats json --set pencil.snap=off
 lines out 1

@@ -43,6 +43,8 @@ complete -c feltline -n '__fish_seen_subcommand_from replay' -l rate -x -d 'Tick
 complete -c feltline -n '__fish_seen_subcommand_from replay' -l delay -x -d 'Ticks from a position to its force'
 complete -c feltline -n '__fish_seen_subcommand_from replay' -l seed -x -d 'Number of a tremor of its own'
 complete -c feltline -n '__fish_seen_subcommand_from replay' -l no-force -d 'The pen pushes back with nothing'
+complete -c feltline -n '__fish_seen_subcommand_from replay' -l until -x -d 'Stop at this time, ms'
+complete -c feltline -n '__fish_seen_subcommand_from replay' -l overlay -d 'Show what the tool shows, too'
 complete -c feltline -n '__fish_seen_subcommand_from replay' -l material -x -a 'paper blackboard felt glass' -d 'What is drawn on'
 complete -c feltline -n '__fish_seen_subcommand_from replay' -l set -x -d 'Set an option, TOOL.OPTION=VALUE'
 complete -c feltline -n '__fish_seen_subcommand_from replay' -l mm-per-unit -x -d 'Size of one unit of raw strokes'

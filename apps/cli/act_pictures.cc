@@ -1,0 +1,103 @@
+#include "act_pictures.h"
+
+#include <algorithm>
+#include <array>
+#include <cstring>
+#include <map>
+
+#include "felt/render/page.h"
+#include "felt/render/plot_canvas.h"
+
+namespace felt::cli {
+namespace {
+
+constexpr Rgba kPaper{255, 254, 250, 255};
+constexpr Rgba kGround{255, 255, 255, 255};
+constexpr Rgba kCaption{90, 90, 96, 255};
+constexpr double kAroundMm = 7.0;
+constexpr double kLeastMm = 45.0;  // of the sheet that a panel shows
+constexpr double kUnits = 300.0;   // of a panel: lines and letters are so many of them broad
+constexpr double kGapUnits = 8.0;
+constexpr double kCaptionUnits = 16.0;
+constexpr double kCaptionSize = 7.5;
+
+/// Where two sketches differ.
+Rect difference(const Sketch& a, const Sketch& b) {
+  std::map<std::string, const Stroke*> left;
+  Rect box;
+  for (const SketchStroke& stroke : a) left.emplace(stroke.id, &stroke.stroke);
+  for (const SketchStroke& stroke : b) {
+    const auto found = left.find(stroke.id);
+    if (found != left.end() && *found->second == stroke.stroke) {
+      left.erase(found);
+      continue;
+    }
+    box.extend(stroke.stroke.bounds());
+  }
+  for (const auto& [id, stroke] : left) box.extend(stroke->bounds());
+  return box;
+}
+
+/// A square around it.
+Rect square_around(const Rect& box) {
+  const Rect roomy = box.inflated(kAroundMm);
+  const double half = 0.5 * std::max({roomy.width(), roomy.height(), kLeastMm});
+  const Point middle{0.5 * (roomy.x0 + roomy.x1), 0.5 * (roomy.y0 + roomy.y1)};
+  return {middle.x - half, middle.y - half, middle.x + half, middle.y + half};
+}
+
+void copy(Image& from, Image& to, int x0, int y0) {
+  const Pixels in = from.pixels(), out = to.pixels();
+  const int width = std::min(in.width, out.width - x0);
+  for (int y = 0; y < in.height && y0 + y < out.height; ++y) {
+    std::memcpy(out.data + (y0 + y) * out.stride + 4 * x0, in.data + y * in.stride,
+                static_cast<std::size_t>(4 * width));
+  }
+}
+
+}  // namespace
+
+ActPictures::ActPictures(std::string_view act) : tool_(act.substr(act.find('-') + 1)) {}
+
+void ActPictures::see(const Session& session, const PenSample& pen) {
+  if (is_over_ || session.tool().info().id != tool_) return;
+  if (!in_contact(pen)) {
+    is_over_ = in_work_.has_value();
+    return;
+  }
+  if (!before_) before_ = SessionView{session.sketch(), {}, std::nullopt};
+  in_work_ = view_of(session, on_sheet(pen.position));
+}
+
+Result<Image> ActPictures::draw(const Session& after, int width_px) const {
+  if (!before_ || !in_work_) return fail(ErrorCode::kInvalidData, tool_ + " never touched");
+  const std::array<SessionView, 3> views{*before_, *in_work_, view_of(after, std::nullopt)};
+  constexpr std::array kCaptions{"before", "in work", "after"};
+  Rect box = difference(before_->sketch, views[2].sketch);
+  SessionView shown = *in_work_;
+  shown.sketch.clear();
+  box.extend(bounds_of(shown));
+  PictureOptions picture;
+  picture.paper = kPaper;
+  picture.sheet = square_around(box);
+  const double px_per_unit = width_px / (3.0 * kUnits + 2.0 * kGapUnits);
+  const int panel_px = static_cast<int>(kUnits * px_per_unit);
+  const int step_px = static_cast<int>((kUnits + kGapUnits) * px_per_unit);
+  const int caption_px = static_cast<int>(kCaptionUnits * px_per_unit);
+  picture.dpi = kMmPerInch * panel_px / picture.sheet->width();
+  Result<Image> whole = Image::create(2 * step_px + panel_px, panel_px + caption_px);
+  if (!whole) return whole;
+  fill(whole->pixels(), whole->pixels().rect(), kGround);
+  for (int i = 0; i < 3; ++i) {
+    const std::size_t k = static_cast<std::size_t>(i);
+    Result<Image> panel = draw_view(views[k], picture, px_per_unit * 150.0 / picture.dpi);
+    if (!panel) return panel;
+    copy(*panel, *whole, i * step_px, 0);
+    PlotCanvas canvas(whole->pixels(), px_per_unit);
+    canvas.text({(kUnits + kGapUnits) * i + 0.5 * kUnits, kUnits + kCaptionUnits - 4.0},
+                kCaptions[k], {kCaptionSize, kCaption, PlotAlign::kCenter});
+  }
+  return whole;
+}
+
+}  // namespace felt::cli

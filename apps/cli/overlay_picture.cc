@@ -1,0 +1,262 @@
+#include "overlay_picture.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <utility>
+#include <vector>
+
+#include "felt/render/page.h"
+#include "felt/render/plot.h"
+#include "felt/render/plot_canvas.h"
+#include "felt/render/raster.h"
+
+namespace felt::cli {
+namespace {
+
+using Role = Overlay::Role;
+
+constexpr double kUnitsPerInch = 150.0;
+constexpr double kMarginMm = 5.0;
+constexpr double kBandMm = 1.6;  // a marked span is that much broader than its ink
+constexpr double kTextSize = 8.0;
+constexpr Rgba kTextColor{30, 30, 34, 255};
+constexpr Rgba kTextHalo{255, 255, 255, 225};
+constexpr Rgba kPenColor{20, 20, 24, 255};
+
+Rgba faded(Rgba color, double share) {
+  color.a = static_cast<std::uint8_t>(std::lround(share * color.a));
+  return color;
+}
+
+/// Lines of it are dashed: what is only a bound or a hint.
+bool is_dashed(Role role) {
+  return role == Role::kReach || role == Role::kGuide || role == Role::kTether ||
+         role == Role::kSelected;
+}
+
+double line_width(Role role) {
+  return role == Role::kVector ? 2.4 : role == Role::kSnap || role == Role::kCut ? 1.9 : 1.3;
+}
+
+/// Letters that the font has: plain ASCII.
+std::string ascii(const std::string& text) {
+  static constexpr std::array<std::pair<std::string_view, std::string_view>, 4> kSpelled{
+      {{"\u00b0", " deg"}, {"\u00d7", "x"}, {"\u2192", "->"}, {"\u00b1", "+-"}}};
+  std::string plain;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const std::string_view rest = std::string_view(text).substr(i);
+    const auto spelled = std::find_if(kSpelled.begin(), kSpelled.end(),
+                                      [&](const auto& s) { return rest.starts_with(s.first); });
+    if (spelled != kSpelled.end()) {
+      plain += spelled->second;
+      i += spelled->first.size() - 1;
+    } else if (text[i] >= ' ' && text[i] <= '~') {
+      plain += text[i];
+    } else if ((static_cast<unsigned char>(text[i]) & 0xC0U) != 0x80U) {
+      plain += '?';
+    }
+  }
+  return plain;
+}
+
+Sketch sketch_of(const Document& document) {
+  Sketch sketch;
+  for (const Layer& layer : document.layers()) {
+    if (!layer.visible) continue;
+    for (const StrokeId id : layer.strokes) {
+      sketch.push_back({"s" + std::to_string(id.value), *document.find(id)});
+    }
+  }
+  return sketch;
+}
+
+/// The overlay's pen: places in mm, widths in units of the picture.
+class OverlayPen {
+ public:
+  OverlayPen(Pixels target, const View& view, double px_per_unit)
+      : canvas_(target, px_per_unit),
+        view_(view),
+        px_per_unit_(px_per_unit),
+        far_units_(20.0 * (target.width + target.height) / px_per_unit) {}
+
+  void bands(const Overlay& overlay) {
+    for (const auto& span : overlay.spans) {
+      const double width = (span.width_mm + kBandMm) * view_.px_per_mm / px_per_unit_;
+      curve(span.curve, {std::max(width, 5.0), faded(role_color(span.role), 0.45)});
+    }
+  }
+  void marks(const Overlay& overlay) {
+    for (const auto& outline : overlay.outlines) this->outline(outline);
+    for (const auto& ring : overlay.rings) this->ring(ring.center, ring.radius_mm, ring.role);
+    for (const auto& line : overlay.lines) this->line(line);
+    for (const auto& dot : overlay.dots) this->dot(dot);
+    for (const auto& label : overlay.labels) this->label(label);
+  }
+  /// A small circle with a point in it.
+  void pen(Point at) {
+    const Vec c = units(at);
+    circle(c, 3.4, {3.4, faded({255, 255, 255, 255}, 0.8)});
+    circle(c, 3.4, {1.5, kPenColor});
+    circle(c, 0.5, {1.2, kPenColor});
+  }
+
+ private:
+  [[nodiscard]] Vec units(Point p) const { return (1.0 / px_per_unit_) * view_.to_px(p); }
+  /// So far away that nothing of it can be seen, and dashes would never end.
+  [[nodiscard]] bool is_far(Vec p) const {
+    return !(std::abs(p.x) < far_units_ && std::abs(p.y) < far_units_);
+  }
+  [[nodiscard]] static PlotPen pen_of(Role role) {
+    const bool dashed = is_dashed(role);
+    return {line_width(role), role_color(role), dashed ? 4.0 : 0.0, dashed ? 3.6 : 0.0};
+  }
+  void polyline(const std::vector<Vec>& points, const PlotPen& pen) {
+    if (std::none_of(points.begin(), points.end(), [this](Vec p) { return is_far(p); })) {
+      canvas_.polyline(points, pen);
+    }
+  }
+  void curve(const Cubic& c, const PlotPen& pen) {
+    constexpr int kSteps = 24;
+    std::vector<Vec> points;
+    for (int i = 0; i <= kSteps; ++i) {
+      points.push_back(units(evaluate(c, static_cast<double>(i) / kSteps)));
+    }
+    polyline(points, pen);
+  }
+  void circle(Vec center, double radius, const PlotPen& pen) {
+    const int steps = std::clamp(static_cast<int>(3.0 * radius), 16, 240);
+    std::vector<Vec> points;
+    for (int i = 0; i <= steps; ++i) {
+      const double angle = 2.0 * std::numbers::pi * i / steps;
+      points.push_back(center + radius * Vec{std::cos(angle), std::sin(angle)});
+    }
+    polyline(points, pen);
+  }
+  void ring(Point center, double radius_mm, Role role) {
+    circle(units(center), radius_mm * view_.px_per_mm / px_per_unit_, pen_of(role));
+  }
+  void line(const Overlay::Line& line) {
+    const Vec from = units(line.from), to = units(line.to);
+    polyline({from, to}, pen_of(line.role));
+    if (line.role == Role::kVector) arrow_head(from, to);
+  }
+  void arrow_head(Vec from, Vec to) {
+    const Vec way = to - from;
+    if (norm(way) < 4.0) return;
+    const Vec back = (-std::min(7.0, 0.5 * norm(way)) / norm(way)) * way;
+    const Vec side = 0.45 * Vec{-back.y, back.x};
+    polyline({to + back + side, to, to + back - side}, pen_of(Role::kVector));
+  }
+  void outline(const Overlay::Outline& outline) {
+    std::vector<Vec> points;
+    for (const Point& p : outline.points) points.push_back(units(p));
+    if (outline.closed && !points.empty()) points.push_back(points.front());
+    polyline(points, pen_of(outline.role));
+  }
+  void dot(const Overlay::Dot& dot) {
+    const Vec at = units(dot.at);
+    circle(at, 1.2, {4.4, {255, 255, 255, 255}});
+    circle(at, 1.2, {2.4, role_color(dot.role)});
+  }
+  void label(const Overlay::Label& label) {
+    const Vec at = units(label.at) + Vec{6.0, -6.0};
+    if (is_far(at)) return;
+    const std::string text = ascii(label.text);
+    canvas_.text(at, text, {kTextSize, kTextHalo, PlotAlign::kLeft, 4.2});
+    canvas_.text(at, text, {kTextSize, kTextColor, PlotAlign::kLeft, 1.1});
+  }
+
+  PlotCanvas canvas_;
+  View view_;
+  double px_per_unit_;
+  double far_units_;
+};
+
+/// Wet ink: each segment for itself, which is enough to look at.
+void draw_wet_ink(const Overlay& overlay, const View& view, Pixels pixels, Rasterizer& rasterizer) {
+  for (const Overlay::InkSegment& wet : overlay.ink) {
+    StrokeData data;
+    data.points.assign(wet.curve.p.begin(), wet.curve.p.end());
+    data.widths = {{0.0, std::max(wet.start_width_mm, kMinWidthMm)},
+                   {1.0, std::max(wet.end_width_mm, kMinWidthMm)}};
+    data.color = overlay.ink_color;
+    if (const Result<Stroke> ink = Stroke::create(std::move(data))) {
+      rasterizer.draw(*ink, view, pixels.rect(), pixels);
+    }
+  }
+}
+
+}  // namespace
+
+SessionView view_of(const Session& session, std::optional<Point> pen) {
+  SessionView view;
+  view.pen = pen;
+  session.draw(view.overlay);
+  Document shown = session.document();
+  // A preview that does not fit is a defect of the tool, which its commit will tell.
+  if (session.preview()) (void)shown.apply(*session.preview());
+  view.sketch = sketch_of(shown);
+  return view;
+}
+
+Rect bounds_of(const SessionView& view) {
+  Rect box = ink_bounds(view.sketch);
+  for (const auto& wet : view.overlay.ink) box.extend(bounds(wet.curve));
+  for (const auto& ring : view.overlay.rings) {
+    box.extend(
+        Rect{ring.center.x, ring.center.y, ring.center.x, ring.center.y}.inflated(ring.radius_mm));
+  }
+  for (const auto& outline : view.overlay.outlines) {
+    for (const Point& p : outline.points) box.extend(p);
+  }
+  if (view.pen) box.extend(*view.pen);
+  return box;
+}
+
+Rgba role_color(Overlay::Role role) noexcept {
+  switch (role) {
+    case Role::kSnap:
+    case Role::kSelected:
+      return plot_color(0);  // blue
+    case Role::kTether:
+    case Role::kCut:
+      return plot_color(1);  // vermillion
+    case Role::kReach:
+      return plot_color(2);  // bluish green
+    case Role::kHandle:
+      return plot_color(3);  // reddish purple
+    case Role::kVector:
+      return plot_color(4);  // orange
+    case Role::kSpan:
+      return plot_color(5);  // sky blue
+    case Role::kGuide:
+      break;
+  }
+  return plot_color(6);  // grey
+}
+
+Result<Image> draw_view(const SessionView& view, const PictureOptions& options, double scale) {
+  PageOptions page;
+  page.dpi = options.dpi;
+  page.sheet = options.sheet.value_or(bounds_of(view).inflated(kMarginMm));
+  if (page.sheet->empty()) page.sheet = page_area(view.sketch, {});
+  page.paper = options.paper.value_or(page.paper);
+  Result<Image> image = render_page({}, page);  // the paper
+  if (!image) return image;
+  const View place = View::at_dpi({page.sheet->x0, page.sheet->y0}, page.dpi);
+  const Pixels pixels = image->pixels();
+  OverlayPen pen(pixels, place, scale * page.dpi / kUnitsPerInch);
+  Rasterizer rasterizer;
+  pen.bands(view.overlay);
+  for (const SketchStroke& stroke : view.sketch) {
+    rasterizer.draw(stroke.stroke, place, pixels.rect(), pixels);
+  }
+  draw_wet_ink(view.overlay, place, pixels, rasterizer);
+  pen.marks(view.overlay);
+  if (view.pen) pen.pen(*view.pen);
+  return image;
+}
+
+}  // namespace felt::cli

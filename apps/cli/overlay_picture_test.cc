@@ -1,0 +1,142 @@
+#include "apps/cli/overlay_picture.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+
+#include "felt/stroke/random_stroke.h"
+#include "felt/tools/tool.h"
+
+namespace felt::cli {
+namespace {
+
+using Role = Overlay::Role;
+constexpr std::array kRoles{Role::kReach,    Role::kSnap,   Role::kTether,
+                            Role::kGuide,    Role::kSpan,   Role::kVector,
+                            Role::kSelected, Role::kHandle, Role::kCut};
+
+/// 100 x 100 mm at 2 pixels a mm.
+PictureOptions small_sheet() {
+  PictureOptions options;
+  options.dpi = 50.8;
+  options.sheet = Rect{0.0, 0.0, 100.0, 100.0};
+  return options;
+}
+
+Image drawn(const SessionView& view) {
+  Result<Image> image = draw_view(view, small_sheet(), 3.0);
+  EXPECT_TRUE(image) << image.error().message;
+  return *std::move(image);
+}
+
+Rgba at(const Image& image, double x_mm, double y_mm) {
+  return image.at(static_cast<int>(2.0 * x_mm), static_cast<int>(2.0 * y_mm));
+}
+
+int away_from(Rgba a, Rgba b) {
+  return std::abs(a.r - b.r) + std::abs(a.g - b.g) + std::abs(a.b - b.b);
+}
+
+TEST(OverlayPicture, RolesThatMeetInAToolLookDifferent) {
+  for (const Role role : kRoles) EXPECT_EQ(role_color(role).a, 255);
+  const std::array<std::pair<Role, Role>, 6> meet{{{Role::kReach, Role::kSnap},
+                                                   {Role::kSpan, Role::kVector},
+                                                   {Role::kSpan, Role::kCut},
+                                                   {Role::kSelected, Role::kTether},
+                                                   {Role::kSelected, Role::kHandle},
+                                                   {Role::kReach, Role::kVector}}};
+  for (const auto& [a, b] : meet) EXPECT_GT(away_from(role_color(a), role_color(b)), 90);
+}
+
+TEST(OverlayPicture, ARingIsWhereItIsInItsColour) {
+  SessionView view;
+  view.overlay.rings.push_back({{50.0, 40.0}, 20.0, Role::kSnap});
+  const Image image = drawn(view);
+  for (const double angle : {0.0, 1.0, 2.5, 4.0}) {
+    const Rgba seen = at(image, 50.0 + 20.0 * std::cos(angle), 40.0 + 20.0 * std::sin(angle));
+    EXPECT_LT(away_from(seen, role_color(Role::kSnap)), 200) << angle;
+  }
+  EXPECT_EQ(at(image, 50.0, 40.0), (Rgba{255, 255, 255, 255}));
+  EXPECT_EQ(at(image, 50.0, 90.0), (Rgba{255, 255, 255, 255}));
+}
+
+TEST(OverlayPicture, MarkedSpansLieBelowTheInk) {
+  SessionView view;
+  const Stroke line = testing::straight_stroke({10.0, 50.0}, {90.0, 50.0}, 2.0, 2.0);
+  view.sketch.push_back({"s1", line});
+  add_span(view.overlay, line, 0.0, 0.5, Role::kSpan);
+  const Image image = drawn(view);
+  EXPECT_EQ(at(image, 30.0, 50.0), (Rgba{0, 0, 0, 255}));
+  EXPECT_LT(at(image, 30.0, 51.5).r, 220) << "a band beside the ink";
+  EXPECT_EQ(at(image, 70.0, 51.5), (Rgba{255, 255, 255, 255}));
+}
+
+TEST(OverlayPicture, ADegreeSignIsSpelledOut) {
+  SessionView sign, spelled, other;
+  sign.overlay.labels.push_back({{20.0, 50.0}, "30\u00b0"});
+  spelled.overlay.labels.push_back({{20.0, 50.0}, "30 deg"});
+  other.overlay.labels.push_back({{20.0, 50.0}, "31 deg"});
+  EXPECT_EQ(drawn(sign), drawn(spelled));
+  EXPECT_FALSE(drawn(spelled) == drawn(other));
+}
+
+TEST(OverlayPicture, ShapesBeyondTheSheetNeitherHangNorShow) {
+  SessionView view;
+  const Image empty = drawn(view);
+  for (const Role role : kRoles) {
+    view.overlay.rings.push_back({{50.0, 50.0}, 1e9, role});
+    view.overlay.lines.push_back({{-1e12, 5.0}, {-1e13, 5.0}, role});
+    view.overlay.outlines.push_back({{{1e9, 1e9}, {2e9, 1e9}, {2e9, 2e9}}, true, role});
+    view.overlay.dots.push_back({{std::nan(""), 0.0}, role});
+  }
+  view.overlay.labels.push_back({{1e9, -1e9}, "far"});
+  EXPECT_EQ(drawn(view), empty);
+}
+
+TEST(OverlayPicture, AGestureInWorkIsSeen) {
+  Session session(make_tools(), {.device = {}});
+  for (int i = 0; i <= 60; ++i) {
+    PenSample sample;
+    sample.time_ns = i * 5'000'000;
+    sample.position = {20.0 + i, 50.0, i == 0 ? 3.0 : -1.0};
+    ASSERT_TRUE(session.sample(sample));
+  }
+  const SessionView view = view_of(session, Point{80.0, 50.0});
+  EXPECT_TRUE(view.sketch.empty());
+  EXPECT_FALSE(view.overlay.ink.empty());
+  EXPECT_TRUE(bounds_of(view).contains({80.0, 50.0}));
+  const Image image = drawn(view);
+  EXPECT_LT(at(image, 50.0, 50.0).r, 60) << "wet ink";
+  EXPECT_LT(at(image, 80.0, 50.0).r, 120) << "the pen";
+  EXPECT_TRUE(session.finish());
+  EXPECT_EQ(view_of(session, {}).sketch.size(), 1U);
+}
+
+TEST(OverlayPicture, APreviewIsWhatIsSeen) {
+  // Any tool whose gesture at the end of a line shows a preview: the view holds what it says.
+  Session session(make_tools(), {.device = {},
+                                 .document = document_of(std::array{SketchStroke{
+                                     "s1", testing::straight_stroke({20, 50}, {80, 50}, 1, 1)}})});
+  bool found = false;
+  for (const auto& tool : session.tools()) {
+    ASSERT_TRUE(session.apply({0, SelectTool{std::string(tool->info().id)}}));
+    for (int i = 0; i <= 40 && !found; ++i) {
+      PenSample sample;
+      sample.time_ns = i * 5'000'000;
+      sample.position = {80.0, 50.0 + 0.2 * i, i == 0 ? 3.0 : -1.0};
+      ASSERT_TRUE(session.sample(sample));
+      if (!session.preview() || session.preview()->changes.empty()) continue;
+      const StrokePtr after = session.preview()->changes.front().after;
+      const Sketch seen = view_of(session, {}).sketch;
+      found = after && !seen.empty() && seen.front().stroke == *after;
+      EXPECT_TRUE(found) << tool->info().id;
+    }
+    ASSERT_TRUE(session.apply({0, CancelEvent{}}));
+    if (found) break;
+  }
+  EXPECT_TRUE(found);
+}
+
+}  // namespace
+}  // namespace felt::cli

@@ -1,0 +1,14 @@
+#!/usr/bin/env bash
+# docs/guide/make.sh [FELTLINE]: makes the pictures of the tour again, from share/demo alone.
+# FELTLINE is the program, by default that of `./dev build --preset release`.
+set -euo pipefail
+here=$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")
+feltline=$(readlink -f "${1:-$here/../../build/release/bin/feltline}")
+readonly here feltline
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
+
+"$feltline" demo -o "$scratch" --size 1200
+for act in "$here"/../../share/demo/*.ndjson; do
+  cp "$scratch/$(basename "$act" .ndjson).png" "$here/"
+done
