@@ -15,6 +15,7 @@
 #include "felt/haptics/well.h"
 #include "felt/rt/null_device.h"
 #include "tests/rt/drawing_scenario.h"
+#include "tests/rt/editing_scenario.h"
 
 namespace felt::rt_test {
 namespace {
@@ -168,6 +169,7 @@ constexpr std::array kScenarios{
     Scenario{"all materials", true, make<AllMaterials>},
     Scenario{"all bricks, always fading", true, make<AllBricks>},
     Scenario{"a drawing session, pencil", true, make_drawing_session},
+    Scenario{"editing, every tool", true, make_editing_session},
     Scenario{"edit side hangs", true, make<HungEditSide>},
     Scenario{"device faults", true, make_faulty},
 };
