@@ -16,7 +16,8 @@ constexpr Rgba kGround{255, 255, 255, 255};
 constexpr Rgba kCaption{90, 90, 96, 255};
 constexpr double kAroundMm = 7.0;
 constexpr double kLeastMm = 45.0;  // of the sheet that a panel shows
-constexpr double kUnits = 300.0;   // of a panel: lines and letters are so many of them broad
+constexpr double kLeastAspect = 0.5;
+constexpr double kUnits = 300.0;  // of a panel: lines and letters are so many of them broad
 constexpr double kGapUnits = 8.0;
 constexpr double kCaptionUnits = 16.0;
 constexpr double kCaptionSize = 7.5;
@@ -38,12 +39,14 @@ Rect difference(const Sketch& a, const Sketch& b) {
   return box;
 }
 
-/// A square around it.
-Rect square_around(const Rect& box) {
+/// The part of the sheet around it that a panel shows: neither upright nor very long.
+Rect panel_around(const Rect& box) {
   const Rect roomy = box.inflated(kAroundMm);
-  const double half = 0.5 * std::max({roomy.width(), roomy.height(), kLeastMm});
+  const double half_width = 0.5 * std::max({roomy.width(), roomy.height(), kLeastMm});
+  const double half_height = std::max(0.5 * roomy.height(), kLeastAspect * half_width);
   const Point middle{0.5 * (roomy.x0 + roomy.x1), 0.5 * (roomy.y0 + roomy.y1)};
-  return {middle.x - half, middle.y - half, middle.x + half, middle.y + half};
+  return {middle.x - half_width, middle.y - half_height, middle.x + half_width,
+          middle.y + half_height};
 }
 
 void copy(Image& from, Image& to, int x0, int y0) {
@@ -71,7 +74,9 @@ void ActPictures::see(const Session& session, const PenSample& pen) {
 
 Result<Image> ActPictures::draw(const Session& after, int width_px) const {
   if (!before_ || !in_work_) return fail(ErrorCode::kInvalidData, tool_ + " never touched");
-  const std::array<SessionView, 3> views{*before_, *in_work_, view_of(after, std::nullopt)};
+  std::array<SessionView, 3> views{*before_, *in_work_, view_of(after, std::nullopt)};
+  // Where nothing was changed, what is selected is what came of it.
+  if (!(views[0].sketch == views[2].sketch)) views[2].overlay.clear();
   constexpr std::array kCaptions{"before", "in work", "after"};
   Rect box = difference(before_->sketch, views[2].sketch);
   SessionView shown = *in_work_;
@@ -79,13 +84,15 @@ Result<Image> ActPictures::draw(const Session& after, int width_px) const {
   box.extend(bounds_of(shown));
   PictureOptions picture;
   picture.paper = kPaper;
-  picture.sheet = square_around(box);
+  picture.sheet = panel_around(box);
   const double px_per_unit = width_px / (3.0 * kUnits + 2.0 * kGapUnits);
+  const double panel_height = kUnits * picture.sheet->height() / picture.sheet->width();
   const int panel_px = static_cast<int>(kUnits * px_per_unit);
+  const int height_px = static_cast<int>(panel_height * px_per_unit);
   const int step_px = static_cast<int>((kUnits + kGapUnits) * px_per_unit);
   const int caption_px = static_cast<int>(kCaptionUnits * px_per_unit);
   picture.dpi = kMmPerInch * panel_px / picture.sheet->width();
-  Result<Image> whole = Image::create(2 * step_px + panel_px, panel_px + caption_px);
+  Result<Image> whole = Image::create(2 * step_px + panel_px, height_px + caption_px);
   if (!whole) return whole;
   fill(whole->pixels(), whole->pixels().rect(), kGround);
   for (int i = 0; i < 3; ++i) {
@@ -94,7 +101,7 @@ Result<Image> ActPictures::draw(const Session& after, int width_px) const {
     if (!panel) return panel;
     copy(*panel, *whole, i * step_px, 0);
     PlotCanvas canvas(whole->pixels(), px_per_unit);
-    canvas.text({(kUnits + kGapUnits) * i + 0.5 * kUnits, kUnits + kCaptionUnits - 4.0},
+    canvas.text({(kUnits + kGapUnits) * i + 0.5 * kUnits, panel_height + kCaptionUnits - 4.0},
                 kCaptions[k], {kCaptionSize, kCaption, PlotAlign::kCenter});
   }
   return whole;

@@ -123,9 +123,11 @@ std::string pull_act() {
   act.tool("pull");
   act.set("pull.mode", std::string("brush"));
   act.set("pull.radius_mm", 16.0);
-  act.gesture({{80.5, 14.2}, {84, 9.0}, {88.5, 1.5}}, 20.0);
-  act.set("pull.radius_mm", 28.0);
-  act.gesture({{86.6, 82}, {90, 80.5}, {95.5, 79}}, 20.0);
+  act.gesture({{80.5, 14.2}, {83.2, 10.2}, {86.2, 5.6}}, 20.0);
+  act.set("pull.radius_mm", 9.0);
+  act.gesture({{77.8, 18.6}, {79.4, 16.0}, {82.0, 12.6}}, 20.0);
+  act.set("pull.radius_mm", 30.0);
+  act.gesture({{86.6, 82}, {89.5, 81}, {93, 79.5}}, 20.0);
   return act.text();
 }
 
@@ -141,9 +143,8 @@ std::string smooth_act() {
   act.tool("smooth");
   act.set("smooth.radius_mm", 8.0);
   const std::vector<Point> there{{22, 130}, {38, 131.5}, {58, 130.5}, {80, 132}};
-  std::vector<Point> to_and_fro = there;
-  to_and_fro.insert(to_and_fro.end(), there.rbegin() + 1, there.rend());
-  act.gesture(to_and_fro, 40.0, 4.0);
+  act.gesture(there, 40.0, 4.0);
+  act.gesture({there.rbegin(), there.rend()}, 40.0, 4.0);
   return act.text();
 }
 
@@ -153,8 +154,8 @@ std::string width_act() {
   act.tool("width");
   act.set("width.mode", std::string("brush"));
   act.set("width.reach_mm", 8.0);
-  act.set("width.max_width_mm", 4.0);
-  act.gesture({{41, 70}, {41.6, 80}, {43.4, 93}, {46, 104}}, 14.0, 6.0);
+  act.set("width.max_width_mm", 2.6);
+  act.gesture({{41.8, 72}, {41.6, 80}, {43.4, 93}, {45.4, 101}}, 12.0, 6.0);
   return act.text();
 }
 
@@ -164,7 +165,7 @@ std::string eraser_act() {
   act.tool("eraser");
   act.set("eraser.mode", std::string("touched"));
   act.set("eraser.radius_mm", 1.5);
-  act.gesture({{26.5, 54.9}, {34, 53.0}, {44, 51.6}}, 30.0, 3.0);
+  act.gesture({{26.0, 55.0}, {32, 53.4}, {37.4, 52.3}}, 30.0, 3.0);
   act.set("eraser.mode", std::string("stroke"));
   act.gesture({{30, 60.8}, {33, 59.4}}, 15.0, 3.0);
   return act.text();
@@ -206,7 +207,7 @@ std::string transform_act() {
               130.0);
   act.tool("transform");
   act.set("transform.mode", std::string("rotate"));
-  act.gesture({{78, 30}, {80.5, 34}, {82.5, 39}, {83, 45}}, 18.0);
+  act.gesture({{80, 30}, {81.6, 33.5}, {82.4, 37.5}}, 18.0);
   return act.text();
 }
 

@@ -25,9 +25,13 @@ constexpr Rgba kTextColor{30, 30, 34, 255};
 constexpr Rgba kTextHalo{255, 255, 255, 225};
 constexpr Rgba kPenColor{20, 20, 24, 255};
 
-Rgba faded(Rgba color, double share) {
-  color.a = static_cast<std::uint8_t>(std::lround(share * color.a));
-  return color;
+/// The colour on white paper, so thin: opaque, that pieces of a band do not show where they
+/// overlap.
+Rgba pale(Rgba color, double share) {
+  const auto mixed = [share](std::uint8_t c) {
+    return static_cast<std::uint8_t>(std::lround(255.0 + share * (c - 255.0)));
+  };
+  return {mixed(color.r), mixed(color.g), mixed(color.b), 255};
 }
 
 /// Lines of it are dashed: what is only a bound or a hint.
@@ -79,12 +83,13 @@ class OverlayPen {
       : canvas_(target, px_per_unit),
         view_(view),
         px_per_unit_(px_per_unit),
+        width_units_(target.width / px_per_unit),
         far_units_(20.0 * (target.width + target.height) / px_per_unit) {}
 
   void bands(const Overlay& overlay) {
     for (const auto& span : overlay.spans) {
       const double width = (span.width_mm + kBandMm) * view_.px_per_mm / px_per_unit_;
-      curve(span.curve, {std::max(width, 5.0), faded(role_color(span.role), 0.45)});
+      curve(span.curve, {std::max(width, 5.0), pale(role_color(span.role), 0.5)});
     }
   }
   void marks(const Overlay& overlay) {
@@ -97,7 +102,7 @@ class OverlayPen {
   /// A small circle with a point in it.
   void pen(Point at) {
     const Vec c = units(at);
-    circle(c, 3.4, {3.4, faded({255, 255, 255, 255}, 0.8)});
+    circle(c, 3.4, {3.4, {255, 255, 255, 205}});
     circle(c, 3.4, {1.5, kPenColor});
     circle(c, 0.5, {1.2, kPenColor});
   }
@@ -161,9 +166,12 @@ class OverlayPen {
     circle(at, 1.2, {2.4, role_color(dot.role)});
   }
   void label(const Overlay::Label& label) {
-    const Vec at = units(label.at) + Vec{6.0, -6.0};
-    if (is_far(at)) return;
     const std::string text = ascii(label.text);
+    Vec at = units(label.at) + Vec{6.0, -6.0};
+    if (is_far(at)) return;
+    // Beside the place on its other side where it would not fit into the picture.
+    const double width = canvas_.text_width(text, kTextSize);
+    if (at.x + width > width_units_) at.x = std::max(2.0, at.x - width - 12.0);
     canvas_.text(at, text, {kTextSize, kTextHalo, PlotAlign::kLeft, 4.2});
     canvas_.text(at, text, {kTextSize, kTextColor, PlotAlign::kLeft, 1.1});
   }
@@ -171,6 +179,7 @@ class OverlayPen {
   PlotCanvas canvas_;
   View view_;
   double px_per_unit_;
+  double width_units_;
   double far_units_;
 };
 

@@ -11,6 +11,8 @@
 namespace felt::gestures {
 namespace {
 
+constexpr double kMostNormalN = 3.0;
+
 std::string name_of(StrokeId id) {
   return "stroke " + std::to_string(id.value);
 }
@@ -50,7 +52,6 @@ std::size_t control_points(const Document& document) {
 }  // namespace
 
 Broken check_edit(const Document& before, const Edit& edit) {
-  if (edit.label.empty()) return "an edit without a label";
   for (const StrokeChange& change : edit.changes) {
     if (Broken broken = check_change(before, change)) return broken;
   }
@@ -143,10 +144,13 @@ Broken ForceProbe::check(const ForceModel& model, const PenSample& sample, doubl
   PenSample still = sample;
   still.velocity = {};
   const Force beside = beside_the_sheet(model, still);
-  largest_n_ = std::max(largest_n_, norm(beside));
-  if (!(norm(beside) <= limit_n + 1e-9)) {
-    return "a force of " + std::to_string(norm(beside)) + " N beside the sheet's";
+  const double lateral_n = std::hypot(beside.x, beside.y);
+  largest_n_ = std::max(largest_n_, lateral_n);
+  if (!(lateral_n <= limit_n + 1e-9)) {
+    return "a force of " + std::to_string(lateral_n) + " N in the sheet beside the sheet's own";
   }
+  // Against pressing a tool may stiffen the sheet; the user's limit bounds that.
+  if (!(std::fabs(beside.z) <= kMostNormalN)) return "a push of " + std::to_string(beside.z) + " N";
   if (Broken broken = check_slope(model, still)) return broken;
   const double dt_s = 1e-9 * static_cast<double>(sample.time_ns - last_ns_);
   last_ns_ = sample.time_ns;

@@ -30,9 +30,9 @@ class ForceProbe {
   explicit ForceProbe(const Capabilities& device);
 
   /// The force at this sample is finite; what it has beside the sheet itself (plane, friction,
-  /// grain) is at most `limit_n` without the damping, pulls back no more steeply than the model
-  /// claims and does not jump; claims keep the device's budget unless `may_exceed_budget` (the
-  /// safety chain shrinks them then).
+  /// grain) is at most `limit_n` in the sheet without the damping, pulls back no more steeply than
+  /// the model claims and does not jump; claims keep the device's budget unless `may_exceed_budget`
+  /// (the safety chain shrinks them then).
   Broken check(const ForceModel& model, const PenSample& sample, double limit_n,
                bool may_exceed_budget);
   /// The largest force beside the sheet's since the last call.

@@ -100,10 +100,11 @@ void Episode::break_rule(Broken broken) {
 
 void Episode::see_edit(const Edit& edit) {
   ++edits_;
-  if (!is_history_) {
+  if (!is_command_) {
     ++commits_;
     ++tool_totals().edits;
     break_rule(check_edit(last_, edit));
+    if (edit.label.empty()) break_rule("an edit without a label");
     if (!changes_something(edit)) break_rule("an edit that changes nothing");
   }
   break_rule(check_locality(last_, session_.document(), edit));
@@ -119,6 +120,13 @@ void Episode::apply(const What& what) {
   const Result<void> done = session_.apply(event);
   if (!done) break_rule("an event is refused: " + done.error().message);
   break_rule(check_selection(session_.document(), session_.selection()));
+}
+
+template <class What>
+void Episode::command(const What& what) {
+  is_command_ = true;
+  apply(what);
+  is_command_ = false;
 }
 
 void Episode::take(const PenSample& sample) {
@@ -210,11 +218,13 @@ void Episode::between_gestures() {
   if (k < 0.15) return undo_and_redo();
   if (k < 0.2) return cancel();
   if (k < 0.23) return import();
+  if (k < 0.33) return select_or_delete();
+  if (k < 0.38) return change_layers();
 }
 
 /// Something happens in the middle of a gesture.
 void Episode::interfere() {
-  switch (dice_.pick(6)) {
+  switch (dice_.pick(8)) {
     case 0:
       return undo_and_redo();
     case 1:
@@ -224,7 +234,11 @@ void Episode::interfere() {
       return choose_options();
     case 3:
       return import();
-    case 4: {
+    case 4:
+      return select_or_delete();
+    case 5:
+      return change_layers();
+    case 6: {
       where_ += ", it is finished";
       const Result<void> done = session_.finish();
       if (!done) break_rule("finish: " + done.error().message);
@@ -240,21 +254,17 @@ void Episode::interfere() {
 void Episode::undo_and_redo() {
   where_ += ", undo and redo";
   for (int k = dice_.pick(1, 4); k > 0 && !broken_; --k) {
-    is_history_ = true;
     if (dice_.chance(0.6)) {
-      apply(UndoEvent{});
+      command(UndoEvent{});
     } else {
-      apply(RedoEvent{});
+      command(RedoEvent{});
     }
-    is_history_ = false;
     ++totals_.undone;
   }
   if (dice_.chance(0.3) && session_.history().can_undo() && !session_.gesture_in_work()) {
     const Document before = session_.document();
-    is_history_ = true;
-    apply(UndoEvent{});
-    apply(RedoEvent{});
-    is_history_ = false;
+    command(UndoEvent{});
+    command(RedoEvent{});
     if (!(session_.document() == before)) break_rule("undo and redo lead elsewhere");
   }
 }
@@ -283,20 +293,45 @@ void Episode::import() {
   contact_ = {};
 }
 
+void Episode::select_or_delete() {
+  const double k = dice_.between(0.0, 1.0);
+  where_ += ", selects, deletes or duplicates";
+  if (k < 0.5) return apply(SelectStrokes{SelectStrokes::What::kAll});
+  if (k < 0.6) return apply(SelectStrokes{SelectStrokes::What::kInvert});
+  if (k < 0.7) return apply(SelectStrokes{SelectStrokes::What::kNone});
+  if (k < 0.85) return command(DeleteEvent{});
+  // Doubling without end would only cost time.
+  if (session_.document().stroke_count() < 60) command(DuplicateEvent{});
+}
+
+void Episode::change_layers() {
+  LayerEvent event;
+  event.what = static_cast<LayerEvent::Do>(dice_.pick(0, static_cast<int>(LayerEvent::Do::kUse)));
+  if (event.what != LayerEvent::Do::kAdd) event.layer = dice_.any(session_.document().layers()).id;
+  event.name = dice_.chance(0.5) ? "other" : "";
+  where_ += ", layer " + std::to_string(static_cast<int>(event.what));
+  const std::uint64_t edits = edits_;
+  is_command_ = true;
+  // What cannot be, the last open layer hidden, is refused and changes nothing.
+  const Result<void> done = session_.apply({now_ns_, event});
+  is_command_ = false;
+  if (!done && edits_ != edits) break_rule("a layer event is refused and changes something");
+  break_rule(check_selection(session_.document(), session_.selection()));
+}
+
 void Episode::back_and_forth() {
   where_ = "at the end";
   const Result<void> done = session_.finish();
   if (!done) return break_rule("finish: " + done.error().message);
   const Document end = session_.document();
   const std::string end_bytes = bytes_of(end);
-  is_history_ = true;
   std::size_t steps = 0;
-  for (; session_.history().can_undo() && !broken_; ++steps) apply(UndoEvent{});
+  for (; session_.history().can_undo() && !broken_; ++steps) command(UndoEvent{});
   if (broken_) return;
   if (!(session_.document() == start_) || bytes_of(session_.document()) != bytes_of(start_)) {
     return break_rule("undo does not lead back to the start");
   }
-  for (; steps > 0 && !broken_; --steps) apply(RedoEvent{});
+  for (; steps > 0 && !broken_; --steps) command(RedoEvent{});
   if (broken_) return;
   if (!(session_.document() == end) || bytes_of(session_.document()) != end_bytes) {
     return break_rule("redo does not lead to the end");

@@ -54,6 +54,9 @@ class Episode {
   void break_rule(Broken broken);
   template <class What>
   void apply(const What& what);
+  /// Likewise for what is no tool's doing.
+  template <class What>
+  void command(const What& what);
   void take(const PenSample& sample);
   void check_state(const PenSample& sample);
 
@@ -66,6 +69,8 @@ class Episode {
   void undo_and_redo();
   void cancel();
   void import();
+  void select_or_delete();
+  void change_layers();
   void back_and_forth();
 
   EpisodeOptions options_;
@@ -73,7 +78,7 @@ class Episode {
   Dice dice_;
   ForceProbe probe_;
   std::uint64_t edits_ = 0;
-  bool is_history_ = false;  // the next edits are undo's and redo's
+  bool is_command_ = false;  // the next edits are those of undo, redo, layers: no tool's
   Broken broken_;
   std::string where_;
   std::int64_t now_ns_ = 0;

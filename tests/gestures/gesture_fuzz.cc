@@ -50,6 +50,21 @@ void say_and_die(int signal) {
   std::raise(signal);
 }
 
+/// On a stack of its own: the usual one may be what overflowed.
+void watch_signals() {
+  static char stack_of_its_own[1 << 16];
+  stack_t stack{};
+  stack.ss_sp = stack_of_its_own;
+  stack.ss_size = sizeof stack_of_its_own;
+  sigaltstack(&stack, nullptr);
+  struct sigaction action {};
+  action.sa_handler = say_and_die;
+  action.sa_flags = SA_ONSTACK;
+  for (const int signal : {SIGABRT, SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGALRM}) {
+    sigaction(signal, &action, nullptr);
+  }
+}
+
 void watch(const Options& options, std::uint64_t episode) {
   const int length = std::snprintf(
       repeat_line, sizeof repeat_line, "repeat: gesture_fuzz --seed %llu --episode %llu%s%s%s%s\n",
@@ -202,9 +217,7 @@ int run(const Options& options) {
     }
     real = *std::move(read);
   }
-  for (const int signal : {SIGABRT, SIGSEGV, SIGFPE, SIGILL, SIGALRM}) {
-    std::signal(signal, say_and_die);
-  }
+  watch_signals();
   return Fuzz(options, std::move(real)).run();
 }
 

@@ -8,7 +8,7 @@ namespace felt {
 void add_span(Overlay& overlay, const Stroke& stroke, double u0, double u1, Overlay::Role role) {
   const int n = stroke.segment_count();
   if (stroke.closed() && u1 <= u0) {
-    add_span(overlay, stroke, u0, n, role);
+    if (u0 < n) add_span(overlay, stroke, u0, n, role);
     u0 = 0.0;
   }
   u0 = std::clamp(u0, 0.0, static_cast<double>(n));
