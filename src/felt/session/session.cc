@@ -108,6 +108,9 @@ Result<void> Session::sample(const PenSample& told) {
   }
 
   const bool was_down = std::exchange(pen_is_down_, in_contact(sample));
+  contact_.update(sample);
+  if (must_lift_ && contact_.is_down()) return {};
+  must_lift_ = false;
   if (pen_is_down_ && !was_down) gesture_is_open_ = true;
   Result<void> taken = take(tools_[active_]->sample(sample, scene()));
   if (!pen_is_down_) gesture_is_open_ = false;
@@ -127,7 +130,8 @@ Result<void> Session::finish() {
   show({});
   gesture_is_open_ = false;
   // Whatever the pen does next, it is a new gesture.
-  pen_is_down_ = false;
+  must_lift_ = std::exchange(pen_is_down_, false);
+  if (!must_lift_) contact_ = {};
   return taken;
 }
 
@@ -135,11 +139,8 @@ Result<void> Session::select(const std::string& id) {
   const Result<std::size_t> found = find_tool(id);
   if (!found) return tl::unexpected(found.error());
   if (*found == active_) return {};
-  const bool was_down = pen_is_down_;
   Result<void> ended = finish();
   active_ = *found;
-  if (was_down) cancel();
-  pen_is_down_ = was_down;
   return ended;
 }
 

@@ -16,6 +16,7 @@
 #include "felt/session/event.h"
 #include "felt/session/sheet_options.h"
 #include "felt/stroke/sketch.h"
+#include "felt/tools/contact.h"
 #include "felt/tools/tool.h"
 
 namespace felt {
@@ -144,6 +145,8 @@ class Session {
   bool preview_is_of_gesture_ = false;
   VelocityFilter velocity_;
   std::int64_t last_sample_ns_ = 0;
+  Contact contact_;
+  bool must_lift_ = false;  // what the pen does until then is no gesture of the tool in hand
   bool pen_is_down_ = false;
   bool gesture_is_open_ = false;  // touched the sheet, and nothing came of it yet
   std::uint64_t dropped_ = 0;

@@ -54,6 +54,28 @@ TEST(Session, StartsWithThePencil) {
   EXPECT_EQ(Desk().session.tool().info().id, "pencil");
 }
 
+/// Where a gesture must not begin: every tool that is told of a pen that is down says so.
+TEST(Session, AToolChosenWithThePenDownWaitsForTheLift) {
+  Desk desk;
+  desk.session = Session(make_tools(), {});
+  desk.put_down(0, 0);
+  desk.pen(5, 0, -1);
+  desk.must(SelectTool{"eraser"});
+  desk.must(SelectTool{"pencil"});
+  EXPECT_EQ(desk.strokes(), 1U) << "the line that was being drawn stays";
+  desk.pen(10, 0, -1);
+  desk.pen(15, 0, 0.2);  // no lift yet
+  desk.pen(20, 0, -1);
+  desk.lift(20, 0);
+  EXPECT_EQ(desk.strokes(), 1U);
+  // Just above the sheet, and down again at once: the pencil has not kept what it knew before.
+  desk.pen(30, 0, 0.2);
+  desk.pen(30, 0, -1);
+  desk.pen(40, 0, -1);
+  desk.lift(40, 0);
+  EXPECT_EQ(desk.strokes(), 2U);
+}
+
 TEST(Session, AGestureIsOneStepOfUndo) {
   Desk desk;
   desk.line(0, 0);

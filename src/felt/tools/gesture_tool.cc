@@ -13,6 +13,15 @@ bool is_usable(const PenSample& sample) {
          std::fabs(sample.position.z) <= GestureTool::kFarthestMm;
 }
 
+/// Strokes that came out as they were are no change, and an edit without a change is no step.
+void leave_out_unchanged(std::optional<Edit>& commit) {
+  if (!commit) return;
+  std::erase_if(commit->changes, [](const StrokeChange& c) {
+    return c.before && c.after && c.before_place == c.after_place && *c.before == *c.after;
+  });
+  if (commit->empty()) commit.reset();
+}
+
 }  // namespace
 
 GestureTool::GestureTool(const ToolInfo& info) : info_(info), options_(info.options) {
@@ -23,6 +32,7 @@ ToolResult GestureTool::sample(const PenSample& sample, const Scene& scene) {
   if (!is_usable(sample)) return {.same_preview = true};
   if (!in_gesture_ && std::exchange(has_new_options_, false)) take_options(options_);
   const Contact::Change change = contact_.update(sample);
+  if (change == Contact::Change::kNone && !contact_.is_down()) waiting_ = false;
   if (change == Contact::Change::kTouched && !waiting_) {
     in_gesture_ = true;
     gap_.clear();
@@ -56,6 +66,7 @@ ToolResult GestureTool::add(const PenSample& sample, const Scene& scene) {
 
 ToolResult GestureTool::close(const Scene& scene) {
   ToolResult result = end(scene);
+  leave_out_unchanged(result.commit);
   stop();
   return result;
 }
@@ -66,7 +77,9 @@ void GestureTool::stop() {
 }
 
 ToolResult GestureTool::finish(const Scene& scene) {
-  waiting_ = contact_.is_down();
+  // The next sample may come from anywhere, at any time. In a gap the pen was lifted.
+  waiting_ = contact_.is_down() && gap_.empty();
+  contact_ = {};
   return in_gesture_ ? close(scene) : ToolResult{};
 }
 

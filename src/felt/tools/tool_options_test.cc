@@ -91,7 +91,10 @@ TEST(EveryTool, HasATableThatMakesSense) {
       }
       if (!spec.unit.empty()) {
         std::string ending = "_" + std::string(spec.unit);
-        for (char& c : ending) c = c == '/' ? '_' : static_cast<char>(std::tolower(c));
+        for (char& c : ending) c = static_cast<char>(std::tolower(c));
+        if (const auto slash = ending.find('/'); slash != std::string::npos) {
+          ending.replace(slash, 1, "_per_");
+        }
         EXPECT_TRUE(spec.id.ends_with(ending)) << "the unit belongs in the name";
       }
     }

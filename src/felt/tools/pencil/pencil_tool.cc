@@ -39,6 +39,7 @@ ToolResult PencilTool::sample(const PenSample& sample, const Scene& scene) {
   if (!is_usable(sample)) return {};
   pen_point_ = on_sheet(sample.position);
   const Contact::Change change = contact_.update(sample);
+  if (change == Contact::Change::kNone && !contact_.is_down()) waiting_ = false;
   if (change == Contact::Change::kTouched && !waiting_) begin(sample, scene);
   if (change == Contact::Change::kLifted) {
     waiting_ = false;
@@ -146,7 +147,9 @@ void PencilTool::take_options() {
 }
 
 ToolResult PencilTool::finish(const Scene& scene) {
-  waiting_ = contact_.is_down();
+  // The next sample may come from anywhere, at any time. In a gap the pen was lifted.
+  waiting_ = contact_.is_down() && gap_.empty();
+  contact_ = {};
   if (drawing_) return end(scene);
   finder_.reset();
   near_ = false;
