@@ -43,7 +43,7 @@ void expect_continuous(const std::function<EditWeights(double)>& weights) {
   EXPECT_LE(largest, 2.2);
 }
 
-TEST(EditWeights, R21_the_point_goes_all_the_way) {
+TEST(EditWeights, R21_ThePointGoesAllTheWay) {
   for (const double t : places()) {
     EXPECT_NEAR(soft_weights(t).gain(t), 1.0, 1e-14) << t;
     EXPECT_NEAR(paper_weights(t).gain(t), 1.0, 1e-14) << t;
@@ -53,7 +53,7 @@ TEST(EditWeights, R21_the_point_goes_all_the_way) {
   }
 }
 
-TEST(EditWeights, R22_weights_are_continuous_and_bounded) {
+TEST(EditWeights, R22_WeightsAreContinuousAndBounded) {
   expect_continuous([](double t) { return soft_weights(t); });
   expect_continuous([](double t) { return paper_weights(t); });
   for (const Pins& pins : kPins) {
@@ -61,7 +61,7 @@ TEST(EditWeights, R22_weights_are_continuous_and_bounded) {
   }
 }
 
-TEST(EditWeights, Soft_is_as_specified) {
+TEST(EditWeights, SoftIsAsSpecified) {
   const EditWeights middle = soft_weights(0.5);
   EXPECT_NEAR(middle.w[0], 0.64, 1e-12);
   EXPECT_NEAR(middle.w[1], 1.12, 1e-12);
@@ -77,7 +77,7 @@ TEST(EditWeights, Soft_is_as_specified) {
   EXPECT_NEAR(overshoot, 1.026, 0.001);
 }
 
-TEST(EditWeights, R25_cases_of_the_paper) {
+TEST(EditWeights, R25_CasesOfThePaper) {
   const auto expect = [](const EditWeights& got, const std::array<double, 4>& want) {
     for (std::size_t k = 0; k < 4; ++k) EXPECT_NEAR(got.w[k], want[k], 1e-13);
   };
@@ -92,7 +92,7 @@ TEST(EditWeights, R25_cases_of_the_paper) {
   expect(soft_weights(1.0), {0, 0, 1, 1});
 }
 
-TEST(EditWeights, Eq7_as_printed_falls_short) {
+TEST(EditWeights, Eq7AsPrintedFallsShort) {
   // E1: B4 by t, not t^3. E2: the point goes 0.3417 of the way at t = .39, all of it at the ends.
   const EditWeights w = printed_weights(0.5);
   EXPECT_EQ(w.w, (std::array<double, 4>{0.125, 0.375, 0.375, 0.5}));
@@ -108,7 +108,7 @@ TEST(EditWeights, Eq7_as_printed_falls_short) {
   EXPECT_EQ(printed_weights(1.0).gain(1.0), 1.0);
 }
 
-TEST(EditWeights, A_pinned_joint_stays_unless_it_is_near) {
+TEST(EditWeights, APinnedJointStaysUnlessItIsNear) {
   for (const double t : {0.25, 0.5, 0.9}) {
     const EditWeights w = soft_weights(t, {.left_joint = pinned_compliance(t)});
     EXPECT_EQ(w.w[0], 0.0);

@@ -75,7 +75,7 @@ StrokePtr wave(int n, double length_mm = 12.0) {
 
 const WeightKind kExact[] = {WeightKind::kSoft, WeightKind::kPaper};
 
-TEST(GrabPull, R21_the_stroke_passes_through_the_pen) {
+TEST(GrabPull, R21_TheStrokePassesThroughThePen) {
   RandomStroke random(21);
   for (std::uint64_t seed = 0; seed < 60; ++seed) {
     SCOPED_TRACE(seed);
@@ -97,7 +97,7 @@ TEST(GrabPull, R21_the_stroke_passes_through_the_pen) {
   }
 }
 
-TEST(GrabPull, R23_the_way_does_not_matter) {
+TEST(GrabPull, R23_TheWayDoesNotMatter) {
   for (std::uint64_t seed = 0; seed < 100; ++seed) {
     const StrokePtr stroke = shared(random_stroke(seed));
     RandomStroke random(seed + 500);
@@ -114,7 +114,7 @@ TEST(GrabPull, R23_the_way_does_not_matter) {
   }
 }
 
-TEST(GrabPull, R24_ten_thousand_ticks_keep_G1) {
+TEST(GrabPull, R24_TenThousandTicksKeepG1) {
   RandomStroke random(24);
   for (const StrokePtr& stroke : {wave(8), ring(5)}) {
     for (int gesture = 0; gesture < 10; ++gesture) {
@@ -145,7 +145,7 @@ double length_of(const Stroke& stroke) {
   return length;
 }
 
-TEST(GrabPull, R24_two_thousand_committed_pulls_do_not_blow_up) {
+TEST(GrabPull, R24_TwoThousandCommittedPullsDoNotBlowUp) {
   // Whoever pulls a line about for an hour: each pull takes what is near to a place near where the
   // line once was.
   RandomStroke random(2400);
@@ -165,7 +165,7 @@ TEST(GrabPull, R24_two_thousand_committed_pulls_do_not_blow_up) {
   EXPECT_LT(length_of(*stroke), 2.5 * length_of(*first));  // measured: 1.95
 }
 
-TEST(GrabPull, R25_control_points_are_those_of_the_paper) {
+TEST(GrabPull, R25_ControlPointsAreThoseOfThePaper) {
   const StrokePtr stroke = wave(3);
   const Vec v{1.5, -4.0};
   const auto points = [&](double t) {
@@ -200,7 +200,7 @@ TEST(GrabPull, R25_control_points_are_those_of_the_paper) {
   }
 }
 
-TEST(GrabPull, Eq7_as_printed_moves_by_its_own_numbers) {
+TEST(GrabPull, Eq7AsPrintedMovesByItsOwnNumbers) {
   const StrokePtr stroke = wave(3);
   const Vec v{1.5, -4.0};
   const double t = 0.5;
@@ -214,7 +214,7 @@ TEST(GrabPull, Eq7_as_printed_moves_by_its_own_numbers) {
   EXPECT_NEAR(part, 0.359375, 1e-12);
 }
 
-TEST(GrabPull, R26_ends_and_corners_stay_unless_taken_hold_of) {
+TEST(GrabPull, R26_EndsAndCornersStayUnlessTakenHoldOf) {
   const StrokePtr stroke = shared(testing::straight_stroke({0, 0}, {12, 0}, 1.0, 1.0));
   const Vec v{1.0, 5.0};
   for (const double t : {0.25, 0.5, 0.75}) {
@@ -229,7 +229,7 @@ TEST(GrabPull, R26_ends_and_corners_stay_unless_taken_hold_of) {
   EXPECT_EQ(end.data().points.back(), stroke->data().points.back());
 }
 
-TEST(GrabPull, R26_corners_stay_corners_and_move_as_a_whole) {
+TEST(GrabPull, R26_CornersStayCornersAndMoveAsAWhole) {
   const StrokePtr stroke = shared(
       Stroke::create({.points = {{0, 0}, {4, 0}, {8, 0}, {12, 0}, {12, 4}, {12, 8}, {12, 12}},
                       .joints = {JointKind::kCorner},
@@ -249,7 +249,7 @@ TEST(GrabPull, R26_corners_stay_corners_and_move_as_a_whole) {
   for (std::size_t k = 3; k < 7; ++k) EXPECT_EQ(bent.data().points[k], stroke->data().points[k]);
 }
 
-TEST(GrabPull, R26_closed_strokes_of_one_and_two_and_more_segments) {
+TEST(GrabPull, R26_ClosedStrokesOfOneAndTwoAndMoreSegments) {
   RandomStroke random(26);
   for (const StrokePtr& stroke : {drop(), ring(2), ring(3), ring(6)}) {
     const int n = stroke->segment_count();
@@ -268,7 +268,7 @@ TEST(GrabPull, R26_closed_strokes_of_one_and_two_and_more_segments) {
   }
 }
 
-TEST(GrabPull, R26_only_the_segment_and_its_neighbours_change) {
+TEST(GrabPull, R26_OnlyTheSegmentAndItsNeighboursChange) {
   for (const bool closed : {false, true}) {
     const StrokePtr stroke = closed ? ring(8) : wave(8);
     for (int segment = 0; segment < 8; ++segment) {
@@ -288,7 +288,7 @@ TEST(GrabPull, R26_only_the_segment_and_its_neighbours_change) {
   }
 }
 
-TEST(GrabPull, Divided_at_the_grab_little_changes) {
+TEST(GrabPull, DividedAtTheGrabLittleChanges) {
   const StrokePtr stroke = shared(testing::straight_stroke({0, 0}, {200, 0}, 1.0, 2.0));
   const GrabPull pull(stroke, 0.5, {.affected_mm = 30.0});
   const Result<Stroke> bent = pull.at({0.0, 6.0});
@@ -305,7 +305,7 @@ TEST(GrabPull, Divided_at_the_grab_little_changes) {
   EXPECT_NEAR(bent->width_mm(pull.u()), 1.5, 1e-9);
 }
 
-TEST(GrabPull, What_is_no_pull_is_an_error) {
+TEST(GrabPull, WhatIsNoPullIsAnError) {
   const StrokePtr stroke = wave(2);
   const GrabPull pull(stroke, 0.5, {});
   constexpr double kInfinity = std::numeric_limits<double>::infinity();

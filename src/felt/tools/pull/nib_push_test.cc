@@ -86,7 +86,7 @@ void go(NibPush& push, const std::vector<Point>& way, double step_mm, Check chec
   }
 }
 
-TEST(NibPush, R27_a_crossing_parts_the_line_and_never_flips_it) {
+TEST(NibPush, R27_ACrossingPartsTheLineAndNeverFlipsIt) {
   for (const double speed : {20.0, 200.0, 1000.0, 16'600.0}) {  // mm/s at 1 kHz; 1 m/s at 60 Hz
     for (const double x : {60.0, 55.3, 47.9, 36.0}) {
       for (const double wave : {0.0, 4.0}) {
@@ -109,7 +109,7 @@ TEST(NibPush, R27_a_crossing_parts_the_line_and_never_flips_it) {
   }
 }
 
-TEST(NibPush, R27_strokes_of_every_shape_keep_clear_of_the_nib) {
+TEST(NibPush, R27_StrokesOfEveryShapeKeepClearOfTheNib) {
   for (std::uint64_t seed = 0; seed < 400; ++seed) {
     SCOPED_TRACE(seed);
     const StrokePtr stroke = shared(random_stroke(seed));
@@ -122,7 +122,7 @@ TEST(NibPush, R27_strokes_of_every_shape_keep_clear_of_the_nib) {
   }
 }
 
-TEST(NibPush, R27_never_pulls) {
+TEST(NibPush, R27_NeverPulls) {
   NibPush push(line(10, 12.0), kRadius);
   go(push, {{60, -20}, {60, 5}}, 0.5, [](Point, bool) {});
   const StrokePtr parted = push.stroke();
@@ -132,7 +132,7 @@ TEST(NibPush, R27_never_pulls) {
   EXPECT_EQ(push.stroke(), parted);
 }
 
-TEST(NibPush, R27_strides_jump_over_nothing) {
+TEST(NibPush, R27_StridesJumpOverNothing) {
   // 500 mm in one sample: in steps of less than half a radius that would take too many.
   for (const double x : {60.0, 47.3, 12.0}) {
     NibPush push(line(10, 12.0), kRadius);
@@ -145,7 +145,7 @@ TEST(NibPush, R27_strides_jump_over_nothing) {
   EXPECT_FALSE(nib_meets(line(1, 120.0)->segment(0), {60, -450}, {60, -50}, kRadius));
 }
 
-TEST(NibPush, R27_landing_on_a_line_parts_it_to_the_side_away_from_the_pen) {
+TEST(NibPush, R27_LandingOnALinePartsItToTheSideAwayFromThePen) {
   for (const double side : {-1.0, 1.0}) {
     NibPush push(line(10, 12.0), kRadius);
     ASSERT_TRUE(push.move({50, 0}, {50, 0}, {0.0, side}));  // it came from that side
@@ -156,7 +156,7 @@ TEST(NibPush, R27_landing_on_a_line_parts_it_to_the_side_away_from_the_pen) {
   EXPECT_GE(nearest_on(*push.stroke(), {50, 0}).distance_mm, kRadius - 1e-6);
 }
 
-TEST(NibPush, What_is_far_from_the_nib_stays_bit_for_bit) {
+TEST(NibPush, WhatIsFarFromTheNibStaysBitForBit) {
   const StrokePtr stroke = line(20, 12.0, 3.0);
   NibPush push(stroke, kRadius);
   go(push, {{120, -20}, {120, 2}}, 0.5, [](Point, bool) {});
@@ -171,7 +171,7 @@ TEST(NibPush, What_is_far_from_the_nib_stays_bit_for_bit) {
   EXPECT_LE(done->segment_count(), push.stroke()->segment_count());
 }
 
-TEST(NibPush, R27_a_rim_that_shuts_the_nib_in_is_widened) {
+TEST(NibPush, R27_ARimThatShutsTheNibInIsWidened) {
   // A drop of ink round the pen, smaller than the nib.
   const StrokePtr drop = shared(Stroke::create({.points = {{10, 10}, {13, 10}, {10, 13}, {10, 10}},
                                                 .joints = {JointKind::kCorner},

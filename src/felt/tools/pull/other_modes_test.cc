@@ -50,7 +50,7 @@ struct Lines : Desk {
   StrokeId far;
 };
 
-TEST(GrabGesture, R23_back_home_nothing_has_happened) {
+TEST(GrabGesture, R23_BackHomeNothingHasHappened) {
   Lines desk;
   const StrokeHit hit = *desk.index.nearest({50, 0.5}, 8.0);
   const auto grab = make_grab(pen_at({50, 0.5}), desk.scene(), hit, {});
@@ -74,7 +74,7 @@ TEST(GrabGesture, R23_back_home_nothing_has_happened) {
   EXPECT_TRUE(grab->end(desk.scene()).empty());
 }
 
-TEST(GrabGesture, A_shape_that_is_not_possible_is_not_shown) {
+TEST(GrabGesture, AShapeThatIsNotPossibleIsNotShown) {
   Lines desk;
   const StrokeHit hit = *desk.index.nearest({50, 0}, 8.0);
   const auto grab = make_grab(pen_at({50, 0}), desk.scene(), hit, {});
@@ -85,7 +85,7 @@ TEST(GrabGesture, A_shape_that_is_not_possible_is_not_shown) {
   desk.apply(edit);
 }
 
-TEST(PushGesture, R27_several_strokes_at_once_each_from_its_side) {
+TEST(PushGesture, R27_SeveralStrokesAtOnceEachFromItsSide) {
   Lines desk;
   const auto push = make_push(pen_at({60, -20}), desk.scene(), {});
   EXPECT_EQ(push->feel().kind, PullFeel::Kind::kNone);
@@ -115,7 +115,7 @@ TEST(PushGesture, R27_several_strokes_at_once_each_from_its_side) {
   EXPECT_EQ(desk.document, before);
 }
 
-TEST(PushGesture, R27_what_is_not_touched_is_not_moved) {
+TEST(PushGesture, R27_WhatIsNotTouchedIsNotMoved) {
   Lines desk;
   const auto push = make_push(pen_at({60, -20}), desk.scene(), {.radius_mm = 3.0});
   for (int k = 0; k <= 165; ++k) {
@@ -124,7 +124,7 @@ TEST(PushGesture, R27_what_is_not_touched_is_not_moved) {
   EXPECT_TRUE(push->end(desk.scene()).empty());
 }
 
-TEST(PushGesture, Hidden_and_locked_strokes_stay) {
+TEST(PushGesture, HiddenAndLockedStrokesStay) {
   Lines desk;
   LayerState locked = desk.document.layers().front().state();
   const LayerState open = locked;
@@ -137,7 +137,7 @@ TEST(PushGesture, Hidden_and_locked_strokes_stay) {
   EXPECT_TRUE(push->end(desk.scene()).empty());
 }
 
-TEST(PushGesture, Feels_another_touch_as_another) {
+TEST(PushGesture, FeelsAnotherTouchAsAnother) {
   Lines desk;
   const auto push = make_push(pen_at({60, -20}), desk.scene(), {});
   const auto go = [&](Point p) { (void)push->move(pen_at(p), desk.scene()); };
@@ -153,7 +153,7 @@ TEST(PushGesture, Feels_another_touch_as_another) {
   EXPECT_NE(push->feel().gesture, first.gesture);
 }
 
-TEST(SweepGesture, One_edit_that_is_undone_at_once) {
+TEST(SweepGesture, OneEditThatIsUndoneAtOnce) {
   Lines desk;
   const StrokeHit hit = *desk.index.nearest({50, 8.2}, 8.0);
   const auto sweep = make_sweep(pen_at({50, 8.2}), desk.scene(), hit, {});

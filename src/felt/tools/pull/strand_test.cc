@@ -19,7 +19,7 @@ StrokePtr shared(Stroke stroke) {
   return std::make_shared<const Stroke>(std::move(stroke));
 }
 
-TEST(Strand, Untouched_it_is_the_snapshot) {
+TEST(Strand, UntouchedItIsTheSnapshot) {
   for (std::uint64_t seed = 0; seed < 200; ++seed) {
     SCOPED_TRACE(seed);
     const StrokePtr stroke = shared(random_stroke(seed));
@@ -30,7 +30,7 @@ TEST(Strand, Untouched_it_is_the_snapshot) {
   }
 }
 
-TEST(Strand, Divided_it_is_the_same_ink) {
+TEST(Strand, DividedItIsTheSameInk) {
   for (std::uint64_t seed = 0; seed < 300; ++seed) {
     SCOPED_TRACE(seed);
     const StrokePtr stroke = shared(random_stroke(seed));
@@ -52,7 +52,7 @@ TEST(Strand, Divided_it_is_the_same_ink) {
   }
 }
 
-TEST(Strand, Slivers_are_not_made) {
+TEST(Strand, SliversAreNotMade) {
   Strand strand(shared(testing::straight_stroke({0, 0}, {1, 0}, 1.0, 1.0)));
   EXPECT_FALSE(strand.divide(0, 0.01));
   EXPECT_FALSE(strand.divide(0, 0.96));
@@ -62,7 +62,7 @@ TEST(Strand, Slivers_are_not_made) {
 }
 
 /// Handles that stand, at joints that are smooth: R28.
-TEST(Strand, R28_standing_handles_keep_joints_smooth) {
+TEST(Strand, R28_StandingHandlesKeepJointsSmooth) {
   // Handles that stand on both sides of two smooth joints.
   const StrokePtr valid = shared(Stroke::create({.points = {{0, 0},
                                                             {3, 0},
@@ -94,7 +94,7 @@ TEST(Strand, R28_standing_handles_keep_joints_smooth) {
   }
 }
 
-TEST(Strand, R28_a_handle_that_is_pulled_to_nothing) {
+TEST(Strand, R28_AHandleThatIsPulledToNothing) {
   // The pull takes the left handle of the second segment to its joint exactly, or nearly.
   const StrokePtr stroke =
       shared(Stroke::create({.points = {{0, 0}, {3, 0}, {7, 0}, {10, 0}, {13, 0}, {17, 5}, {20, 5}},
@@ -117,7 +117,7 @@ TEST(Strand, R28_a_handle_that_is_pulled_to_nothing) {
   }
 }
 
-TEST(Strand, What_would_fold_to_nothing_is_left) {
+TEST(Strand, WhatWouldFoldToNothingIsLeft) {
   Strand strand(shared(testing::straight_stroke({0, 0}, {1, 0}, 1.0, 1.0)));
   const Cubic before = strand.segment(0);
   EXPECT_FALSE(strand.bend(0, 0.5, {{0, 0, 0, 1}}, {std::nan(""), 0.0}));
@@ -126,7 +126,7 @@ TEST(Strand, What_would_fold_to_nothing_is_left) {
   EXPECT_FALSE(strand.is_changed(0));
 }
 
-TEST(Refit, Ill_shaped_segments_are_mended) {
+TEST(Refit, IllShapedSegmentsAreMended) {
   for (std::uint64_t seed = 0; seed < 200; ++seed) {
     SCOPED_TRACE(seed);
     const StrokePtr stroke = shared(random_stroke(seed));

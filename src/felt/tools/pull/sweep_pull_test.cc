@@ -38,7 +38,7 @@ double farthest(const Stroke& a, const Stroke& b) {
   return std::sqrt(far);
 }
 
-TEST(SweepPull, R24_ten_thousand_ticks) {
+TEST(SweepPull, R24_TenThousandTicks) {
   for (std::uint64_t seed = 0; seed < 6; ++seed) {
     SCOPED_TRACE(seed);
     const StrokePtr stroke = seed < 3 ? shared(straight_stroke({0, 0}, {120, 0}, 1.0, 1.0))
@@ -71,7 +71,7 @@ TEST(SweepPull, R24_ten_thousand_ticks) {
   }
 }
 
-TEST(SweepPull, The_pen_draws_the_line_over_again) {
+TEST(SweepPull, ThePenDrawsTheLineOverAgain) {
   SweepPull sweep(shared(straight_stroke({0, 0}, {120, 0}, 1.0, 1.0)), 0.3);
   // 60 mm/s along a wave that leaves the line and comes back.
   const auto pen = [](double x) { return Point{x, 4.0 * std::sin(0.15 * (x - 36.0))}; };
@@ -109,7 +109,7 @@ Stroke swept(double rate_hz) {
   return *edit.changes.front().after;
 }
 
-TEST(SweepPull, R30_the_rate_of_samples_means_nothing) {
+TEST(SweepPull, R30_TheRateOfSamplesMeansNothing) {
   const Stroke reference = swept(1000.0);
   EXPECT_LE(farthest(swept(5000.0), reference), 0.05);
   EXPECT_LE(farthest(reference, swept(5000.0)), 0.05);
@@ -119,7 +119,7 @@ TEST(SweepPull, R30_the_rate_of_samples_means_nothing) {
   EXPECT_LE(farthest(swept(250.0), reference), 0.05);
 }
 
-TEST(SweepPull, Hostile_times_are_survived) {
+TEST(SweepPull, HostileTimesAreSurvived) {
   Desk desk;
   const StrokeId id = desk.add(straight_stroke({0, 0}, {120, 0}, 1.0, 1.0));
   PenSample pen;
