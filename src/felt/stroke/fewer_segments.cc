@@ -29,13 +29,24 @@ constexpr double kTangentWeight = 0.01;
 /// Handles are between these parts of the length of the run: neither standing nor crossing over.
 constexpr double kMinHandle = 0.04;
 constexpr double kMaxHandle = 1.0;
+/// A place that is to be met is met to this, mm.
+constexpr double kMeetMm = 1e-11;
+/// Steps that may take, of the handles and of the place on the curve.
+constexpr int kMeetRounds = 8;
+constexpr int kFootRounds = 4;
+/// Runs are tried longer after so many that did not fit.
+constexpr int kFailures = 2;
 
 /// One cubic in place of a run of segments: its ends and the directions there are given, the
 /// lengths of its two handles are fitted to places on the run.
 class RunFit {
  public:
-  /// Segments [first, last) of the stroke.
-  RunFit(const Stroke& stroke, int first, int last) : stroke_(stroke), first_(first) {
+  /// Segments [first, last) of the stroke; the curve will go through the joint `through` if that is
+  /// within.
+  RunFit(const Stroke& stroke, int first, int last, int through) : stroke_(stroke), first_(first) {
+    if (through > first && through < last) {
+      met_ = static_cast<std::size_t>(kPlaces * (through - first));
+    }
     const int count = kPlaces * (last - first);
     for (int k = 0; k <= count; ++k) {
       places_.push_back(evaluate(stroke.segment(segment_of(k, count)), t_of(k, count)));
@@ -58,8 +69,11 @@ class RunFit {
       if (!solve()) return false;
       place();
       if (round < 2) continue;
+      if (!meet()) return false;
       const double error = farthest();
-      if (error <= tolerance_mm && is_within(tolerance_mm)) return true;
+      if (error <= tolerance_mm && is_within(tolerance_mm)) {
+        return control_length(curve_) >= kMinSegmentMm;
+      }
       if (round >= kPatience && error > kHopeless * tolerance_mm) return false;
     }
     return false;
@@ -115,6 +129,34 @@ class RunFit {
     return true;
   }
 
+  /// Changes the handles as little as it takes to go through the place that is to be met. False
+  /// where they would become too short or too long.
+  bool meet() {
+    if (met_ == 0) return true;
+    const Point target = places_[met_];
+    double& t = t_[met_];
+    for (int round = 0; round < kMeetRounds; ++round) {
+      for (int k = 0; k < kFootRounds; ++k) {
+        const Vec d = derivative(curve_, t);
+        const double step = dot(target - evaluate(curve_, t), d) / norm_squared(d);
+        t = std::clamp(t + step, t_[met_ - 1], t_[met_ + 1]);
+      }
+      const Vec rest = target - evaluate(curve_, t);
+      if (norm_squared(rest) <= kMeetMm * kMeetMm) return true;
+      const double s = 1.0 - t;
+      const double a = 3.0 * t * s * s * dot(rest, start_), b = 3.0 * t * t * s * dot(rest, end_);
+      const double share = norm_squared(rest) / (a * a + b * b);
+      const double start_mm = distance(curve_.p[0], curve_.p[1]) + share * a;
+      const double end_mm = distance(curve_.p[2], curve_.p[3]) + share * b;
+      const double least = kMinHandle * length_, most = kMaxHandle * length_;
+      // NaN compares false.
+      if (!(std::min(start_mm, end_mm) >= least && std::max(start_mm, end_mm) <= most))
+        return false;
+      set_handles(start_mm, end_mm);
+    }
+    return false;
+  }
+
   /// Moves the parameters one step to the feet of their places, in order.
   void place() {
     for (std::size_t k = 1; k + 1 < places_.size(); ++k) {
@@ -153,6 +195,7 @@ class RunFit {
 
   const Stroke& stroke_;
   int first_;
+  std::size_t met_ = 0;  // the place that is to be met, or 0
   std::vector<Point> places_;
   std::vector<double> t_;
   double length_ = 0.0;
@@ -218,12 +261,17 @@ std::vector<bool> fixed_joints(const Stroke& stroke, int first, int last,
 
 /// The longest run from `first` that one cubic can stand for, up to `end`.
 std::optional<std::pair<RunFit, int>> longest(const Stroke& stroke, int first, int end,
-                                              double tolerance_mm) {
+                                              double tolerance_mm, int through) {
   std::optional<std::pair<RunFit, int>> best;
+  int failures = 0;
   for (int last = first + 2; last <= std::min(end, first + kMaxRun); ++last) {
-    RunFit fit(stroke, first, last);
-    if (!fit.fit(tolerance_mm)) break;
-    best.emplace(std::move(fit), last);
+    RunFit fit(stroke, first, last, through);
+    if (fit.fit(tolerance_mm)) {
+      best.emplace(std::move(fit), last);
+      failures = 0;
+    } else if (++failures > kFailures) {
+      break;
+    }
   }
   return best;
 }
@@ -231,7 +279,7 @@ std::optional<std::pair<RunFit, int>> longest(const Stroke& stroke, int first, i
 }  // namespace
 
 Result<Stroke> with_fewer_segments(const Stroke& stroke, int first, int last, double tolerance_mm,
-                                   std::span<const int> keep) {
+                                   std::span<const int> keep, int through) {
   const int n = stroke.segment_count();
   if (first < 0 || first > n || last < 0 || last > n || (last <= first && !stroke.closed())) {
     return fail(ErrorCode::kInvalidArgument,
@@ -245,7 +293,7 @@ Result<Stroke> with_fewer_segments(const Stroke& stroke, int first, int last, do
   for (int i = 0; i < n;) {
     int end = i + 1;
     while (!fixed[static_cast<std::size_t>(end)]) ++end;
-    const auto run = longest(stroke, i, end, tolerance_mm);
+    const auto run = longest(stroke, i, end, tolerance_mm, through);
     if (run) {
       result.merge(run->first, run->second);
       i = run->second;

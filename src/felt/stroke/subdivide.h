@@ -23,8 +23,9 @@ Result<Stroke> subdivided(const Stroke& stroke, std::span<const double> us,
 /// = last): runs of segments between corners are fitted anew by one cubic each, with the tangents
 /// at their outer joints kept, so that both G1 and what lies outside stay as they are. Every point
 /// of the old curve is within `tolerance_mm` of the new one, and the other way round. `keep`:
-/// numbers of joints that must stay joints, in place.
+/// numbers of joints that must stay joints, in place. `through`: the number of a joint whose place
+/// stays on the curve, to 1e-10 mm, whether it stays a joint or not.
 Result<Stroke> with_fewer_segments(const Stroke& stroke, int first, int last, double tolerance_mm,
-                                   std::span<const int> keep = {});
+                                   std::span<const int> keep = {}, int through = -1);
 
 }  // namespace felt

@@ -21,11 +21,13 @@ constexpr double kStandingHandleMm = 1e-3;
 /// is so long drawn that the same share of it is not seen.
 constexpr double kExactRadii = 2.0;
 /// Places at which the release may put joints, for each segment.
-constexpr int kFiner = 2;
+constexpr int kFiner[] = {1, 2, 4};
 /// The displacement is followed to this part of the tolerance; the release takes the rest.
 constexpr double kPullShare = 0.4;
 /// Halvings of a piece at most.
 constexpr int kMostRounds = 5;
+/// Ink that is pushed together to less than I5 allows gets handles of this length at least.
+constexpr double kSliverHandleMm = 0.03;
 /// Squared sine of the angle up to which two handles are left as they are: 6e-9 degrees.
 constexpr double kStraight = 1e-20;
 
@@ -223,6 +225,12 @@ void BrushPull::keep_smooth(StrokeData& data, int joint) const {
   after = at + std::max(std::sqrt(out2), kStandingHandleMm) * direction;
 }
 
+void BrushPull::keep_all_smooth(StrokeData& data) const {
+  for (int j = base_.closed ? 0 : 1; j < count(); ++j) {
+    if (weights_[3 * static_cast<std::size_t>(j)] != 0.0) keep_smooth(data, j);
+  }
+}
+
 /// Takes out what the cubic pieces leave at the grab where that is no joint.
 void BrushPull::follow_exactly(StrokeData& data, Point target) const {
   const std::size_t n = data.points.size() / 3;
@@ -245,11 +253,33 @@ void BrushPull::pull(StrokeData& data, Vec displacement) const {
   for (std::size_t k = 0; k < weights_.size(); ++k) {
     if (weights_[k] != 0.0) data.points[k] += weights_[k] * displacement;
   }
-  const int n = count();
-  for (int j = base_.closed ? 0 : 1; j < n; ++j) {
-    if (weights_[3 * static_cast<std::size_t>(j)] != 0.0) keep_smooth(data, j);
-  }
+  keep_all_smooth(data);
   follow_exactly(data, origin_ + displacement);
+  if (keep_lengths(data)) follow_exactly(data, origin_ + displacement);
+}
+
+/// Lengthens what is pushed together to less than I5 allows, by its handles: nothing moves by more
+/// than these. True when there was any.
+bool BrushPull::keep_lengths(StrokeData& data) const {
+  bool any = false;
+  const int n = count();
+  for (int i = 0; i < n; ++i) {
+    const auto k = 3 * static_cast<std::size_t>(i);
+    const auto moves = [](double weight) { return weight != 0.0; };
+    if (std::none_of(&weights_[k], &weights_[k] + 4, moves)) continue;
+    Point* p = &data.points[k];
+    const Cubic c{{p[0], p[1], p[2], p[3]}};
+    if (control_length(c) >= kMinSegmentMm) continue;
+    const auto handle = [&](Vec now, double t) {
+      const Vec way = now == Vec{} ? tangent(segment(i), t) : normalized(now);
+      return std::max(norm(now), kSliverHandleMm) * way;
+    };
+    p[1] = p[0] + handle(c.p[1] - c.p[0], 0.0);
+    p[2] = p[3] - handle(c.p[3] - c.p[2], 1.0);
+    any = true;
+  }
+  if (any) keep_all_smooth(data);
+  return any;
 }
 
 Result<Stroke> BrushPull::at(Vec displacement) const {
@@ -262,15 +292,18 @@ Result<Stroke> BrushPull::at(Vec displacement) const {
 Result<Stroke> BrushPull::finished(Vec displacement) const {
   Result<Stroke> pulled = at(displacement);
   if (!pulled || displacement == Vec{}) return pulled;
-  std::vector<int> keep{joints_.grab};
-  if (grab_t_ > 0.0 && grab_t_ < 1.0) keep = {grab_segment_, grab_segment_ + 1};
-  auto few = with_free_joints(*pulled, keep);
-  if (few && few->segment_count() < pulled->segment_count()) return few;
-  return with_fewer_segments(*pulled, joints_.first, joints_.last, tolerance_mm_, keep);
+  Stroke best = *std::move(pulled);
+  const Stroke whole = best;
+  for (const int finer : kFiner) {
+    const auto few = with_free_joints(whole, finer);
+    if (few && few->segment_count() < best.segment_count()) best = *few;
+  }
+  return best;
 }
 
-/// As with_fewer_segments, but joints may come to lie elsewhere.
-Result<Stroke> BrushPull::with_free_joints(const Stroke& pulled, std::vector<int> keep) const {
+/// With as few segments as the tolerance allows, whose joints lie at whole parts of the segments
+/// there are, `finer` to each.
+Result<Stroke> BrushPull::with_free_joints(const Stroke& pulled, int finer) const {
   const int n = pulled.segment_count();
   const int span = wrapped(joints_.last - joints_.first);
   std::vector<bool> is_cut(static_cast<std::size_t>(n), false);
@@ -278,12 +311,13 @@ Result<Stroke> BrushPull::with_free_joints(const Stroke& pulled, std::vector<int
     is_cut[static_cast<std::size_t>(wrapped(joints_.first + k))] = true;
   }
   // The grab within a segment: that one stays as it is.
-  if (keep.size() > 1) is_cut[static_cast<std::size_t>(grab_segment_)] = false;
+  const bool is_within = grab_t_ > 0.0 && grab_t_ < 1.0;
+  if (is_within) is_cut[static_cast<std::size_t>(grab_segment_)] = false;
   std::vector<double> us;
   for (int i = 0; i <= n; ++i) {
     us.push_back(i);
     if (i == n || !is_cut[static_cast<std::size_t>(i)]) continue;
-    for (int k = 1; k < kFiner; ++k) us.push_back(i + static_cast<double>(k) / kFiner);
+    for (int k = 1; k < finer; ++k) us.push_back(i + static_cast<double>(k) / finer);
   }
   std::vector<int> numbers;
   auto fine = subdivided(pulled, us, &numbers);
@@ -292,8 +326,10 @@ Result<Stroke> BrushPull::with_free_joints(const Stroke& pulled, std::vector<int
     const auto at = std::lower_bound(us.begin(), us.end(), static_cast<double>(joint));
     return numbers[static_cast<std::size_t>(at - us.begin())];
   };
-  for (int& joint : keep) joint = now(joint);
-  return with_fewer_segments(*fine, now(joints_.first), now(joints_.last), tolerance_mm_, keep);
+  std::vector<int> keep;
+  if (is_within) keep = {now(grab_segment_), now(grab_segment_ + 1)};
+  return with_fewer_segments(*fine, now(joints_.first), now(joints_.last), tolerance_mm_, keep,
+                             is_within ? -1 : now(joints_.grab));
 }
 
 }  // namespace felt

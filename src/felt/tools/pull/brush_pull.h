@@ -31,11 +31,12 @@ class BrushPull {
   /// u0 is clamped to the stroke. Linear in the segments of the stroke.
   BrushPull(StrokePtr snapshot, double u0, const BrushOptions& options = {});
 
-  /// The stroke with the grab displaced by that much, mm; the very snapshot at 0. Error: not
-  /// finite, or the shape would break an invariant (ink pushed together to nothing, I5).
+  /// The stroke with the grab displaced by that much, mm; the very snapshot at 0. Ink that is pushed
+  /// together to less than I5 allows keeps handles of a hundredth of a millimetre or three. Error:
+  /// not finite.
   [[nodiscard]] Result<Stroke> at(Vec displacement) const;
-  /// The same with as few segments as the tolerance allows: what is committed. The grab is a joint
-  /// still, and stays in place exactly.
+  /// The same with as few segments as the tolerance allows: what is committed. The curve goes
+  /// through the pen still, exactly, whether there is a joint or not.
   [[nodiscard]] Result<Stroke> finished(Vec displacement) const;
 
   /// The place that was taken hold of, in the snapshot.
@@ -68,9 +69,11 @@ class BrushPull {
   void stand_up();
   void weigh(bool is_whole);
   void find_grab();
-  [[nodiscard]] Result<Stroke> with_free_joints(const Stroke& pulled, std::vector<int> keep) const;
+  [[nodiscard]] Result<Stroke> with_free_joints(const Stroke& pulled, int finer) const;
   void pull(StrokeData& data, Vec displacement) const;
   void keep_smooth(StrokeData& data, int joint) const;
+  void keep_all_smooth(StrokeData& data) const;
+  bool keep_lengths(StrokeData& data) const;
   void follow_exactly(StrokeData& data, Point target) const;
   [[nodiscard]] int count() const noexcept { return static_cast<int>(base_.points.size() / 3); }
   [[nodiscard]] int wrapped(int i) const noexcept { return (i % count() + count()) % count(); }

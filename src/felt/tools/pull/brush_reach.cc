@@ -68,10 +68,11 @@ struct Hold {
   double pin_mm = kFar;
 };
 
-Hold hold(const std::vector<double>& pins) {
+Hold hold(const std::vector<double>& pins, double radius_mm) {
   Hold result;
+  const double near = std::min(kPinGrabMm, 0.5 * radius_mm);
   for (const double way : pins) {
-    const bool is_held = way <= kPinGrabMm || way < result.held_mm + kNoRoomMm;
+    const bool is_held = way <= near || way < result.held_mm + kNoRoomMm;
     if (!is_held) {
       result.pin_mm = way;
       break;
@@ -85,7 +86,8 @@ BrushSide side_of(const Side& side, const Hold& hold, double most_mm, const Brus
   BrushSide result{.held_mm = hold.held_mm};
   const double end = side.way_to_end() - hold.held_mm;
   if (end <= 0.0) return result;
-  const double free = std::min(options.radius_mm, most_mm);
+  // The radius counts from the grab, so that nothing moves beyond it.
+  const double free = std::min(std::max(options.radius_mm - hold.held_mm, kNoRoomMm), most_mm);
   const double pin = hold.pin_mm - hold.held_mm;
   if (pin <= free) {
     result.way_mm = result.radius_mm = pin;
@@ -110,8 +112,8 @@ BrushReach brush_reach(const Stroke& stroke, const ArcMap& map, double u0,
   const Side before(stroke, map, reach.grab_mm, -1.0), after(stroke, map, reach.grab_mm, 1.0);
   Hold first, last;
   if (!options.free_ends) {
-    first = hold(before.pins());
-    last = hold(after.pins());
+    first = hold(before.pins(), options.radius_mm);
+    last = hold(after.pins(), options.radius_mm);
   }
   double most = kFar;
   if (stroke.closed()) {
