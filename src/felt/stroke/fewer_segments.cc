@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "felt/stroke/profile_builder.h"
@@ -17,8 +18,8 @@ using Match = ProfileBuilder::Match;
 /// Widths along a run that became one segment stay as close as this.
 constexpr double kWidthToleranceMm = 0.005;
 /// Longest run, in segments, and places looked at on each segment of it.
-constexpr int kMaxRun = 24;
-constexpr int kPlaces = 8;
+constexpr int kMaxRun = 96;
+constexpr int kPlaces = 4;
 /// Least-squares rounds of a fit.
 constexpr int kRounds = 16;
 /// After so many a curve that is this many tolerances away will not come near enough.
@@ -34,8 +35,9 @@ constexpr double kMeetMm = 1e-11;
 /// Steps that may take, of the handles and of the place on the curve.
 constexpr int kMeetRounds = 8;
 constexpr int kFootRounds = 4;
-/// Runs are tried longer after so many that did not fit.
-constexpr int kFailures = 2;
+/// Runs are tried by this part longer each time, until so many in a row did not fit.
+constexpr int kGrowth = 3;
+constexpr int kFailures = 3;
 
 /// One cubic in place of a run of segments: its ends and the directions there are given, the
 /// lengths of its two handles are fitted to places on the run.
@@ -259,19 +261,33 @@ std::vector<bool> fixed_joints(const Stroke& stroke, int first, int last,
   return fixed;
 }
 
-/// The longest run from `first` that one cubic can stand for, up to `end`.
+/// A long run from `first` that one cubic can stand for, up to `end`: it grows until it no longer
+/// fits, then the limit is searched by halves.
 std::optional<std::pair<RunFit, int>> longest(const Stroke& stroke, int first, int end,
                                               double tolerance_mm, int through) {
   std::optional<std::pair<RunFit, int>> best;
-  int failures = 0;
-  for (int last = first + 2; last <= std::min(end, first + kMaxRun); ++last) {
+  const auto fits = [&](int last) {
     RunFit fit(stroke, first, last, through);
-    if (fit.fit(tolerance_mm)) {
-      best.emplace(std::move(fit), last);
+    if (!fit.fit(tolerance_mm)) return false;
+    best.emplace(std::move(fit), last);
+    return true;
+  };
+  const int most = std::min(end, first + kMaxRun);
+  int good = first + 1, bad = most + 1, failures = 0;
+  for (int length = 2; good < most && failures < kFailures; length += 1 + length / kGrowth) {
+    const int last = std::min(first + length, most);
+    if (fits(last)) {
+      good = last;
+      bad = most + 1;
       failures = 0;
-    } else if (++failures > kFailures) {
-      break;
+    } else {
+      if (failures++ == 0) bad = last;
+      if (last == most) break;
     }
+  }
+  while (bad - good > 1) {
+    const int last = good + (bad - good) / 2;
+    (fits(last) ? good : bad) = last;
   }
   return best;
 }

@@ -20,10 +20,10 @@ constexpr double kStandingHandleMm = 1e-3;
 /// Displacements up to this many radii follow the influence within the tolerance; beyond, the ink
 /// is so long drawn that the same share of it is not seen.
 constexpr double kExactRadii = 2.0;
-/// Places at which the release may put joints, for each segment.
-constexpr int kFiner[] = {1, 2, 4};
-/// The displacement is followed to this part of the tolerance; the release takes the rest.
-constexpr double kPullShare = 0.4;
+/// The release may put joints at these parts of the segments; the best of them is taken.
+constexpr int kFiner[] = {3, 4, 5, 6};
+/// The displacement is followed to this part of the tolerance.
+constexpr double kPullShare = 0.2;
 /// Halvings of a piece at most.
 constexpr int kMostRounds = 5;
 /// Ink that is pushed together to less than I5 allows gets handles of this length at least.

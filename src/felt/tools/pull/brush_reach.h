@@ -10,7 +10,9 @@ struct BrushOptions {
   double radius_mm = 20.0;  ///< reach of the influence along the ink, to each side
   /// Ends and corners go along as all other ink does, instead of staying where they are.
   bool free_ends = false;
-  double tolerance_mm = 0.05;  ///< how closely the result follows the exact displacement
+  /// How far the ink may move at the lift, beside the pen, so that it needs few segments; while it
+  /// is pulled it follows the exact displacement to a fifth of that.
+  double tolerance_mm = 0.1;
 };
 
 /// An end or a corner this near to the grab, along the ink, is itself taken hold of.
