@@ -114,6 +114,8 @@ void Episode::see_edit(const Edit& edit) {
 template <class What>
 void Episode::apply(const What& what) {
   if (broken_) return;
+  // What might have been a bounce is a lift for whatever ends what the tool holds back.
+  if (pen_is_up_) contact_ = {};
   Event event;
   event.time_ns = now_ns_;
   event.what.emplace<What>(what);
@@ -136,6 +138,7 @@ void Episode::take(const PenSample& sample) {
   ++samples_in_gesture_;
   const Vec3& at = sample.position;
   const bool is_place = std::abs(at.x) <= 1e9 && std::abs(at.y) <= 1e9 && std::abs(at.z) <= 1e9;
+  pen_is_up_ = is_place ? !in_contact(sample) : pen_is_up_;
   if (is_place && contact_.update(sample) == Contact::Change::kTouched) ++touches_;
   const Result<void> done = session_.sample(sample);
   if (!done) return break_rule("a sample is refused: " + done.error().message);

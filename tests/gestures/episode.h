@@ -83,6 +83,7 @@ class Episode {
   std::string where_;
   std::int64_t now_ns_ = 0;
   Contact contact_;
+  bool pen_is_up_ = true;
   std::uint64_t touches_ = 0, commits_ = 0;
   std::size_t samples_in_gesture_ = 0;
   VelocityFilter velocity_;

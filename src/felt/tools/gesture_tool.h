@@ -38,7 +38,8 @@ class GestureTool : public Tool {
   virtual ToolResult begin(const PenSample& sample, const Scene& scene) = 0;
   /// Each further one. Without a preview the last one stays.
   virtual ToolResult move(const PenSample& sample, const Scene& scene) = 0;
-  /// The pen was lifted: commit, or nothing.
+  /// The pen was lifted: commit, or nothing. Strokes that the commit leaves as they were are left
+  /// out of it.
   virtual ToolResult end(const Scene& scene) = 0;
   /// The gesture never was.
   virtual void drop() = 0;

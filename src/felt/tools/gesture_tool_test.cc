@@ -4,8 +4,11 @@
 
 #include <cmath>
 #include <limits>
+#include <memory>
 #include <string>
+#include <utility>
 
+#include "felt/document/edit_builder.h"
 #include "felt/tools/desk.h"
 
 namespace felt {
@@ -85,6 +88,42 @@ TEST(GestureTool, FinishEndsAsIfLiftedAndThenWaits) {
   t.tool.finish(t.desk.scene());
   t.pen.down({2, 0});
   EXPECT_EQ(t.tool.said, "bme");
+}
+
+/// Commits that a stroke becomes this one; null: as it was, by value.
+class Replaces final : public GestureTool {
+ public:
+  explicit Replaces(StrokePtr after) : GestureTool(kInfo), after_(std::move(after)) {}
+  [[nodiscard]] ForceModel force(const Scene&) const override { return {}; }
+  void draw(Overlay&) const override {}
+
+ protected:
+  ToolResult hover(const PenSample&, const Scene&) override { return {}; }
+  ToolResult begin(const PenSample&, const Scene&) override { return {}; }
+  ToolResult move(const PenSample&, const Scene&) override { return {}; }
+  ToolResult end(const Scene& scene) override {
+    const StrokeId id = scene.document.layers().front().strokes.front();
+    EditBuilder edit(scene.document);
+    edit.replace(id, after_ ? after_ : std::make_shared<const Stroke>(*scene.document.find(id)));
+    return {.commit = std::move(edit).build("Replace")};
+  }
+  void drop() override {}
+  void take_options(const OptionValues&) override {}
+
+ private:
+  StrokePtr after_;
+};
+
+TEST(GestureTool, StrokesThatCameOutAsTheyWereAreNoChange) {
+  const auto line = [](double x) { return testing::straight_stroke({0, 0}, {x, 0}, 1, 1); };
+  for (const bool same : {true, false}) {
+    testing::Desk desk;
+    desk.add(line(10.0));
+    Replaces tool(same ? nullptr : std::make_shared<const Stroke>(line(20.0)));
+    testing::Pen pen(tool, desk);
+    pen.line({{0, 0}, {1, 0}});
+    EXPECT_EQ(pen.commits, same ? 0 : 1);
+  }
 }
 
 TEST(GestureTool, OptionsWaitForTheEndOfTheGesture) {

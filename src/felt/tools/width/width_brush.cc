@@ -48,6 +48,8 @@ void WidthBrush::add(double u, double length_mm, double amount_mm) {
   const double u0 = places_.u(cell), u1 = places_.u(cell + 1);
   const double tw = std::clamp((u - u0) / (u1 - u0), 0.0, 1.0);
   const double own = (1.0 - tw) * share(cell) + tw * share(cell + 1);
+  // On a line of a hundred kilometres the places are farther apart than the reach.
+  if (!(own > 0.0)) return;
   for (long k = first; k <= last; ++k) {
     const double change = amount_mm * share(k) / own;
     if (change == 0.0) continue;

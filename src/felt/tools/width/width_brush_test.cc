@@ -56,6 +56,18 @@ TEST(WidthBrush, R46_WidthAtUChangesByExactlyTheAmountAndNothingBeyondTheReach) 
   EXPECT_GT(changed, 390);
 }
 
+TEST(WidthBrush, ALineTooLongForItsPlacesHasAWidthAllTheSame) {
+  // 500 km: ten million places are farther apart than the reach.
+  const Stroke stroke = straight_stroke({0, 0}, {5e8, 0}, 1, 1);
+  const ArcMap map(stroke);
+  WidthBrush brush(stroke, map, 10.0, 6.0);
+  const double u = 0.3000001;
+  for (const double at : {u, u + 2e-8, u + 5e-8}) {
+    brush.add(at, map.length_at(at), 1.0);
+    EXPECT_TRUE(std::isfinite(brush.width_mm(at, map.length_at(at))));
+  }
+}
+
 TEST(WidthBrush, R46_KnotsBeyondTheReachStayBitForBit) {
   StrokeData data = straight_stroke({0, 0}, {100, 0}, 1, 1).data();
   data.widths.clear();

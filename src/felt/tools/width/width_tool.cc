@@ -17,6 +17,7 @@ constexpr ToolInfo kInfo{.id = "width",
 constexpr std::string_view kLabel = "Width";
 /// The brush works at most this far apart along the line between two samples.
 constexpr double kBrushStepMm = 1.0;
+constexpr double kMostBrushSteps = 200.0;  // no hand goes that far in a sample
 /// Stops come and go with this time constant, so that the hand feels no edge.
 constexpr double kStopSeconds = 0.030;
 /// Lines marked at most while several are scaled.
@@ -168,7 +169,8 @@ void WidthTool::brush(double seconds, double rate) {
     brush_->add(here.u, here.length_mm, amount);
     return;
   }
-  const int steps = std::max(1, static_cast<int>(std::ceil(std::fabs(way) / kBrushStepMm)));
+  const int steps =
+      static_cast<int>(std::clamp(std::ceil(std::fabs(way) / kBrushStepMm), 1.0, kMostBrushSteps));
   for (int i = 0; i < steps; ++i) {
     double length = here.length_mm - way * (1.0 - (i + 0.5) / steps);
     const double whole = hold_.map().length_mm();
