@@ -39,8 +39,8 @@ changes() { # ACT WHAT: what --stats says of it
   has out "$2"
   has out '"hard_faults":0,'
 }
-changes 2-pull '"edits":2,'
-changes 3-smooth '"edits":2,'
+changes 2-pull '"edits":3,'
+changes 3-smooth '"edits":3,'
 changes 4-width '"edits":1,'
 changes 5-eraser '"edits":2,'
 changes 6-lasso '"edits":0,'
