@@ -214,6 +214,28 @@ TEST(WithFewerSegments, KeepsCornersAndJointsThatAreNamed) {
   }
 }
 
+TEST(WithFewerSegments, GoesThroughThePlaceThatIsNamed) {
+  int inside = 0, segments_kept = 0, segments_through = 0;
+  for (std::uint64_t seed = 0; seed < 200; ++seed) {
+    SCOPED_TRACE(seed);
+    const Stroke fine = quarters(seed);
+    const int m = fine.segment_count(), last = fine.closed() ? 0 : m;
+    for (int j = 1; j < m; j += 3) {
+      const auto few = with_fewer_segments(fine, 0, last, 0.2, {}, j);
+      const auto kept = with_fewer_segments(fine, 0, last, 0.2, std::array{j});
+      ASSERT_TRUE(few);
+      ASSERT_TRUE(kept);
+      EXPECT_LE(distance_to(*few, fine.position(j)), 1e-10);
+      const auto& points = few->data().points;
+      inside += std::find(points.begin(), points.end(), fine.position(j)) == points.end() ? 1 : 0;
+      segments_kept += kept->segment_count();
+      segments_through += few->segment_count();
+    }
+  }
+  EXPECT_GT(inside, 200);
+  EXPECT_LT(segments_through, segments_kept);
+}
+
 TEST(WithFewerSegments, LeavesWhatIsOutsideBitForBit) {
   for (std::uint64_t seed = 0; seed < 300; ++seed) {
     SCOPED_TRACE(seed);

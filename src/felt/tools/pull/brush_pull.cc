@@ -28,6 +28,8 @@ constexpr double kPullShare = 0.2;
 constexpr int kMostRounds = 5;
 /// Ink that is pushed together to less than I5 allows gets handles of this length at least.
 constexpr double kSliverHandleMm = 0.03;
+/// What that moves the grab by is taken out again, and may push together the next one.
+constexpr int kMendRounds = 4;
 /// Squared sine of the angle up to which two handles are left as they are: 6e-9 degrees.
 constexpr double kStraight = 1e-20;
 
@@ -255,7 +257,9 @@ void BrushPull::pull(StrokeData& data, Vec displacement) const {
   }
   keep_all_smooth(data);
   follow_exactly(data, origin_ + displacement);
-  if (keep_lengths(data)) follow_exactly(data, origin_ + displacement);
+  for (int round = 0; round < kMendRounds && keep_lengths(data); ++round) {
+    follow_exactly(data, origin_ + displacement);
+  }
 }
 
 /// Lengthens what is pushed together to less than I5 allows, by its handles: nothing moves by more
@@ -265,11 +269,9 @@ bool BrushPull::keep_lengths(StrokeData& data) const {
   const int n = count();
   for (int i = 0; i < n; ++i) {
     const auto k = 3 * static_cast<std::size_t>(i);
-    const auto moves = [](double weight) { return weight != 0.0; };
-    if (std::none_of(&weights_[k], &weights_[k] + 4, moves)) continue;
     Point* p = &data.points[k];
     const Cubic c{{p[0], p[1], p[2], p[3]}};
-    if (control_length(c) >= kMinSegmentMm) continue;
+    if (control_length(c) >= kMinSegmentMm || c == segment(i)) continue;
     const auto handle = [&](Vec now, double t) {
       const Vec way = now == Vec{} ? tangent(segment(i), t) : normalized(now);
       return std::max(norm(now), kSliverHandleMm) * way;

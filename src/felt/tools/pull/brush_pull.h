@@ -31,9 +31,9 @@ class BrushPull {
   /// u0 is clamped to the stroke. Linear in the segments of the stroke.
   BrushPull(StrokePtr snapshot, double u0, const BrushOptions& options = {});
 
-  /// The stroke with the grab displaced by that much, mm; the very snapshot at 0. Ink that is pushed
-  /// together to less than I5 allows keeps handles of a hundredth of a millimetre or three. Error:
-  /// not finite.
+  /// The stroke with the grab displaced by that much, mm; the very snapshot at 0. Ink that is
+  /// pushed together to less than I5 allows keeps handles of a hundredth of a millimetre or three.
+  /// Error: not finite.
   [[nodiscard]] Result<Stroke> at(Vec displacement) const;
   /// The same with as few segments as the tolerance allows: what is committed. The curve goes
   /// through the pen still, exactly, whether there is a joint or not.

@@ -32,11 +32,11 @@ struct BrushSide {
 ///
 /// Pins are ends and corners. Towards a pin the radius is at most the way to it, so that it stays
 /// with its tangents, since w and w' are 0 there. A pin within kPinGrabMm of the grab is held
-/// instead, together with the ink up to it: it moves exactly with the pen, and so does the grab. The
-/// radius counts from the grab all the same (where it is less than 4 mm, pins within half of it are
-/// held): ink farther than the radius from the grab, along the ink, never moves.
-/// On a closed stroke both sides share the length. A side that nothing but the radius limits ends
-/// at a joint if there is one in its last fifth, so that no joint has to be made.
+/// instead, together with the ink up to it: it moves exactly with the pen, and so does the grab.
+/// The radius counts from the grab all the same (where it is less than 4 mm, pins within half of it
+/// are held): ink farther than the radius from the grab, along the ink, never moves. On a closed
+/// stroke both sides share the length. A side that nothing but the radius limits ends at a joint if
+/// there is one in its last fifth, so that no joint has to be made.
 struct BrushReach {
   double grab_mm = 0.0;  ///< arc length from the start of the stroke
   BrushSide before, after;
