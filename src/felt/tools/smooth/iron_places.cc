@@ -11,6 +11,22 @@ namespace {
 /// Directions are taken over chords of so many places to both sides, 2 mm.
 constexpr int kChord = 4;
 
+/// Means over `half` points to both sides, fewer near the ends, which stay.
+std::vector<Point> mean_of(const std::vector<Point>& points, std::size_t half) {
+  const Point origin = points.front();
+  std::vector<Vec> sums{Vec{}};  // of the points before each
+  sums.reserve(points.size() + 1);
+  for (const Point p : points) sums.push_back(sums.back() + (p - origin));
+  std::vector<Point> means;
+  means.reserve(points.size());
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    const std::size_t h = std::min({half, k, points.size() - 1 - k});
+    const double count = static_cast<double>(2 * h + 1);
+    means.push_back(origin + (sums[k + h + 1] - sums[k - h]) / count);
+  }
+  return means;
+}
+
 }  // namespace
 
 IronPlaces::IronPlaces(const Stroke& stroke, const ArcMap& map, bool keep_corners)
@@ -18,13 +34,13 @@ IronPlaces::IronPlaces(const Stroke& stroke, const ArcMap& map, bool keep_corner
   const int n = stroke.segment_count();
   lengths_.push_back(0.0);
   fixed_.push_back(!closed() || (keep_corners && is_corner_at(n)));
-  double from = 0.0;
+  int from = 0;
   for (int joint = 1; joint < n; ++joint) {
     if (!keep_corners || !is_corner_at(joint)) continue;
-    add_span(from, map.start_of(joint));
-    from = map.start_of(joint);
+    add_span(from, joint);
+    from = joint;
   }
-  add_span(from, map.length_mm());
+  add_span(from, n);
   fixed_.back() = fixed_.front();
   const double unknown = std::numeric_limits<double>::quiet_NaN();
   us_.assign(lengths_.size(), unknown);
@@ -36,20 +52,80 @@ IronPlaces::IronPlaces(const Stroke& stroke, const ArcMap& map, bool keep_corner
   points_.back() = stroke.data().points.back();
 }
 
-/// Places after `from` up to `to`, which is fixed.
-void IronPlaces::add_span(double from_mm, double to_mm) {
-  const double cells = std::min((to_mm - from_mm) / kSpacingMm, 1e7);
-  const int count = std::max(1, static_cast<int>(std::lround(cells)));
-  for (int i = 1; i <= count; ++i) {
-    lengths_.push_back(i == count ? to_mm : from_mm + (to_mm - from_mm) * i / count);
-    fixed_.push_back(i == count);
+/// The span sampled about every kSpacingMm of its ink.
+std::vector<IronPlaces::Step> IronPlaces::steps_between(int from_joint, int to_joint) const {
+  std::vector<Step> steps{{map_.start_of(from_joint), 0.0}};
+  std::vector<Point> points{stroke_.segment(from_joint).p[0]};
+  for (int i = from_joint; i < to_joint; ++i) {
+    const double start = map_.start_of(i), length = map_.start_of(i + 1) - start;
+    const int n = 1 + static_cast<int>(std::min(length / kSpacingMm, 1e6));
+    const Cubic c = stroke_.segment(i);
+    const std::size_t first = steps.size();
+    double chords = 0.0;
+    for (int j = 1; j <= n; ++j) {
+      points.push_back(j == n ? c.p[3] : evaluate(c, static_cast<double>(j) / n));
+      chords += distance(points[points.size() - 2], points.back());
+      steps.push_back({chords, 0.0});
+    }
+    for (std::size_t j = first; j < steps.size(); ++j) {
+      const double share = chords > 0.0 ? steps[j].length_mm / chords : 1.0;
+      steps[j].length_mm = start + share * length;
+    }
   }
+  // Once more what one mean takes away from a bend is given back: 2M - MM.
+  constexpr auto kHalf = static_cast<std::size_t>(0.5 * kGuideMm / kSpacingMm);
+  // A seam that is no corner lies amidst the ink: both its sides are put before and behind.
+  const std::size_t size = points.size(), most = 2 * kHalf;
+  const bool goes_round = !fixed_.front() && from_joint == 0 && to_joint == stroke_.segment_count();
+  const std::size_t pad = goes_round ? std::min(most, size - 1) : 0;
+  const std::vector<Point> ring = points;
+  points.insert(points.begin(), ring.end() - 1 - static_cast<std::ptrdiff_t>(pad), ring.end() - 1);
+  points.insert(points.end(), ring.begin() + 1,
+                ring.begin() + 1 + static_cast<std::ptrdiff_t>(pad));
+  const std::vector<Point> once = mean_of(points, kHalf), twice = mean_of(once, kHalf);
+  const auto guide = [&](std::size_t k) {
+    return once[pad + k] + (once[pad + k] - twice[pad + k]);
+  };
+  for (std::size_t k = 1; k < steps.size(); ++k) {
+    const double ink = steps[k].length_mm - steps[k - 1].length_mm;
+    const double way = distance(guide(k - 1), guide(k));
+    steps[k].way_mm = steps[k - 1].way_mm + std::clamp(way, ink / kMostInflation, ink);
+  }
+  return steps;
+}
+
+/// Places after one joint up to another, which is fixed.
+void IronPlaces::add_span(int from_joint, int to_joint) {
+  const std::vector<Step> steps = steps_between(from_joint, to_joint);
+  const double whole = steps.back().way_mm;
+  const int count = std::max(1, static_cast<int>(std::lround(std::min(whole / kSpacingMm, 1e7))));
+  std::size_t next = 1;
+  for (int i = 1; i < count; ++i) {
+    const double way = whole * i / count;
+    while (next + 1 < steps.size() && steps[next].way_mm < way) ++next;
+    const Step &a = steps[next - 1], &b = steps[next];
+    const double t = b.way_mm > a.way_mm ? (way - a.way_mm) / (b.way_mm - a.way_mm) : 1.0;
+    lengths_.push_back(a.length_mm + std::clamp(t, 0.0, 1.0) * (b.length_mm - a.length_mm));
+    fixed_.push_back(false);
+  }
+  lengths_.push_back(map_.start_of(to_joint));
+  fixed_.push_back(true);
+}
+
+double IronPlaces::inflation(int k) const noexcept {
+  const int a = std::max(k - 1, 0), b = std::min(k + 1, count());
+  const double ink = length_at(b) - length_at(a);
+  return std::clamp(ink / ((b - a) * kSpacingMm), 1.0, kMostInflation);
 }
 
 bool IronPlaces::is_corner_at(int joint) const {
   if (stroke_.joint(joint) != JointKind::kCorner) return false;
+  return turns_at(joint, kCornerArmMm) && turns_at(joint, kLongArmMm);
+}
+
+bool IronPlaces::turns_at(int joint, double arm_mm) const {
   const double at = map_.start_of(joint), whole = map_.length_mm();
-  const double arm = std::min(kCornerArmMm, 0.25 * whole);
+  const double arm = std::min(arm_mm, 0.25 * whole);
   // From the mean of the near half of an arm to that of its far half: a single spike has no say.
   const auto direction = [&](double side) {
     constexpr int kHalf = 6;
@@ -130,7 +206,7 @@ double IronPlaces::mean_curvature(int k, double window_mm) const {
       const int at = wrapped(from);
       if (is_fixed(side < 0 ? wrapped(from + 1) : at) && i > 0) break;
       sum += turn(at);
-      length += length_at(at + 1) - length_at(at);
+      length += kSpacingMm;
     }
   }
   return length > 0.0 ? std::fabs(sum) / length : 0.0;

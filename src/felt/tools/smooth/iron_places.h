@@ -7,16 +7,25 @@
 
 namespace felt {
 
-/// Places about 0.25 mm apart along a stroke, evenly between the corners that are kept, numbered 0
-/// to count(). On a closed stroke place count() is place 0, the seam. Points are worked out when
-/// they are first asked for.
+/// Places about 0.25 mm apart along the way of a stroke, evenly between the corners that are kept,
+/// numbered 0 to count(). On a closed stroke place count() is place 0, the seam. Points are worked
+/// out when they are first asked for.
+///
+/// The way is what is left of the ink when jitter is averaged out: ink that jitters is up to twice
+/// as long as its way, and would be ironed half as much were its own arc the measure. Where ink is
+/// smooth both are the same.
 class IronPlaces {
  public:
   static constexpr double kSpacingMm = 0.25;
-  /// A corner is kept when the ink turns by more than this between arms of this length along it:
-  /// at what tremor makes it does not.
+  /// A corner is kept when the ink turns by more than this between arms of this length along it,
+  /// the shorter ones and the longer ones: at what tremor makes it does not.
   static constexpr double kCornerDeg = 30.0;
   static constexpr double kCornerArmMm = 3.0;
+  static constexpr double kLongArmMm = 4.5;
+  /// Averaged over so much of the ink for the way.
+  static constexpr double kGuideMm = 3.0;
+  /// The ink is taken to be at most so many times as long as its way: small loops are no jitter.
+  static constexpr double kMostInflation = 2.5;
 
   /// Both must outlive this. Without `keep_corners` no corner is kept.
   IronPlaces(const Stroke& stroke, const ArcMap& map, bool keep_corners);
@@ -26,6 +35,8 @@ class IronPlaces {
   [[nodiscard]] double length_at(int k) const noexcept {
     return lengths_[static_cast<std::size_t>(k)];
   }
+  /// Ink per way around a place, 1 where it is smooth, to kMostInflation.
+  [[nodiscard]] double inflation(int k) const noexcept;
   /// The place nearest to a length on the stroke.
   [[nodiscard]] int nearest(double length_mm) const noexcept;
   /// Number within 0..count()-1 of a place of a closed stroke beyond its ends; of an open one, the
@@ -42,8 +53,14 @@ class IronPlaces {
   [[nodiscard]] double mean_curvature(int k, double window_mm) const;
 
  private:
-  void add_span(double from_mm, double to_mm);
+  /// A place on the ink by its length, and the way up to there from the start of its span.
+  struct Step {
+    double length_mm, way_mm;
+  };
+  [[nodiscard]] std::vector<Step> steps_between(int from_joint, int to_joint) const;
+  void add_span(int from_joint, int to_joint);
   [[nodiscard]] bool is_corner_at(int joint) const;
+  [[nodiscard]] bool turns_at(int joint, double arm_mm) const;
   [[nodiscard]] double turn(int k) const;
 
   const Stroke& stroke_;

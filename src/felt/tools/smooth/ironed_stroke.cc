@@ -1,6 +1,7 @@
 #include "felt/tools/smooth/ironed_stroke.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -28,11 +29,13 @@ Cubic part_of(const Cubic& c, double t0, double t1) {
 }  // namespace
 
 IronedStroke::IronedStroke(const Stroke& stroke, const ArcMap& map, const IronPlaces& places,
-                           PointAt point_at)
+                           const Ironed& ironed, IronedBlocks& blocks, Detail detail)
     : stroke_(stroke),
       map_(map),
       places_(places),
-      point_at_(std::move(point_at)),
+      ironed_(ironed),
+      blocks_(blocks),
+      detail_(detail),
       profile_(stroke.widths()) {
   data_.closed = stroke.closed();
   data_.material = stroke.material();
@@ -74,7 +77,8 @@ void IronedStroke::copy_up_to(double u) {
 Point IronedStroke::point(int k) const {
   if (k == now_.first && !now_.from.turns) return stroke_.position(now_.from.u);
   if (k == now_.last && !now_.to.turns) return stroke_.position(now_.to.u);
-  return point_at_(k);
+  const auto i = static_cast<std::size_t>(places_.wrapped(k));
+  return ironed_.doses[i] > 0.0 ? ironed_.points[i] : places_.point(k);
 }
 
 /// Direction of the points at place k: between its neighbours, or to one side of a corner or an
@@ -112,32 +116,62 @@ Vec IronedStroke::direction(int k, int side) const {
 }
 
 bool IronedStroke::try_segment(int from, int to, Vec start, Cubic& c) const {
+  std::array<Point, kLongest + 1> points;
+  std::array<double, kLongest + 1> ways{};
+  // More are only drawn together into one segment that need not follow them.
+  const bool follows = to - from <= kLongest;
   double length = 0.0;
-  for (int k = from; k < to; ++k) length += distance(point(k), point(k + 1));
-  const Point a = point(from), b = point(to);
-  c = {{a, a + (length / 3.0) * start, b - (length / 3.0) * direction(to, -1), b}};
-  double way = 0.0;
-  for (int k = from + 1; k < to; ++k) {
-    way += distance(point(k - 1), point(k));
-    const double t = way / length;
-    if (std::fabs(cross(tangent(c, t), point(k) - evaluate(c, t))) > kCurveMm) return false;
+  Point last = point(from);
+  points[0] = last;
+  for (int k = from + 1; k <= to; ++k) {
+    const Point p = point(k);
+    length += distance(last, p);
+    last = p;
+    if (!follows) continue;
+    points[static_cast<std::size_t>(k - from)] = p;
+    ways[static_cast<std::size_t>(k - from)] = length;
   }
-  return true;
+  c = {{points[0], points[0] + (length / 3.0) * start, last - (length / 3.0) * direction(to, -1),
+        last}};
+  for (std::size_t i = 1; follows && i < static_cast<std::size_t>(to - from); ++i) {
+    const double t = ways[i] / length;
+    if (std::fabs(cross(tangent(c, t), points[i] - evaluate(c, t))) > kCurveMm) return false;
+  }
+  return follows;
 }
 
 IronedStroke::Next IronedStroke::next_segment(int from, Vec start) const {
   Next next;
-  int limit = from + 1;
-  while (limit < now_.last && !places_.is_fixed(limit)) ++limit;
+  int limit = std::min(now_.last, from - from % kLongest + kLongest);
+  for (int k = from + 1; k < limit; ++k) {
+    if (places_.is_fixed(k)) limit = k;
+  }
   for (int step = kLongest; step >= 1; step /= 2) {
     next.end = std::min(from + step, limit);
     if (try_segment(from, next.end, start, next.curve)) break;
   }
   // Where ironing has drawn places together, one to the next is not enough for a segment (I5).
-  while (next.end < limit && control_length(next.curve) < kNearestCutMm) {
+  while (next.end < now_.last && !places_.is_fixed(next.end) &&
+         control_length(next.curve) < kNearestCutMm) {
     try_segment(from, ++next.end, start, next.curve);
   }
   return next;
+}
+
+/// Segments from a place up to the end of its block, or of the stretch, or a little farther.
+std::span<const IronedStroke::Next> IronedStroke::block(int from) {
+  const int end = std::min(now_.last, from - from % kLongest + kLongest);
+  // What an end of the stretch has a say in is not kept: the stretch grows.
+  const bool is_whole = from % kLongest == 0 && from > now_.first && end < now_.last;
+  IronedBlocks::Block& kept = blocks_.at(from);
+  if (is_whole && kept.is_good) return kept.segments;
+  std::vector<Next>& segments = is_whole ? kept.segments : border_;
+  segments.clear();
+  for (int k = from; k < end; k = segments.back().end) {
+    segments.push_back(next_segment(k, direction(k, 1)));
+  }
+  kept.is_good = is_whole && segments.back().end == end;
+  return segments;
 }
 
 JointKind IronedStroke::kind_at(int k) const {
@@ -152,20 +186,32 @@ IronedStroke::Joints IronedStroke::add(int first, int last, bool turns_seam) {
   now_.to.turns = last == places_.count() && turns_seam;
   copy_up_to(now_.from.u);
   const int first_joint = count();
-  std::vector<ProfileBuilder::Match> matches{{now_.from.u, static_cast<double>(first_joint)}};
+  matches_.assign(1, {now_.from.u, static_cast<double>(first_joint)});
   for (int k = first; k < last;) {
-    const Next next = next_segment(k, direction(k, 1));
-    for (int i = k + 1; i <= next.end; ++i) {
-      const double u = i == last ? now_.to.u : places_.u(i);
-      const double v = count() + static_cast<double>(i - k) / (next.end - k);
-      if (u > matches.back().u) matches.push_back({u, v});
+    for (const Next& next : block(k)) {
+      add_segment(k, next);
+      k = next.end;
     }
-    push(next.curve, kind_at(next.end));
-    k = next.end;
   }
-  profile_.follow(matches, kWidthToleranceMm);
+  if (detail_ == Detail::kExact) {
+    profile_.follow(matches_, kWidthToleranceMm);
+  } else {
+    for (std::size_t i = 1; i < matches_.size(); ++i) {
+      profile_.stretch(matches_[i - 1].u, matches_[i].u, matches_[i - 1].v, matches_[i].v);
+    }
+  }
   u_ = now_.to.u;
   return {first_joint, count()};
+}
+
+void IronedStroke::add_segment(int from, const Next& next) {
+  const int step = detail_ == Detail::kShown ? next.end - from : 1;
+  for (int i = from + step; i <= next.end; i += step) {
+    const double u = i == now_.last ? now_.to.u : places_.u(i);
+    const double v = count() + static_cast<double>(i - from) / (next.end - from);
+    if (u > matches_.back().u) matches_.push_back({u, v});
+  }
+  push(next.curve, kind_at(next.end));
 }
 
 Result<Stroke> IronedStroke::finish() && {

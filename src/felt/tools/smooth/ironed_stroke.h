@@ -1,6 +1,6 @@
 #pragma once
 
-#include <functional>
+#include <span>
 #include <vector>
 
 #include "felt/base/result.h"
@@ -8,6 +8,30 @@
 #include "felt/tools/smooth/iron_places.h"
 
 namespace felt {
+
+/// Segments that a stretch of kPlaces places, numbered from a whole multiple of that, was fitted
+/// with: kept from preview to preview as long as its points stay the same.
+class IronedBlocks {
+ public:
+  static constexpr int kPlaces = 8;
+  struct Segment {
+    Cubic curve;
+    int end = 0;  ///< its last place
+  };
+  struct Block {
+    std::vector<Segment> segments;
+    bool is_good = false;
+  };
+
+  explicit IronedBlocks(int places) : blocks_(static_cast<std::size_t>(places / kPlaces + 1)) {}
+
+  [[nodiscard]] Block& at(int place) { return blocks_[static_cast<std::size_t>(place / kPlaces)]; }
+  /// The point of a place has changed.
+  void forget(int place) { at(place).is_good = false; }
+
+ private:
+  std::vector<Block> blocks_;
+};
 
 /// Puts stretches of a stroke back together from the points they were ironed to. What lies between
 /// is the old stroke: whole segments bit for bit, those at the ends of a stretch cut there. All
@@ -17,15 +41,22 @@ class IronedStroke {
   /// How far the curve may pass beside the points, mm.
   static constexpr double kCurveMm = 0.01;
   /// Places from joint to joint at most.
-  static constexpr int kLongest = 8;
+  static constexpr int kLongest = IronedBlocks::kPlaces;
+  /// kShown: widths are right at joints only.
+  enum class Detail { kShown, kExact };
 
   /// Numbers of joints of the new stroke.
   struct Joints {
     int first, last;
   };
-  using PointAt = std::function<Point(int)>;
+  /// The points that the places were ironed to; those of places that were not are not used.
+  struct Ironed {
+    std::span<const double> doses;
+    std::span<const Point> points;
+  };
 
-  IronedStroke(const Stroke& stroke, const ArcMap& map, const IronPlaces& places, PointAt point_at);
+  IronedStroke(const Stroke& stroke, const ArcMap& map, const IronPlaces& places,
+               const Ironed& ironed, IronedBlocks& blocks, Detail detail);
 
   /// The stretch between two places, in order along the stroke. `turns_seam`: the seam of a closed
   /// stroke is ironed too.
@@ -44,11 +75,7 @@ class IronedStroke {
     int first = 0, last = 0;
     Border from, to;
   };
-  /// A segment in the making, up to a place.
-  struct Next {
-    Cubic curve;
-    int end = 0;
-  };
+  using Next = IronedBlocks::Segment;
 
   [[nodiscard]] Border border(int k) const;
   void copy_up_to(double u);
@@ -60,16 +87,22 @@ class IronedStroke {
   [[nodiscard]] Vec ironed_direction(int k, int side) const;
   bool try_segment(int from, int to, Vec start, Cubic& c) const;
   [[nodiscard]] Next next_segment(int from, Vec start) const;
+  [[nodiscard]] std::span<const Next> block(int from);
+  void add_segment(int from, const Next& next);
   [[nodiscard]] JointKind kind_at(int k) const;
 
   const Stroke& stroke_;
   const ArcMap& map_;
   const IronPlaces& places_;
-  PointAt point_at_;
+  Ironed ironed_;
+  IronedBlocks& blocks_;
+  Detail detail_;
   StrokeData data_;
   ProfileBuilder profile_;
   double u_ = 0.0;  // the old stroke is copied up to here
   Stretch now_;
+  std::vector<ProfileBuilder::Match> matches_;  // of the stretch
+  std::vector<Next> border_;                    // segments of a block at an end of the stretch
 };
 
 }  // namespace felt

@@ -16,14 +16,21 @@ double bump(double x) noexcept {
   return x < 1.0 ? 1.0 - x * x * (3.0 - 2.0 * x) : 0.0;
 }
 
+constexpr std::size_t kBlock = IronedBlocks::kPlaces;
+
 }  // namespace
 
 Ironing::Ironing(const Stroke& stroke, const ArcMap& map, const IronOptions& options)
-    : stroke_(stroke), map_(map), options_(options), places_(stroke, map, !options.smooth_corners) {
+    : stroke_(stroke),
+      map_(map),
+      options_(options),
+      places_(stroke, map, !options.smooth_corners),
+      blocks_(places_.count()) {
   const auto size = static_cast<std::size_t>(places_.count()) + 1;
   doses_.assign(size, 0.0);
   longest_.assign(size, std::numeric_limits<double>::quiet_NaN());
   ironed_.resize(size);
+  is_new_.assign(size / kBlock + 1, 0);
 }
 
 void Ironing::add(double length_mm, double reach_mm, double dose) {
@@ -31,7 +38,9 @@ void Ironing::add(double length_mm, double reach_mm, double dose) {
   const auto give = [&](int k) {
     const double way = std::fabs(map_.way(length_mm, places_.length_at(k)));
     if (way >= reach_mm) return false;
-    doses_[index(k)] += dose * bump(way / reach_mm);
+    is_new_[index(k) / kBlock] = 1;
+    if (!is_dosed(k)) ironed_[index(k)] = places_.point(places_.wrapped(k));
+    doses_[index(k)] += dose * places_.inflation(k) * bump(way / reach_mm);
     return true;
   };
   give(places_.wrapped(here));
@@ -60,9 +69,10 @@ double Ironing::weight_of(int k, double share) {
   return jerk_weight(std::min(longest, options_.wave_mm * share), IronPlaces::kSpacingMm);
 }
 
-void Ironing::filter_row(int first, int count, int skip) {
+/// Irons the places of `row` and keeps what comes out for those of `kept`.
+void Ironing::filter_row(Run row, Run kept) {
   row_.clear();
-  for (int k = first; k < first + count; ++k) {
+  for (int k = row.first; k <= row.last; ++k) {
     const int at = places_.wrapped(k);
     const double dose = doses_[index(k)];
     const double weight = dose > 0.0 ? weight_of(k, std::sqrt(-std::expm1(-dose))) : 0.0;
@@ -70,26 +80,57 @@ void Ironing::filter_row(int first, int count, int skip) {
   }
   out_.resize(row_.size());
   filter_.apply(row_, out_);
-  for (int i = skip; i < count - skip; ++i) {
-    ironed_[index(first + i)] = out_[static_cast<std::size_t>(i)];
+  for (int k = kept.first; k <= kept.last; ++k) {
+    ironed_[index(k)] = out_[static_cast<std::size_t>(k - row.first)];
+  }
+  // Directions are taken from place to place beyond, too.
+  for (int k = kept.first - 2; k <= kept.last + 2; ++k) blocks_.forget(places_.wrapped(k));
+}
+
+/// Irons those of the places `scanned` that are new and what they have a say in, within `row`.
+void Ironing::filter_new(Run scanned, Run row) {
+  const int margin = static_cast<int>(kMarginWaves * options_.wave_mm / IronPlaces::kSpacingMm);
+  for (int k = scanned.first; k <= scanned.last; ++k) {
+    if (!is_new(k)) continue;
+    int last = k;
+    for (int i = k; i <= scanned.last && i <= last + 4 * margin; ++i) last = is_new(i) ? i : last;
+    const auto around = [&](int by) {
+      return Run{std::max(k - by, row.first), std::min(last + by, row.last)};
+    };
+    filter_row(around(3 * margin), around(margin));
+    k = last;
   }
 }
 
-/// Fills ironed_ wherever there is a dose.
-void Ironing::filter() {
+void Ironing::catch_up() {
   const int n = places_.count();
   int start = 0;
-  if (places_.closed()) {
-    while (start < n && is_dosed(start)) ++start;
-    if (start == n) {
-      // All around: overlapping itself, so that the cut is not felt.
-      const int overlap = std::min(n, static_cast<int>(4.0 * options_.wave_mm / 0.25));
-      filter_row(-overlap, n + 2 * overlap, overlap);
-      ironed_.back() = ironed_.front();
-      return;
-    }
+  while (places_.closed() && start < n && is_dosed(start)) ++start;
+  if (start == n) {
+    catch_up_all_around();
+  } else {
+    catch_up_stretches(start);
   }
-  const int end = start + n + (places_.closed() ? 0 : 1);
+  is_new_.assign(is_new_.size(), 0);
+  if (places_.closed()) ironed_.back() = ironed_.front();
+}
+
+/// A closed stroke that has a dose everywhere: overlapping itself, so that the cut is not felt.
+void Ironing::catch_up_all_around() {
+  const int n = places_.count();
+  const int overlap = std::min(n, static_cast<int>(4.0 * options_.wave_mm / 0.25));
+  int start = 0;
+  while (start < n && is_new(start)) ++start;
+  if (start == n) {
+    filter_row({-overlap, n - 1 + overlap}, {0, n - 1});
+  } else {
+    filter_new({start, start + n - 1}, {start - overlap, start + n - 1 + overlap});
+  }
+}
+
+/// Stretches that have a dose, from a place on that has none, or from the start.
+void Ironing::catch_up_stretches(int start) {
+  const int n = places_.count(), end = start + n + (places_.closed() ? 0 : 1);
   for (int k = start; k < end;) {
     if (!is_dosed(k)) {
       ++k;
@@ -100,18 +141,17 @@ void Ironing::filter() {
     // With a place without a dose, or the end of the stroke, at either side.
     const int from = places_.closed() ? k - 1 : std::max(k - 1, 0);
     const int to = places_.closed() ? last : std::min(last, n);
-    filter_row(from, to - from + 1, 0);
+    filter_new({k, last - 1}, {from, to});
     k = last;
   }
-  if (places_.closed()) ironed_.back() = ironed_.front();
 }
 
-double Ironing::largest_move() const {
-  double most = 0.0;
+/// By more than kLeastMm.
+bool Ironing::has_moved() const {
   for (int k = 0; k <= places_.count(); ++k) {
-    if (is_dosed(k)) most = std::max(most, distance(ironed_[index(k)], places_.point(k)));
+    if (is_dosed(k) && distance(ironed_[index(k)], places_.point(k)) > kLeastMm) return true;
   }
-  return most;
+  return false;
 }
 
 double Ironing::roughness_mm(double length_mm, double reach_mm) {
@@ -175,11 +215,9 @@ std::vector<Ironing::Run> Ironing::runs() const {
   return runs;
 }
 
-std::optional<Stroke> Ironing::build(std::vector<Run>& joints) {
-  filter();
-  if (!(largest_move() > kLeastMm)) return std::nullopt;
-  IronedStroke result(stroke_, map_, places_,
-                      [&](int k) { return is_dosed(k) ? ironed_[index(k)] : places_.point(k); });
+std::optional<Stroke> Ironing::build(std::vector<Run>& joints, IronedStroke::Detail detail) {
+  if (!has_moved()) return std::nullopt;
+  IronedStroke result(stroke_, map_, places_, {doses_, ironed_}, blocks_, detail);
   for (const Run& run : runs()) {
     const auto made = result.add(run.first, run.last, is_dosed(0) && places_.closed());
     joints.push_back({made.first, made.last});
@@ -190,14 +228,16 @@ std::optional<Stroke> Ironing::build(std::vector<Run>& joints) {
   return *std::move(stroke);
 }
 
-std::optional<Stroke> Ironing::quick() {
+std::optional<Stroke> Ironing::shown() {
   std::vector<Run> joints;
-  return build(joints);
+  return build(joints, IronedStroke::Detail::kShown);
 }
 
 std::optional<Stroke> Ironing::finished() {
   std::vector<Run> joints;
-  std::optional<Stroke> stroke = build(joints);
+  is_new_.assign(is_new_.size(), 1);
+  catch_up();
+  std::optional<Stroke> stroke = build(joints, IronedStroke::Detail::kExact);
   if (!stroke) return stroke;
   for (auto run = joints.rbegin(); run != joints.rend(); ++run) {
     const bool whole = stroke->closed() && run->first == 0 && run->last == stroke->segment_count();

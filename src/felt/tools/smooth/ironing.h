@@ -5,6 +5,7 @@
 
 #include "felt/base/result.h"
 #include "felt/tools/smooth/iron_places.h"
+#include "felt/tools/smooth/ironed_stroke.h"
 #include "felt/tools/smooth/jerk_filter.h"
 
 namespace felt {
@@ -44,30 +45,39 @@ class Ironing {
   /// How rough the ink is around a place, mm: rms of what is still to be ironed out within
   /// `reach_mm`, of which kSmoothMm count as nothing. Bounded by the reach.
   [[nodiscard]] double roughness_mm(double length_mm, double reach_mm);
-  /// The stroke as ironed so far, in many segments, within a hundredth of a millimetre; quick.
-  /// Nothing when nothing has moved.
-  [[nodiscard]] std::optional<Stroke> quick();
-  /// The same in as few segments as are found within the tolerance.
+  /// Irons what got a dose since the last time, with kMarginWaves to both sides, beyond which it
+  /// makes no difference that could be seen. Bounded by what got a dose, but for a quick look.
+  void catch_up();
+  /// The stroke as ironed at the last catch_up(), in many segments, within a hundredth of a
+  /// millimetre, to be shown; only where it changed it is fitted anew. Nothing when nothing has
+  /// moved.
+  [[nodiscard]] std::optional<Stroke> shown();
+  /// The same from all doses at once, in as few segments as are found within the tolerance.
   [[nodiscard]] std::optional<Stroke> finished();
 
   static constexpr double kSmoothMm = 0.01;
+  static constexpr double kMarginWaves = 0.5;
 
  private:
   struct Run {
     int first, last;  // places; these two stay, or are ends of the stroke
   };
-  class Builder;
 
   [[nodiscard]] double weight_of(int k, double share);
   [[nodiscard]] bool is_dosed(int k) const noexcept { return doses_[index(k)] > 0.0; }
+  [[nodiscard]] bool is_new(int k) const noexcept {
+    return is_new_[index(k) / IronedBlocks::kPlaces] != 0;
+  }
   [[nodiscard]] std::size_t index(int k) const noexcept {
     return static_cast<std::size_t>(places_.wrapped(k));
   }
-  void filter();
-  void filter_row(int first, int count, int skip);
-  [[nodiscard]] double largest_move() const;
+  void catch_up_all_around();
+  void catch_up_stretches(int start);
+  void filter_new(Run scanned, Run row);
+  void filter_row(Run row, Run kept);
+  [[nodiscard]] bool has_moved() const;
   [[nodiscard]] std::vector<Run> runs() const;
-  std::optional<Stroke> build(std::vector<Run>& joints);
+  std::optional<Stroke> build(std::vector<Run>& joints, IronedStroke::Detail detail);
 
   const Stroke& stroke_;
   const ArcMap& map_;
@@ -76,6 +86,8 @@ class Ironing {
   std::vector<double> doses_;
   std::vector<double> longest_;  // wave at each place that may go, mm; NaN: not asked for yet
   std::vector<Point> ironed_;    // where dosed
+  std::vector<char> is_new_;     // blocks that got a dose since they were ironed
+  IronedBlocks blocks_;
   JerkFilter filter_;
   std::vector<FilterPlace> row_;
   std::vector<Point> out_;

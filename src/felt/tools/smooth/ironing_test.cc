@@ -126,16 +126,15 @@ TEST(Ironing, JitterGoesTheShapeStaysAndSegmentsAreFewer) {
     Jitter jitter;
     double share_left;
   };
-  for (const Ink& ink : {Ink{"jitter", {0.2, 0.0}, 0.7}, Ink{"tremor 3 mm", {0.2, 3.0}, 0.6},
-                         Ink{"tremor 6 mm", {0.2, 6.0}, 0.5}}) {
+  // Tremor as long as it is high makes ink that lies beside its way by itself, up to 0.09 mm.
+  for (const Ink& ink : {Ink{"jitter", {0.2, 0.0}, 0.4}, Ink{"tremor 3 mm", {0.2, 3.0}, 0.6},
+                         Ink{"tremor 6 mm", {0.2, 6.0}, 0.4}}) {
     for (const testing::Way& way : {testing::wave(), circle_arc({60, 60}, 30, 0, 270)}) {
       for (std::uint64_t seed = 1; seed <= 5; ++seed) {
         SCOPED_TRACE(std::string(ink.name) + ", seed " + std::to_string(seed));
         const Stroke before = jittery(way, ink.jitter, seed);
         const Stroke clean = jittery(way, {0.0, 0.0}, seed);
-        // What jitters in each sample is nearly twice as long as its way: ironed twice.
-        Stroke after = ironed(before, 3.0);
-        if (ink.jitter.wave_mm == 0.0) after = ironed(after, 3.0);
+        const Stroke after = ironed(before, 3.0);
         EXPECT_LT(rms_from(after, way, 0.05, 0.95),
                   ink.share_left * rms_from(before, way, 0.05, 0.95));
         EXPECT_LT(after.segment_count(), before.segment_count());
@@ -210,11 +209,47 @@ TEST(Ironing, NeitherOrderNorPortionsMatter) {
   for (int round = 0; round < 2; ++round) {
     for (int i = 40; i >= 0; --i) b.add(20.0 + i, 10.0, 0.125);
   }
-  const Stroke one = a.quick().value(), two = b.quick().value();
+  a.catch_up();
+  b.catch_up();
+  const Stroke one = a.shown().value(), two = b.shown().value();
   ASSERT_EQ(one.segment_count(), two.segment_count());
   for (std::size_t i = 0; i < one.data().points.size(); ++i) {
     EXPECT_LT(distance(one.data().points[i], two.data().points[i]), 1e-7);
   }
+}
+
+TEST(Ironing, WhatIsShownBitByBitIsWhatIsIronedAtOnce) {
+  double most = 0.0;
+  for (std::uint64_t seed = 1; seed <= 10; ++seed) {
+    SCOPED_TRACE(seed);
+    const bool is_tremor = seed % 2 == 0;
+    const Stroke before = jittery(testing::wave(), {0.2, is_tremor ? 4.0 : 0.0}, seed);
+    const ArcMap map(before, 1e-5);
+    RandomStroke random(seed);
+    Ironing bits(before, map, {}), whole(before, map, {});
+    double at = random.uniform(0.0, map.length_mm());
+    for (int i = 0; i < 400; ++i) {
+      at = std::clamp(at + random.uniform(-4.0, 4.0), 0.0, map.length_mm());
+      bits.add(at, 10.0, 0.05);
+      whole.add(at, 10.0, 0.05);
+      if (random.chance(0.3)) bits.catch_up();
+      if (random.chance(0.2)) static_cast<void>(bits.shown());
+    }
+    bits.catch_up();
+    whole.catch_up();
+    const Stroke shown = bits.shown().value(), exact = whole.shown().value();
+    std::vector<Point> line;
+    for (int i = 0; i <= 20000; ++i) {
+      line.push_back(exact.position(i / 20000.0 * exact.segment_count()));
+    }
+    for (int i = 0; i <= 2000; ++i) {
+      const Point p = shown.position(i / 2000.0 * shown.segment_count());
+      most = std::max(most, std::sqrt(nearest_on_polyline(line, p).distance_squared));
+    }
+    // The end does not depend on what was shown.
+    EXPECT_EQ(bits.finished().value(), whole.finished().value());
+  }
+  EXPECT_LT(most, 0.03);
 }
 
 TEST(Ironing, WidthsStayWhereTheyWereOnTheLine) {
@@ -249,7 +284,7 @@ TEST(Ironing, AClosedLineIsIronedAllAroundAndAcrossItsSeam) {
   const ArcMap map(before, 1e-5);
   for (const bool all : {true, false}) {
     SCOPED_TRACE(all);
-    Ironing iron(before, map, {});
+    Ironing iron(before, map, {.tolerance_mm = 0.02});
     for (double s = all ? 0.0 : -20.0; s < (all ? map.length_mm() : 20.0); s += 1.0) {
       iron.add(s < 0.0 ? s + map.length_mm() : s, 10.0, 0.4);
     }
@@ -259,7 +294,7 @@ TEST(Ironing, AClosedLineIsIronedAllAroundAndAcrossItsSeam) {
     EXPECT_LT(after->segment_count(), before.segment_count());
     const ArcMap new_map(*after, 1e-5);
     for (double s = -10.0; s <= 10.0; s += 0.1) {
-      EXPECT_NEAR(distance(after->position(new_map.u_at(s)), {50, 50}), 20.0, 0.06) << s;
+      EXPECT_NEAR(distance(after->position(new_map.u_at(s)), {50, 50}), 20.0, 0.04) << s;
     }
   }
 }
@@ -279,7 +314,8 @@ TEST(Ironing, AnyStrokeComesOutValidAndWhatIsShownIsWhatIsDone) {
       iron.add(random.uniform(0.0, map.length_mm()), options.wave_mm, random.uniform(0.0, 3.0));
     }
     EXPECT_GE(iron.roughness_mm(random.uniform(0.0, map.length_mm()), 5.0), 0.0);
-    const auto quick = iron.quick(), done = iron.finished();
+    iron.catch_up();
+    const auto quick = iron.shown(), done = iron.finished();
     EXPECT_EQ(quick.has_value(), done.has_value());
     if (!quick || !done) continue;
     ++changed;

@@ -29,6 +29,10 @@ double seconds_between(std::int64_t from_ns, std::int64_t to_ns) {
   return std::clamp(1e-9 * ns, 0.0, SmoothTool::kLongestStepS);
 }
 
+double seconds_off(std::int64_t a_ns, std::int64_t b_ns) {
+  return 1e-9 * std::fabs(static_cast<double>(a_ns) - static_cast<double>(b_ns));
+}
+
 }  // namespace
 
 std::unique_ptr<Tool> make_smooth() {
@@ -54,7 +58,7 @@ ToolResult SmoothTool::take(const PenSample& sample, const Scene& scene) {
   if (!hold_.take(scene, on_sheet(sample.position))) return {};
   replacement_.emplace(scene.document, hold_.id());
   ironing_.emplace(*hold_.stroke(), hold_.map(), settings_.iron);
-  last_ns_ = preview_ns_ = sample.time_ns;
+  last_ns_ = preview_ns_ = felt_ns_ = sample.time_ns;
   const auto points = static_cast<std::int64_t>(hold_.stroke()->data().points.size());
   preview_interval_ns_ = std::max(kPreviewNs, kPreviewNsPerPoint * points);
   iron(sample, scene, true);
@@ -65,18 +69,26 @@ ToolResult SmoothTool::take(const PenSample& sample, const Scene& scene) {
 ToolResult SmoothTool::move(const PenSample& sample, const Scene& scene) {
   if (!ironing_) return take(sample, scene);
   iron(sample, scene, hold_.follow(scene, on_sheet(sample.position)));
-  const double waited =
-      1e-9 * std::fabs(static_cast<double>(sample.time_ns) - static_cast<double>(preview_ns_));
-  if (!has_changed_ || waited < 1e-9 * static_cast<double>(preview_interval_ns_)) {
-    return {.same_preview = true};
+  // What costs most is spread over samples: the ironing, then the line that is shown, then the
+  // feel.
+  if (std::exchange(is_caught_up_, false)) {
+    std::optional<Stroke> ironed = ironing_->shown();
+    if (!ironed) return {.same_preview = true};
+    return {.preview =
+                replacement_->with(std::make_shared<const Stroke>(*std::move(ironed)), kLabel)};
   }
-  preview_ns_ = sample.time_ns;
-  has_changed_ = false;
-  feel(std::min(waited, kLongestStepS));
-  std::optional<Stroke> ironed = ironing_->quick();
-  if (!ironed) return {.same_preview = true};
-  return {.preview =
-              replacement_->with(std::make_shared<const Stroke>(*std::move(ironed)), kLabel)};
+  const double unshown = seconds_off(preview_ns_, sample.time_ns);
+  const double unfelt = seconds_off(felt_ns_, sample.time_ns);
+  if (has_changed_ && unshown >= 1e-9 * static_cast<double>(preview_interval_ns_)) {
+    preview_ns_ = sample.time_ns;
+    has_changed_ = false;
+    is_caught_up_ = true;
+    ironing_->catch_up();
+  } else if (unfelt >= 1e-9 * static_cast<double>(kPreviewNs)) {
+    felt_ns_ = sample.time_ns;
+    feel(std::min(unfelt, kLongestStepS));
+  }
+  return {.same_preview = true};
 }
 
 void SmoothTool::iron(const PenSample& sample, const Scene& scene, bool is_near) {
@@ -120,7 +132,7 @@ void SmoothTool::stop() {
   ironing_.reset();
   replacement_.reset();
   hold_.release();  // what was held has changed
-  has_changed_ = false;
+  has_changed_ = is_caught_up_ = false;
   rate_ = rough_mm_ = 0.0;
 }
 

@@ -52,9 +52,11 @@ class SmoothTool final : public GestureTool {
   double rate_ = 0.0;  // dose a second, at the last sample
   std::int64_t last_ns_ = 0;
   std::int64_t preview_ns_ = 0;
+  std::int64_t felt_ns_ = 0;
   std::int64_t preview_interval_ns_ = kPreviewNs;
   bool has_changed_ = false;
-  double rough_mm_ = 0.0;  // as felt, low-passed
+  bool is_caught_up_ = false;  // the next sample shows it
+  double rough_mm_ = 0.0;      // as felt, low-passed
 };
 
 std::unique_ptr<Tool> make_smooth();
