@@ -432,6 +432,13 @@ Nearest nearest_on(const Stroke& s, Point p) {
   return best;
 }
 
+/// A watched build takes ten times as long, and looks for other faults.
+#ifdef __SANITIZE_ADDRESS__
+constexpr int kManyPulls = 1'000;
+#else
+constexpr int kManyPulls = 10'000;
+#endif
+
 TEST(BrushPull, R24_TenThousandPullsLeaveAGoodLine) {
   const Stroke first = drawn(1, 200);
   const double length = ArcMap(first).length_mm();
@@ -439,7 +446,7 @@ TEST(BrushPull, R24_TenThousandPullsLeaveAGoodLine) {
   RandomStroke random(1);
   double worst_turn = 0.0, longest = 0.0, least_handle = 1.0;
   int most = 0, refused = 0;
-  for (int k = 0; k < 10'000; ++k) {
+  for (int k = 0; k < kManyPulls; ++k) {
     // Somewhere, to within 2 mm of the line it was: out and back, again and again.
     const double u0 = random.uniform(0.0, s->segment_count());
     const Point home = nearest_on(first, s->position(u0)).point;
