@@ -129,8 +129,9 @@ Result<void> Session::finish() {
   Result<void> taken = take(tools_[active_]->finish(scene()));
   show({});
   gesture_is_open_ = false;
-  // Whatever the pen does next, it is a new gesture.
-  must_lift_ = std::exchange(pen_is_down_, false);
+  // Whatever the pen does next, it is a new gesture; one that had to be lifted still has to.
+  const bool was_down = std::exchange(pen_is_down_, false);
+  must_lift_ = must_lift_ || was_down;
   if (!must_lift_) contact_ = {};
   return taken;
 }

@@ -194,6 +194,25 @@ TEST(Session, CancelMeansItNeverWas) {
   EXPECT_FALSE(desk.session.history().can_undo());
 }
 
+TEST(Session, WhatComesAfterAToolWasChosenInAGestureDoesNotEndTheWaitForTheLift) {
+  Desk desk;
+  desk.line(0, 10);
+  desk.must(SelectTool{"eraser"});
+  desk.must(SelectTool{"pencil"});
+  desk.put_down(0, 0);
+  desk.pen(5, 0, -1);
+  desk.must(SelectTool{"eraser"});
+  EXPECT_EQ(desk.strokes(), 2U);
+  desk.must(SelectStrokes{SelectStrokes::What::kAll});
+  desk.must(UndoEvent{});
+  EXPECT_EQ(desk.strokes(), 1U);
+  desk.pen(6, 0, -1);
+  EXPECT_EQ(desk.strokes(), 1U) << "the pen is still down";
+  desk.lift(6, 0);
+  desk.put_down(6, 0);
+  EXPECT_EQ(desk.strokes(), 0U);
+}
+
 TEST(Session, AToolChosenInAGestureKeepsTheInkAndWaitsForALift) {
   Desk desk;
   desk.put_down(0, 0);
