@@ -138,6 +138,16 @@ TEST(SmoothTool, R20_FarAndLockedLinesAreLeftAloneAndCancelLeavesNothing) {
   EXPECT_EQ(s.stroke(), before);
 }
 
+TEST(SmoothTool, ALineOfKilometresIsLeftAsItIs) {
+  Smooth s;
+  const double km = 1e6;
+  s.desk.add(testing::straight_stroke({0, 0}, {30 * km, 0}, 200, 1.0));
+  const Stroke before = s.stroke();
+  s.pen.line({{0, 0}, {km, 0}, {20 * km, 0}, {5, 0}});
+  EXPECT_EQ(s.pen.commits, 0);
+  EXPECT_EQ(s.stroke(), before);
+}
+
 TEST(SmoothTool, HoverShowsRingAndSpan) {
   Smooth s;
   s.desk.add(straight_stroke({0, 0}, {100, 0}, 1, 2));

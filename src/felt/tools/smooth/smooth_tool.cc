@@ -20,6 +20,9 @@ constexpr ToolInfo kInfo{.id = "smooth",
 constexpr const char* kLabel = "Smooth";
 /// The iron stands at most this far apart along the line between two samples.
 constexpr double kIronStepMm = 1.0;
+constexpr double kMostIronSteps = 100.0;
+/// Lines of more than this are left as they are: no hand draws one, and ironing it would take long.
+constexpr double kLongestLineMm = 20'000.0;
 /// Roughness comes and goes in the hand with this time constant.
 constexpr double kFeelSeconds = 0.040;
 
@@ -56,6 +59,7 @@ ToolResult SmoothTool::begin(const PenSample& sample, const Scene& scene) {
 
 ToolResult SmoothTool::take(const PenSample& sample, const Scene& scene) {
   if (!hold_.take(scene, on_sheet(sample.position))) return {};
+  if (hold_.map().length_mm() > kLongestLineMm) return {};
   replacement_.emplace(scene.document, hold_.id());
   ironing_.emplace(*hold_.stroke(), hold_.map(), settings_.iron);
   last_ns_ = preview_ns_ = felt_ns_ = sample.time_ns;
@@ -100,7 +104,9 @@ void SmoothTool::iron(const PenSample& sample, const Scene& scene, bool is_near)
   if (!is_near || !hold_.way_mm() || !(dose > 0.0)) return;
   has_changed_ = true;
   const double way = *hold_.way_mm(), whole = hold_.map().length_mm();
-  const int steps = std::max(1, static_cast<int>(std::ceil(std::fabs(way) / kIronStepMm)));
+  // A pen that jumps along a long line irons it in places: the work of a sample has an end.
+  const int steps =
+      static_cast<int>(std::clamp(std::ceil(std::fabs(way) / kIronStepMm), 1.0, kMostIronSteps));
   for (int i = 0; i < steps; ++i) {
     double length = hold_.place().length_mm - way * (1.0 - (i + 0.5) / steps);
     if (hold_.stroke()->closed()) length -= whole * std::floor(length / whole);
