@@ -141,7 +141,7 @@ std::string smooth_act() {
   act.set("pencil.snap", std::string("off"));
   act.draw(hand, shaky_line(), count);
   act.tool("smooth");
-  act.set("smooth.radius_mm", 8.0);
+  act.set("smooth.radius_mm", 22.0);
   const std::vector<Point> there{{22, 130}, {38, 131.5}, {58, 130.5}, {80, 132}};
   act.gesture(there, 40.0, 4.0);
   act.gesture({there.rbegin(), there.rend()}, 40.0, 4.0);
