@@ -30,6 +30,19 @@ struct OptionSpec {
   std::string_view help;                           ///< one sentence
 };
 
+/// The row that every tool has: how much of its forces is felt. `help` says of which.
+constexpr OptionSpec strength_option(std::string_view help) noexcept {
+  return {.id = "strength",
+          .label = "Strength of forces",
+          .unit = "",
+          .kind = OptionKind::kNumber,
+          .min = 0.0,
+          .max = 1.0,
+          .fallback = 1.0,
+          .choices = {},
+          .help = help};
+}
+
 /// What the option may be, for messages and help: "it is a number from 0.3 to 20 mm".
 std::string allowed_text(const OptionSpec& spec);
 /// Its default.

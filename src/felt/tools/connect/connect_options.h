@@ -75,14 +75,9 @@ inline constexpr std::array<OptionSpec, ConnectOption::kCount> kConnectOptions{{
      .kind = OptionKind::kSwitch,
      .fallback = 0,
      .help = "Lines that meet share the point but stay two lines."},
-    {.id = "strength",
-     .label = "Strength of forces",
-     .unit = "",
-     .min = 0.0,
-     .max = 1.0,
-     .fallback = 1.0,
-     .help = "Share of friction, grain, attraction and pull that is felt; the sheet stays as hard "
-             "as it is."},
+    strength_option(
+        "Share of friction, grain, attraction and pull that is felt; the sheet stays as hard "
+        "as it is."),
 }};
 
 /// The options as the tool uses them.

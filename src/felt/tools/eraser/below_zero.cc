@@ -133,8 +133,7 @@ UnitParts below_zero(std::span<const double> coefficients) noexcept {
     piece.c[k] = coefficients[k];
   }
   if (settle(piece, n, parts)) return parts;
-  // Not cleared: it is filled before it is read.
-  std::array<Piece, kMostHalvings> waiting;  // NOLINT(cppcoreguidelines-pro-type-member-init)
+  std::array<Piece, kMostHalvings> waiting{};
   waiting[0] = halve(piece, n);
   std::size_t count = 1;
   while (true) {

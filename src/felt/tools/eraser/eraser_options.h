@@ -43,13 +43,7 @@ inline constexpr std::array<OptionSpec, EraserOption::kCount> kEraserOptions = {
      .kind = OptionKind::kSwitch,
      .fallback = 0,
      .help = "A line goes where the eraser covers its ink, instead of its middle."},
-    {.id = "strength",
-     .label = "Strength of forces",
-     .unit = "",
-     .min = 0.0,
-     .max = 1.0,
-     .fallback = 1.0,
-     .help = "Share of friction and grain that is felt; the sheet stays as hard as it is."},
+    strength_option("Share of friction and grain that is felt; the sheet stays as hard as it is."),
 }};
 
 /// The options as the tool uses them.

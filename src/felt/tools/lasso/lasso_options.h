@@ -53,14 +53,9 @@ inline constexpr std::array<OptionSpec, LassoOption::kCount> kLassoOptions = {{
      .max = 20.0,
      .fallback = 4.0,
      .help = "A short touch selects the whole nearest line within this distance."},
-    {.id = "strength",
-     .label = "Strength of forces",
-     .unit = "",
-     .min = 0.0,
-     .max = 1.0,
-     .fallback = 1.0,
-     .help = "Share of the sheet's friction and grain that is felt; the sheet stays as hard as it "
-             "is."},
+    strength_option(
+        "Share of the sheet's friction and grain that is felt; the sheet stays as hard as it "
+        "is."),
 }};
 
 /// The options as the tool uses them.

@@ -145,14 +145,9 @@ inline constexpr std::array<OptionSpec, PencilOption::kCount> kPencilOptions = {
      .max = 40.0,
      .fallback = 4.0,
      .help = "Longer draws smoother and trails more; for the stabiliser 'towed'."},
-    {.id = "strength",
-     .label = "Strength of forces",
-     .unit = "",
-     .min = 0.0,
-     .max = 1.0,
-     .fallback = 1.0,
-     .help = "Share of friction, grain, attraction and stabiliser that is felt; the sheet stays as "
-             "hard as it is."},
+    strength_option(
+        "Share of friction, grain, attraction and stabiliser that is felt; the sheet stays as "
+        "hard as it is."),
 }};
 
 /// The options as the tool uses them.

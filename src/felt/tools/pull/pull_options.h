@@ -103,14 +103,9 @@ inline constexpr std::array<OptionSpec, PullOption::kCount> kPullOptions = {{
      .max = 1.0,
      .fallback = 0.05,
      .help = "How slowly a line gives way to the pen that sweeps it."},
-    {.id = "strength",
-     .label = "Strength of forces",
-     .unit = "",
-     .min = 0.0,
-     .max = 1.0,
-     .fallback = 1.0,
-     .help = "Share of the counter-force, friction and grain that is felt; the sheet stays as hard "
-             "as it is."},
+    strength_option(
+        "Share of the counter-force, friction and grain that is felt; the sheet stays as hard "
+        "as it is."),
 }};
 
 /// The options as the tool uses them.

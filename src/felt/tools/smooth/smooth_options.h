@@ -42,13 +42,8 @@ inline constexpr std::array<OptionSpec, SmoothOption::kCount> kSmoothOptions = {
      .max = 0.5,
      .fallback = 0.05,
      .help = "How far the finished line may be from the ironed one, for fewer segments."},
-    {.id = "strength",
-     .label = "Strength of forces",
-     .unit = "",
-     .min = 0.0,
-     .max = 1.0,
-     .fallback = 1.0,
-     .help = "Share of friction and roughness that is felt; the sheet stays as hard as it is."},
+    strength_option(
+        "Share of friction and roughness that is felt; the sheet stays as hard as it is."),
 }};
 
 /// The options as the tool uses them.

@@ -63,13 +63,7 @@ inline constexpr std::array<OptionSpec, TransformOption::kCount> kTransformOptio
      .max = 20.0,
      .fallback = 4.0,
      .help = "With nothing selected, a touch takes the nearest line within this distance."},
-    {.id = "strength",
-     .label = "Strength of forces",
-     .unit = "",
-     .min = 0.0,
-     .max = 1.0,
-     .fallback = 1.0,
-     .help = "Share of the tethers, friction and grain that is felt."},
+    strength_option("Share of the tethers, friction and grain that is felt."),
 }};
 
 /// The options as the tool uses them.

@@ -94,13 +94,8 @@ inline constexpr std::array<OptionSpec, WidthOption::kCount> kWidthOptions = {{
      .max = 1.0,
      .fallback = 0.75,
      .help = "Pressure of a device that knows neither pressure nor depth."},
-    {.id = "strength",
-     .label = "Strength of forces",
-     .unit = "",
-     .min = 0.0,
-     .max = 1.0,
-     .fallback = 1.0,
-     .help = "Share of friction, stops and pull that is felt; the sheet stays as hard as it is."},
+    strength_option(
+        "Share of friction, stops and pull that is felt; the sheet stays as hard as it is."),
 }};
 
 /// The options as the tool uses them.
