@@ -29,6 +29,7 @@ struct Capabilities {
   [[nodiscard]] constexpr bool has_force() const noexcept {
     return actuated_axes > 0 && max_force_n > 0.0;
   }
+  friend constexpr bool operator==(const Capabilities&, const Capabilities&) noexcept = default;
 };
 
 }  // namespace felt

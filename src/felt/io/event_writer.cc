@@ -74,6 +74,10 @@ struct AppendWhat {
     if (e.layer) out += ",\"id\":" + std::to_string(e.layer.value);
     if (!e.name.empty()) append_key_string(out, "name", e.name);
   }
+  void operator()(const UseDevice& e) const {
+    kind("device");
+    append_key_number(out, "max_force_n", e.capabilities.max_force_n);
+  }
 
  private:
   void option_value(double number) const { append_key_number(out, "value", number); }

@@ -6,6 +6,7 @@
 #include <variant>
 
 #include "felt/base/id.h"
+#include "felt/haptics/capabilities.h"
 #include "felt/haptics/pen_sample.h"
 #include "felt/tools/tool_options.h"
 
@@ -101,12 +102,20 @@ struct LayerEvent {
   friend bool operator==(const LayerEvent&, const LayerEvent&) = default;
 };
 
+/// {"event":"device","max_force_n":3.3,...}: what the samples come from and forces go to, from now
+/// on. The gesture in work is ended as if the pen were lifted. For recordings that are told to a
+/// session as they are; the Player, which has a device of its own, refuses it.
+struct UseDevice {
+  Capabilities capabilities;
+  friend bool operator==(const UseDevice&, const UseDevice&) = default;
+};
+
 /// Everything that can happen to a drawing session: its only input (architecture section 6). Times
 /// never run backwards.
 struct Event {
   std::int64_t time_ns = 0;
   std::variant<SelectTool, SetOption, PenEvent, HandEvent, UndoEvent, RedoEvent, CancelEvent,
-               ImportEvent, SelectStrokes, DeleteEvent, DuplicateEvent, LayerEvent>
+               ImportEvent, SelectStrokes, DeleteEvent, DuplicateEvent, LayerEvent, UseDevice>
       what;
   friend bool operator==(const Event&, const Event&) = default;
 };

@@ -46,6 +46,9 @@ Result<void> check(std::span<const Event> events, const PlayerOptions& options, 
     if (!has_hand && std::holds_alternative<HandEvent>(event.what)) {
       wrong = "a hand event, and the device has no hand";
     }
+    if (std::holds_alternative<UseDevice>(event.what)) {
+      wrong = "a device event is for recordings, which are played as they were made";
+    }
     if (!wrong.empty()) {
       return fail(ErrorCode::kInvalidArgument, place_of(i, event) + ": " + wrong);
     }

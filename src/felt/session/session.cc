@@ -68,6 +68,11 @@ struct Session::Apply {
   Result<void> operator()(const DeleteEvent&) const { return session.delete_selected(); }
   Result<void> operator()(const DuplicateEvent&) const { return session.duplicate_selected(); }
   Result<void> operator()(const LayerEvent& e) const { return session.change_layer(e); }
+  Result<void> operator()(const UseDevice& e) const {
+    Result<void> ended = session.finish();
+    session.options_.device = e.capabilities;
+    return ended;
+  }
 };
 
 Session::Session(std::vector<std::unique_ptr<Tool>> tools, SessionOptions options)
@@ -176,6 +181,7 @@ Result<void> Session::take(ToolResult result) {
   if (done && result.selection) {
     selection_ = std::move(*result.selection);
     selection_.hold_to(document_);
+    ++selections_;
   }
   if (!done) {
     return tl::unexpected(with_context(done.error(), std::string(tool().info().id)));
@@ -201,6 +207,7 @@ void Session::follow(const Edit& applied) {
   ++edits_;
   index_.update(applied, document_);
   selection_.follow(applied, document_);
+  ++selections_;
   if (!applied.layers.empty()) keep_layer_open();
   if (options_.on_edit) options_.on_edit(applied);
 }

@@ -22,7 +22,7 @@
 namespace felt {
 
 struct SessionOptions {
-  /// What will push back; no force describes mouse and tablet.
+  /// What will push back; no force describes mouse and tablet. UseDevice changes it.
   Capabilities device;
   /// What is there before the first event; the history starts after it.
   Document document = {};
@@ -104,6 +104,8 @@ class Session {
   [[nodiscard]] Sketch sketch() const;
   /// Edits that the document took, undo's and redo's too.
   [[nodiscard]] std::uint64_t edit_count() const noexcept { return edits_; }
+  /// Grows whenever the selection may have changed.
+  [[nodiscard]] std::uint64_t selection_count() const noexcept { return selections_; }
   /// Samples that were dropped.
   [[nodiscard]] std::uint64_t dropped_samples() const noexcept { return dropped_; }
 
@@ -151,6 +153,7 @@ class Session {
   bool gesture_is_open_ = false;  // touched the sheet, and nothing came of it yet
   std::uint64_t dropped_ = 0;
   std::uint64_t edits_ = 0;
+  std::uint64_t selections_ = 0;
 };
 
 /// A document of these strokes: one layer, in their order. For SessionOptions.

@@ -40,6 +40,7 @@ Result<void> Session::select_strokes(SelectStrokes::What what) {
   if (gesture_in_work()) return {};
   if (Result<void> settled = settle(); !settled) return settled;
   selection_ = selected(document_, selection_, what);
+  ++selections_;
   return {};
 }
 
@@ -58,6 +59,7 @@ Result<void> Session::duplicate_selected() {
   Selection copies = made_by(*edit);
   if (Result<void> done = commit(*std::move(edit)); !done) return done;
   selection_ = std::move(copies);
+  ++selections_;
   return {};
 }
 

@@ -1,0 +1,70 @@
+#include "desktop/engine/actions.h"
+
+#include <QWidget>
+#include <utility>
+
+#include "desktop/engine/settings.h"
+
+namespace felt::desktop {
+namespace {
+
+QString key_of(const QString& name) {
+  return QStringLiteral("shortcuts/") + name;
+}
+
+}  // namespace
+
+Actions::Actions(QWidget* window) : QObject(window), window_(window) {}
+
+QAction* Actions::make(const QString& name, const QString& text, const QList<QKeySequence>& keys,
+                       const QString& tip) {
+  auto* action = new QAction(text, this);
+  action->setObjectName(name);
+  action->setStatusTip(tip);
+  defaults_[name] = keys;
+  const QVariant chosen = Settings::the().value(key_of(name));
+  action->setShortcuts(chosen.isValid() ? QKeySequence::listFromString(chosen.toString()) : keys);
+  const QString shown = action->shortcut().toString(QKeySequence::NativeText);
+  action->setToolTip(shown.isEmpty() ? tip : QStringLiteral("%1 (%2)").arg(tip, shown));
+  window_->addAction(action);
+  actions_.push_back(action);
+  return action;
+}
+
+QAction* Actions::add(const QString& name, const QString& text, const QList<QKeySequence>& keys,
+                      const QString& tip, std::function<void()> run) {
+  QAction* action = make(name, text, keys, tip);
+  connect(action, &QAction::triggered, this, [run = std::move(run)] { run(); });
+  return action;
+}
+
+QAction* Actions::add_switch(const QString& name, const QString& text,
+                             const QList<QKeySequence>& keys, const QString& tip, bool on,
+                             std::function<void(bool)> run) {
+  QAction* action = make(name, text, keys, tip);
+  action->setCheckable(true);
+  action->setChecked(on);
+  connect(action, &QAction::toggled, this, [run = std::move(run)](bool now) { run(now); });
+  return action;
+}
+
+QAction* Actions::find(const QString& name) const {
+  for (QAction* action : actions_) {
+    if (action->objectName() == name) return action;
+  }
+  return nullptr;
+}
+
+QList<QKeySequence> Actions::default_keys(const QString& name) const {
+  const auto found = defaults_.find(name);
+  return found == defaults_.end() ? QList<QKeySequence>{} : found->second;
+}
+
+void Actions::set_keys(const QString& name, const QList<QKeySequence>& keys) {
+  QAction* action = find(name);
+  if (!action) return;
+  Settings::the().set(key_of(name), QKeySequence::listToString(keys));
+  action->setShortcuts(keys);
+}
+
+}  // namespace felt::desktop

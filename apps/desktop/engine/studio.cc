@@ -1,0 +1,277 @@
+#include "desktop/engine/studio.h"
+
+#include <array>
+#include <utility>
+
+#include "felt/haptics/safety_limits.h"
+#include "felt/tools/tool.h"
+
+namespace felt::desktop {
+namespace {
+
+constexpr int kNearMs = 1;  // between two turns while the pen is near
+constexpr int kFarMs = 4;
+constexpr int kRestingMs = 16;
+constexpr std::int64_t kNearNs = 100'000'000;     // since the pen was moved
+constexpr std::int64_t kRestingNs = 500'000'000;  // likewise
+constexpr std::int64_t kTurnNs = 4'000'000;       // of a studio that is not live
+
+QString text_of(const Error& error) {
+  return QString::fromStdString(error.message);
+}
+
+/// The values of all options, told to a session that starts with the defaults.
+void copy_options(const Session& from, Session& to, std::int64_t now_ns) {
+  const auto copy = [&](const std::string& id) {
+    const Result<OptionValue> value = from.option(id);
+    if (value) static_cast<void>(to.apply({now_ns, SetOption{id, *value}}));
+  };
+  for (const auto& tool : from.tools()) {
+    for (const OptionSpec& row : tool->info().options) {
+      copy(std::string(tool->info().id) + "." + std::string(row.id));
+    }
+  }
+  for (const OptionSpec& row : SheetOptions::table()) copy("sheet." + std::string(row.id));
+  copy("sheet.color");
+  static_cast<void>(to.apply({now_ns, SelectTool{std::string(from.tool().info().id)}}));
+}
+
+}  // namespace
+
+Studio::Studio(StudioOptions options, QObject* parent)
+    : QObject(parent), options_(std::move(options)) {
+  Result<std::unique_ptr<PenDevice>> device = open_pen_device(options_.device);
+  if (!device) device = open_pen_device(QStringLiteral("tablet"));
+  device_ = *std::move(device);
+  make_session(Document{});
+  start_loop();
+  connect(&timer_, &QTimer::timeout, this, &Studio::turn);
+  timer_.setTimerType(Qt::PreciseTimer);
+  if (options_.live) timer_.start(kFarMs);
+}
+
+Studio::~Studio() {
+  stop_loop();
+}
+
+void Studio::make_session(Document document) {
+  SessionOptions options;
+  options.device = device_->device().capabilities();
+  options.document = std::move(document);
+  options.on_event = options_.on_event;
+  options.on_edit = [this](const Edit& edit) { edits_.push_back(edit); };
+  auto session = std::make_unique<Session>(make_tools(), std::move(options));
+  if (session_) copy_options(*session_, *session, now_ns());
+  session_ = std::move(session);
+  told_selection_ = session_->selection_count();
+  told_layer_ = session_->layer();
+}
+
+void Studio::start_loop() {
+  Device& device = device_->device();
+  ServoOptions options;
+  options.period_ns = device.capabilities().period_ns;
+  options.limits = limits_for(device.capabilities());
+  clock_start_ns_ = now_ns();
+  servo_ = std::make_unique<Servo>(device, options);
+  hand_.reset();
+  if (HandInput* hand = device_->hand()) {
+    hand_ = std::make_unique<PointerHand>(*hand, device_->hand_options());
+  }
+  publish();
+  if (options_.live) {
+    thread_ = std::make_unique<RealtimeThread>(
+        *servo_, RealtimeOptions{.lock_memory = device_->info().moves_hand});
+    if (const Result<void> started = thread_->start(); !started) {
+      Q_EMIT refused(text_of(started.error()));
+    }
+  }
+  set_forces(!device_->info().moves_hand);
+}
+
+void Studio::stop_loop() {
+  if (thread_) {
+    const std::int64_t end_ns = now_ns();
+    thread_->stop();
+    thread_.reset();
+    clock_start_ns_ = end_ns;
+  }
+  drain();
+}
+
+bool Studio::use_device(const QString& id) {
+  Result<std::unique_ptr<PenDevice>> device = open_pen_device(id);
+  if (!device) {
+    Q_EMIT refused(text_of(device.error()));
+    return false;
+  }
+  stop_loop();
+  device_ = *std::move(device);
+  static_cast<void>(session_->apply({now_ns(), UseDevice{device_->device().capabilities()}}));
+  pen_ = {};
+  start_loop();
+  tell();
+  Q_EMIT device_changed();
+  return true;
+}
+
+void Studio::open(Document document, const SheetPage& page) {
+  drain();
+  static_cast<void>(session_->finish());
+  edits_.clear();
+  make_session(std::move(document));
+  page_ = page;
+  publish();
+  set_modified(false);
+  Q_EMIT opened();
+  Q_EMIT page_changed();
+  Q_EMIT selection_changed();
+  Q_EMIT layer_changed();
+  Q_EMIT shown();
+}
+
+void Studio::set_page(const SheetPage& page) {
+  if (page == page_) return;
+  page_ = page;
+  set_modified(true);
+  Q_EMIT page_changed();
+}
+
+void Studio::set_modified(bool modified) {
+  if (std::exchange(is_modified_, modified) != modified) Q_EMIT modified_changed(modified);
+}
+
+bool Studio::apply(decltype(Event::what) what) {
+  drain();
+  const auto* option = std::get_if<SetOption>(&what);
+  const QString option_id = option ? QString::fromStdString(option->id) : QString();
+  const Result<void> done = session_->apply({now_ns(), std::move(what)});
+  publish();
+  if (!option_id.isEmpty() && done) Q_EMIT option_changed(option_id);
+  tell();
+  Q_EMIT shown();
+  if (!done) Q_EMIT refused(text_of(done.error()));
+  return done.has_value();
+}
+
+bool Studio::import(const QString& path, std::span<const SketchStroke> strokes) {
+  drain();
+  const Result<void> done = session_->import(now_ns(), path.toStdString(), strokes);
+  publish();
+  tell();
+  Q_EMIT shown();
+  if (!done) Q_EMIT refused(text_of(done.error()));
+  return done.has_value();
+}
+
+void Studio::borrow_tool(const QString& id) {
+  if (borrowed_++ > 0) return;
+  home_tool_ = QString::fromUtf8(session_->tool().info().id.data(),
+                                 qsizetype(session_->tool().info().id.size()));
+  if (!apply(SelectTool{id.toStdString()})) borrowed_ = 0;
+}
+
+void Studio::give_back_tool() {
+  if (borrowed_ == 0 || --borrowed_ > 0) return;
+  apply(SelectTool{home_tool_.toStdString()});
+}
+
+void Studio::point(const PointerEvent& event) {
+  last_point_ns_ = now_ns();
+  pen_.hand = event.position;
+  if (hand_) hand_->point(event);
+  set_pace();
+}
+
+std::int64_t Studio::now_ns() const noexcept {
+  if (!options_.live) return virtual_ns_;
+  return clock_start_ns_ + (thread_ ? thread_->now_ns() : 0);
+}
+
+void Studio::turn() {
+  if (in_turn_) return;  // a slot of ours asked for a paint
+  in_turn_ = true;
+  drain();
+  publish();
+  tell();
+  set_pace();
+  in_turn_ = false;
+}
+
+void Studio::advance(std::int64_t ns) {
+  if (options_.live) return;
+  const std::int64_t end_ns = virtual_ns_ + ns, period_ns = servo_->options().period_ns;
+  std::int64_t turn_ns = virtual_ns_ + kTurnNs;
+  while (virtual_ns_ < end_ns) {
+    virtual_ns_ += period_ns;
+    servo_->step(virtual_ns_ - clock_start_ns_);
+    if (virtual_ns_ < turn_ns) continue;
+    turn();
+    turn_ns = virtual_ns_ + kTurnNs;
+  }
+  turn();
+}
+
+void Studio::set_forces(bool on) {
+  if (on) {
+    servo_->arm();
+  } else {
+    servo_->disarm();
+  }
+  if (std::exchange(forces_on_, on) != on) Q_EMIT forces_changed(on);
+}
+
+void Studio::drain() {
+  if (!servo_) return;
+  std::array<PenSample, 256> batch;
+  bool any = false;
+  for (std::size_t n = 0; (n = servo_->for_edit().pop(batch)) > 0; any = true) {
+    for (PenSample& sample : std::span(batch).first(n)) {
+      sample.time_ns += clock_start_ns_;
+      if (const Result<void> taken = session_->sample(sample); !taken) {
+        Q_EMIT refused(text_of(taken.error()));
+      }
+    }
+    pen_.sample = batch[n - 1];
+  }
+  if (!any) return;
+  pen_.is_known = true;
+  const TickReport& tick = servo_->latest();
+  pen_.asked = tick.asked;
+  pen_.sent = tick.sent;
+  if (!hand_) pen_.hand = {pen_.sample.position.x, pen_.sample.position.y};
+  has_news_ = true;
+  Q_EMIT ticked(tick);
+}
+
+void Studio::publish() {
+  servo_->publish(session_->force());
+  servo_->heartbeat(now_ns() - clock_start_ns_);
+}
+
+/// Says what is not as it was. Slots may look at everything, and may call back.
+void Studio::tell() {
+  for (const Edit& edit : std::exchange(edits_, {})) {
+    set_modified(true);
+    Q_EMIT edited(edit);
+  }
+  if (std::string id(session_->tool().info().id); id != told_tool_) {
+    told_tool_ = std::move(id);
+    Q_EMIT tool_changed();
+  }
+  if (std::exchange(told_selection_, session_->selection_count()) != session_->selection_count()) {
+    Q_EMIT selection_changed();
+  }
+  if (std::exchange(told_layer_, session_->layer()) != session_->layer()) Q_EMIT layer_changed();
+  if (std::exchange(has_news_, false)) Q_EMIT shown();
+}
+
+void Studio::set_pace() {
+  if (!options_.live) return;
+  const std::int64_t rest_ns = now_ns() - last_point_ns_;
+  const bool is_near = rest_ns < kNearNs || in_contact(pen_.sample) || !hand_;
+  const int ms = is_near ? kNearMs : rest_ns < kRestingNs ? kFarMs : kRestingMs;
+  if (timer_.interval() != ms) timer_.setInterval(ms);
+}
+
+}  // namespace felt::desktop

@@ -1,0 +1,164 @@
+#pragma once
+
+#include <QObject>
+#include <QString>
+#include <QTimer>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "desktop/engine/pen_device.h"
+#include "felt/devices/simulated/pointer_hand.h"
+#include "felt/document/sheet_page.h"
+#include "felt/rt/realtime_thread.h"
+#include "felt/rt/servo.h"
+#include "felt/session/session.h"
+
+namespace felt::desktop {
+
+struct StudioOptions {
+  /// Of pen_devices().
+  QString device = QStringLiteral("tablet");
+  /// False: no thread and no timer; whoever owns the studio moves time by advance(). For tests and
+  /// pictures.
+  bool live = true;
+  /// Told every event of the session, pen samples as PenEvent, in order: a Recorder.
+  std::function<void(const Event&)> on_event = {};
+};
+
+/// Where the pen is and what it feels, for the eye.
+struct PenState {
+  bool is_known = false;  ///< there has been a sample
+  PenSample sample;       ///< the newest one that the session was told
+  Point hand;             ///< where mouse or tablet want it; the sample's place without a hand
+  Force asked;            ///< by the tool
+  Force sent;             ///< to the device
+};
+
+/// A drawing on the desk, with all that works on it: session, haptic loop, device. What a window is
+/// a window of. Everything that changes a drawing goes through here; widgets read session() and
+/// draw what they see when a signal says that it changed.
+///
+///   Studio studio({});
+///   studio.point({studio.now_ns(), {30, 40}, true, 0.5});   // mouse and tablet: where the hand is
+///   studio.apply(SelectTool{"pull"});                       // everything else, as events
+///   connect(&studio, &Studio::edited, ...);
+///
+/// Live, a real-time thread ticks the loop, and a timer drains its samples into the session (every
+/// millisecond while the pen is near, else every 4 ms and less). Qt's main thread only.
+class Studio : public QObject {
+  Q_OBJECT
+
+ public:
+  explicit Studio(StudioOptions options, QObject* parent = nullptr);
+  ~Studio() override;
+
+  // --- The drawing
+  [[nodiscard]] const Session& session() const noexcept { return *session_; }
+  [[nodiscard]] const SheetPage& page() const noexcept { return page_; }
+  /// No step of undo, but a change that is to be saved.
+  void set_page(const SheetPage& page);
+  /// Another drawing takes the place of this one: history, selection and modification start anew;
+  /// tool, options and sheet material stay.
+  void open(Document document, const SheetPage& page);
+  /// There is something that a file has not got.
+  [[nodiscard]] bool is_modified() const noexcept { return is_modified_; }
+  void set_modified(bool modified);
+
+  // --- What happens
+  /// Does what an event does, now, after every sample that came before it. False: the session
+  /// refuses; `refused` says why.
+  bool apply(decltype(Event::what) what);
+  /// Adds strokes as one step of undo. Likewise.
+  bool import(const QString& path, std::span<const SketchStroke> strokes);
+  /// Another tool until give_back(): a key is held, the pen is turned over. Nested borrowing does
+  /// nothing but count.
+  void borrow_tool(const QString& id);
+  void give_back_tool();
+  [[nodiscard]] bool is_borrowing() const noexcept { return borrowed_ > 0; }
+
+  // --- The hand
+  /// Mouse, tablet or keys say where the hand is. Times are of now_ns().
+  void point(const PointerEvent& event);
+  /// The loop's clock.
+  [[nodiscard]] std::int64_t now_ns() const noexcept;
+  /// Feeds all samples that wait into the session and shows what came of it. The canvas calls it
+  /// before it paints.
+  void turn();
+  /// Not live: time goes on by this much, tick by tick.
+  void advance(std::int64_t ns);
+  [[nodiscard]] const PenState& pen() const noexcept { return pen_; }
+
+  // --- The loop
+  /// Another device. False: it does not open; the one in use stays, `refused` says why.
+  bool use_device(const QString& id);
+  [[nodiscard]] PenDevice& device() noexcept { return *device_; }
+  /// Forces on or off. They are on from the start where no motors move a person's hand.
+  void set_forces(bool on);
+  [[nodiscard]] bool forces_are_on() const noexcept { return forces_on_; }
+  /// The newest tick.
+  [[nodiscard]] const TickReport& tick() noexcept { return servo_->latest(); }
+  [[nodiscard]] Servo& servo() noexcept { return *servo_; }
+  /// How the loop keeps its time; null where it is not live.
+  [[nodiscard]] RealtimeThread* loop() noexcept { return thread_.get(); }
+
+ Q_SIGNALS:
+  /// The document took this edit, undo's and redo's too; session().document() has it.
+  void edited(const felt::Edit& edit);
+  /// Preview, overlay or pen are not what they were: paint them again. At most once a turn.
+  void shown();
+  /// Another drawing is here (open()).
+  void opened();
+  void tool_changed();
+  /// "pencil.snap", "sheet.color"
+  void option_changed(const QString& id);
+  void selection_changed();
+  /// The layer in use; what layers there are comes by `edited`.
+  void layer_changed();
+  void page_changed();
+  void modified_changed(bool modified);
+  void device_changed();
+  void forces_changed(bool on);
+  /// A sentence for the status line.
+  void refused(const QString& why);
+  /// Every tick's report that the edit side saw, in order; not all ticks: for plots.
+  void ticked(const felt::TickReport& report);
+
+ private:
+  void make_session(Document document);
+  void start_loop();
+  void stop_loop();
+  void drain();
+  void publish();
+  void tell();
+  void set_pace();
+
+  StudioOptions options_;
+  std::unique_ptr<PenDevice> device_;
+  std::unique_ptr<Servo> servo_;
+  std::unique_ptr<RealtimeThread> thread_;
+  std::unique_ptr<PointerHand> hand_;
+  std::unique_ptr<Session> session_;
+  SheetPage page_;
+  PenState pen_;
+  QTimer timer_;
+  std::int64_t virtual_ns_ = 0;
+  std::int64_t clock_start_ns_ = 0;  // what the session's clock said when this loop began
+  std::int64_t last_point_ns_ = 0;
+  std::vector<Edit> edits_;  // that signals have not told yet
+  QString home_tool_;        // while another is borrowed
+  int borrowed_ = 0;
+  bool is_modified_ = false;
+  bool forces_on_ = false;
+  bool in_turn_ = false;
+  bool has_news_ = false;
+  // What the signals told last.
+  std::string told_tool_;
+  LayerId told_layer_;
+  std::uint64_t told_selection_ = 0;
+};
+
+}  // namespace felt::desktop
