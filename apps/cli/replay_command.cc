@@ -10,6 +10,7 @@
 #include "force_plot.h"
 #include "forces_csv.h"
 #include "overlay_picture.h"
+#include "recording.h"
 #include "replay_arguments.h"
 #include "replay_run.h"
 #include "sketch_output.h"
@@ -32,6 +33,7 @@ struct ReplayCommandArguments {
   double mm_per_unit = 1.0;
   std::optional<double> until_ms;
   bool overlay = false;
+  bool as_recorded = false;
   PictureArguments picture;
 };
 
@@ -39,6 +41,7 @@ constexpr const char* kExamples =
     "feltline replay strokes.ndjson -o sketch.svg --forces forces.csv --plot forces.png\n"
     "feltline replay events.ndjson --on sketch.ndjson -o - | feltline info -\n"
     "feltline replay events.ndjson --until 2500 --overlay -o work.png\n"
+    "feltline replay recording.ndjson --as-recorded -o sketch.svg\n"
     "feltline replay strokes.ndjson --device premium --hand light --set pencil.snap=off \\\n"
     "      --stats json";
 
@@ -75,6 +78,9 @@ void add_options(CLI::App& command, ReplayCommandArguments& args) {
       ->check(number_between(0.0, limits::kMaxEventTimeMs));
   command.add_flag("--overlay", args.overlay,
                    "Show in the .png what the tool shows besides the ink, too");
+  command.add_flag("--as-recorded", args.as_recorded,
+                   "The script is a recording: its samples are drawn as they are, without device, "
+                   "hand and forces");
   command.add_option("--mm-per-unit", args.mm_per_unit, "Size of one unit of raw strokes, in mm")
       ->check(number_between(1e-9, 1e9))
       ->capture_default_str();
@@ -220,6 +226,31 @@ ReplayMachine::Observer observer_of(const ReplayCommandArguments& args, ReplayOu
   return observer;
 }
 
+/// What has no meaning where there is no device, hand and loop.
+void check_as_recorded(const ReplayCommandArguments& args, const CLI::App& command) {
+  for (const char* option :
+       {"--forces", "--plot", "--stats", "--device", "--hand", "--rate", "--delay", "--no-force",
+        "--seed", "--material", "--set", "--until", "--overlay", "--mm-per-unit"}) {
+    if (command.count(option) == 0) continue;
+    throw UsageError(std::string(option) +
+                     " does not go with --as-recorded: a recording is drawn as it is, without "
+                     "device, hand and forces");
+  }
+  if (args.scripts.size() > 1) throw UsageError("--as-recorded plays one recording at a time");
+  if (args.output.empty()) throw UsageError("--as-recorded needs -o OUT");
+}
+
+void run_as_recorded(const ReplayCommandArguments& args, Console& console) {
+  const Result<Sketch> start = args.on.empty() ? Sketch{} : read_sketch(args.on);
+  if (!start) return console.error(start.error().message);
+  Result<ReplayOutputs> outputs = open_outputs(args, args.pen.settings());
+  if (!outputs) return console.error(outputs.error().message);
+  Session session(make_tools(), {.device = {}, .document = document_of(*start)});
+  Result<void> done = tell_recording(args.scripts.front(), session);
+  if (done) done = write_strokes(session.sketch(), *outputs->format, *outputs->sketch);
+  if (!done) console.error(done.error().message);
+}
+
 void run_replay(const ReplayCommandArguments& args, Console& console) {
   check_outputs(args);
   const auto start = std::chrono::steady_clock::now();
@@ -255,7 +286,13 @@ void add_replay_command(CLI::App& app, Console& console) {
   const auto args = std::make_shared<ReplayCommandArguments>();
   add_options(*command, *args);
   command->footer(examples(kExamples));
-  command->callback([args, &console] { run_replay(*args, console); });
+  command->callback([args, command, &console] {
+    if (args->as_recorded) {
+      check_as_recorded(*args, *command);
+      return run_as_recorded(*args, console);
+    }
+    run_replay(*args, console);
+  });
 }
 
 }  // namespace felt::cli

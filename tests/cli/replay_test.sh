@@ -168,4 +168,36 @@ run 1 "$feltline" replay far.ndjson -o far.svg
 has err "stroke s1 of the sketch: "
 [ ! -e far.svg ] || fail "a sketch that failed was written"
 
+# A recording is told to a session as it is: pen events draw without a loop between them.
+cat >recorded.ndjson <<'END'
+{"t_ms":0,"event":"device","senses_pressure":true}
+{"t_ms":0,"event":"option","id":"pencil.snap","value":"off"}
+{"t_ms":1,"event":"pen","x":10,"y":10,"z":0,"pressure":0.5}
+{"t_ms":2,"event":"pen","x":12,"y":11,"z":0,"pressure":0.5}
+{"t_ms":3,"event":"pen","x":14,"y":13,"z":0,"pressure":0.6}
+{"t_ms":4,"event":"pen","x":16,"y":16,"z":4,"pressure":0}
+{"t_ms":90,"event":"import","path":"s1.ndjson"}
+END
+run 0 "$feltline" replay recorded.ndjson --as-recorded -o recorded.out.ndjson
+lines recorded.out.ndjson 4
+mkdir -p elsewhere
+cd elsewhere
+run 0 "$feltline" replay ../recorded.ndjson --as-recorded -o here.ndjson
+same here.ndjson ../recorded.out.ndjson
+cd ..
+run 0 "$feltline" replay recorded.ndjson --as-recorded --on s1.ndjson -o recorded.on.ndjson
+lines recorded.on.ndjson 7
+for option in "--forces f.csv" "--plot p.png" "--device touch" "--until 5" "--set pencil.snap=off"; do
+  # shellcheck disable=SC2086  # an option and its value
+  run 2 "$feltline" replay recorded.ndjson --as-recorded -o x.ndjson $option
+  has err "${option%% *} does not go with --as-recorded"
+done
+run 2 "$feltline" replay recorded.ndjson recorded.ndjson --as-recorded -o x.ndjson
+has err "one recording at a time"
+run 1 "$feltline" replay events.ndjson --as-recorded -o x.ndjson
+has err "events.ndjson:4: a hand event is for the player"
+run 1 "$feltline" replay in.ndjson --as-recorded -o x.ndjson
+has err "in.ndjson:1: a stroke, where only events are expected"
+run 1 "$feltline" replay recorded.ndjson -o x.ndjson
+has err "a device event is for recordings"
 finish

@@ -58,6 +58,19 @@ struct CheckWhat {
     if (e.what == Do::kRename || !e.name.empty()) check_text(e.name);
     FELT_CHECK(e.name.empty() || e.what == Do::kAdd || e.what == Do::kRename);
   }
+  void operator()(const UseDevice& e) const {
+    const Capabilities& can = e.capabilities;
+    for (const double quantity :
+         {can.max_force_n, can.continuous_force_n, can.advised_force_n, can.max_stiffness_n_per_m,
+          can.max_damping_n_s_per_m, can.position_step_mm}) {
+      check_number(quantity);
+      FELT_CHECK(quantity >= 0.0);
+    }
+    for (const int count : {can.sensed_axes, can.actuated_axes, can.delay_ticks}) {
+      FELT_CHECK(count >= 0 && count <= 1000);
+    }
+    FELT_CHECK(can.period_ns > 0 && can.period_ns <= 1'000'000'000);
+  }
 };
 
 void check_round_trip(const std::vector<Event>& events) {

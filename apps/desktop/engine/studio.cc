@@ -1,5 +1,6 @@
 #include "desktop/engine/studio.h"
 
+#include <algorithm>
 #include <array>
 #include <utility>
 
@@ -20,11 +21,12 @@ QString text_of(const Error& error) {
   return QString::fromStdString(error.message);
 }
 
-/// The values of all options, told to a session that starts with the defaults.
+/// The values that differ, and the tool, told to a session that starts with the defaults.
 void copy_options(const Session& from, Session& to, std::int64_t now_ns) {
   const auto copy = [&](const std::string& id) {
-    const Result<OptionValue> value = from.option(id);
-    if (value) static_cast<void>(to.apply({now_ns, SetOption{id, *value}}));
+    const Result<OptionValue> value = from.option(id), present = to.option(id);
+    if (!value || (present && *present == *value)) return;
+    static_cast<void>(to.apply({now_ns, SetOption{id, *value}}));
   };
   for (const auto& tool : from.tools()) {
     for (const OptionSpec& row : tool->info().options) {
@@ -33,7 +35,8 @@ void copy_options(const Session& from, Session& to, std::int64_t now_ns) {
   }
   for (const OptionSpec& row : SheetOptions::table()) copy("sheet." + std::string(row.id));
   copy("sheet.color");
-  static_cast<void>(to.apply({now_ns, SelectTool{std::string(from.tool().info().id)}}));
+  const std::string tool(from.tool().info().id);
+  if (tool != to.tool().info().id) static_cast<void>(to.apply({now_ns, SelectTool{tool}}));
 }
 
 }  // namespace
@@ -55,13 +58,16 @@ Studio::~Studio() {
 }
 
 void Studio::make_session(Document document) {
+  if (options_.on_session) options_.on_session(document);
   SessionOptions options;
-  options.device = device_->device().capabilities();
   options.document = std::move(document);
   options.on_event = options_.on_event;
   options.on_edit = [this](const Edit& edit) { edits_.push_back(edit); };
   auto session = std::make_unique<Session>(make_tools(), std::move(options));
-  if (session_) copy_options(*session_, *session, now_ns());
+  // Said as events, so that whoever records them has all that the drawing depends on.
+  const std::int64_t now_ns = event_time_ns();
+  static_cast<void>(session->apply({now_ns, UseDevice{device_->device().capabilities()}}));
+  if (session_) copy_options(*session_, *session, now_ns);
   session_ = std::move(session);
   told_selection_ = session_->selection_count();
   told_layer_ = session_->layer();
@@ -107,7 +113,8 @@ bool Studio::use_device(const QString& id) {
   }
   stop_loop();
   device_ = *std::move(device);
-  static_cast<void>(session_->apply({now_ns(), UseDevice{device_->device().capabilities()}}));
+  static_cast<void>(
+      session_->apply({event_time_ns(), UseDevice{device_->device().capabilities()}}));
   pen_ = {};
   start_loop();
   tell();
@@ -145,7 +152,7 @@ bool Studio::apply(decltype(Event::what) what) {
   drain();
   const auto* option = std::get_if<SetOption>(&what);
   const QString option_id = option ? QString::fromStdString(option->id) : QString();
-  const Result<void> done = session_->apply({now_ns(), std::move(what)});
+  const Result<void> done = session_->apply({event_time_ns(), std::move(what)});
   publish();
   if (!option_id.isEmpty() && done) Q_EMIT option_changed(option_id);
   tell();
@@ -156,7 +163,7 @@ bool Studio::apply(decltype(Event::what) what) {
 
 bool Studio::import(const QString& path, std::span<const SketchStroke> strokes) {
   drain();
-  const Result<void> done = session_->import(now_ns(), path.toStdString(), strokes);
+  const Result<void> done = session_->import(event_time_ns(), path.toStdString(), strokes);
   publish();
   tell();
   Q_EMIT shown();
@@ -179,7 +186,9 @@ void Studio::give_back_tool() {
 void Studio::point(const PointerEvent& event) {
   last_point_ns_ = now_ns();
   pen_.hand = event.position;
-  if (hand_) hand_->point(event);
+  PointerEvent of_loop = event;
+  of_loop.time_ns -= clock_start_ns_;
+  if (hand_) hand_->point(of_loop);
   set_pace();
 }
 
@@ -221,17 +230,26 @@ void Studio::set_forces(bool on) {
   if (std::exchange(forces_on_, on) != on) Q_EMIT forces_changed(on);
 }
 
+/// The time of what is told to the session now. Behind the samples that it has seen, and as a rule
+/// before those that the loop is about to hand over: a recording has one order.
+std::int64_t Studio::event_time_ns() {
+  constexpr std::int64_t kOnTheWayNs = 5'000'000;
+  return told_ns_ = std::max(told_ns_, now_ns() - kOnTheWayNs);
+}
+
+void Studio::take(PenSample& sample) {
+  sample.time_ns = told_ns_ = std::max(told_ns_, sample.time_ns + clock_start_ns_);
+  if (const Result<void> taken = session_->sample(sample); !taken) {
+    Q_EMIT refused(text_of(taken.error()));
+  }
+}
+
 void Studio::drain() {
   if (!servo_) return;
   std::array<PenSample, 256> batch;
   bool any = false;
   for (std::size_t n = 0; (n = servo_->for_edit().pop(batch)) > 0; any = true) {
-    for (PenSample& sample : std::span(batch).first(n)) {
-      sample.time_ns += clock_start_ns_;
-      if (const Result<void> taken = session_->sample(sample); !taken) {
-        Q_EMIT refused(text_of(taken.error()));
-      }
-    }
+    for (PenSample& sample : std::span(batch).first(n)) take(sample);
     pen_.sample = batch[n - 1];
   }
   if (!any) return;

@@ -25,8 +25,13 @@ struct StudioOptions {
   /// False: no thread and no timer; whoever owns the studio moves time by advance(). For tests and
   /// pictures.
   bool live = true;
-  /// Told every event of the session, pen samples as PenEvent, in order: a Recorder.
+  /// Told every event of the session, pen samples as PenEvent, in order: a Recorder. The first ones
+  /// say which device it is and which options are not the defaults, so that the events alone, told
+  /// to another session, give the same drawing.
   std::function<void(const Event&)> on_event = {};
+  /// A session begins, with this document; its events follow. There is one at the start, and one
+  /// for each open().
+  std::function<void(const Document&)> on_session = {};
 };
 
 /// Where the pen is and what it feels, for the eye.
@@ -81,7 +86,9 @@ class Studio : public QObject {
   [[nodiscard]] bool is_borrowing() const noexcept { return borrowed_ > 0; }
 
   // --- The hand
-  /// Mouse, tablet or keys say where the hand is. Times are of now_ns().
+  /// Mouse, tablet or keys say where the hand is, and when it was there, on the clock of now_ns():
+  /// events that come late or several at once are played in their own spacing, a few milliseconds
+  /// later. Each of them is a sample where the device is exactly what the hand does.
   void point(const PointerEvent& event);
   /// The loop's clock.
   [[nodiscard]] std::int64_t now_ns() const noexcept;
@@ -131,7 +138,9 @@ class Studio : public QObject {
   void make_session(Document document);
   void start_loop();
   void stop_loop();
+  [[nodiscard]] std::int64_t event_time_ns();
   void drain();
+  void take(PenSample& sample);
   void publish();
   void tell();
   void set_pace();
@@ -148,8 +157,9 @@ class Studio : public QObject {
   std::int64_t virtual_ns_ = 0;
   std::int64_t clock_start_ns_ = 0;  // what the session's clock said when this loop began
   std::int64_t last_point_ns_ = 0;
-  std::vector<Edit> edits_;  // that signals have not told yet
-  QString home_tool_;        // while another is borrowed
+  std::int64_t told_ns_ = 0;  // of the session's last event
+  std::vector<Edit> edits_;   // that signals have not told yet
+  QString home_tool_;         // while another is borrowed
   int borrowed_ = 0;
   bool is_modified_ = false;
   bool forces_on_ = false;

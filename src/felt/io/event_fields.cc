@@ -10,6 +10,8 @@ namespace felt::json {
 namespace {
 
 constexpr NumberLimit kEventTimeLimit = {limits::kMaxEventTimeMs, "1e9"};
+constexpr NumberLimit kPeriodLimit = {1000.0, "1000"};
+constexpr std::uint64_t kMostCounted = 1000;
 
 /// A number at `key`, into `out`.
 Result<void> parse_number(Value& value, const char* key, NumberLimit limit, double& out) {
@@ -113,6 +115,43 @@ Result<void> parse_layer(Value& value, EventFields& out) {
   return {};
 }
 
+/// A quantity of a device that is never negative.
+template <double Capabilities::*Quantity>
+Result<void> parse_quantity(Value& value, const char* key, EventFields& out) {
+  double& number = out.device.*Quantity;
+  if (Result<void> read = parse_number(value, key, kCoordinateLimit, number); !read) return read;
+  if (number < 0.0) return bad(std::string(key) + ": is negative");
+  return {};
+}
+
+/// A whole number from 0 on, small enough to count axes and ticks.
+template <int Capabilities::*Count>
+Result<void> parse_count(Value& value, const char* key, EventFields& out) {
+  const std::string_view token = token_of(value);
+  std::uint64_t count = 0;
+  if (token.size() > limits::kMaxNumberChars || value.get_uint64().get(count) ||
+      count > kMostCounted) {
+    return bad(std::string(key) + ": " + excerpt(token) + " is not a whole number from 0 to 1000");
+  }
+  out.device.*Count = static_cast<int>(count);
+  return {};
+}
+
+Result<void> parse_period(Value& value, EventFields& out) {
+  double ms = 0.0;
+  if (Result<void> read = parse_number(value, "period_ms", kPeriodLimit, ms); !read) return read;
+  out.device.period_ns = std::llround(ms * 1e6);
+  if (out.device.period_ns > 0) return {};
+  return bad("period_ms: is not more than 0");
+}
+
+Result<void> parse_senses_pressure(Value& value, EventFields& out) {
+  const Result<bool> senses = read_bool(value);
+  if (!senses) return tl::unexpected(with_context(senses.error(), "senses_pressure"));
+  out.device.senses_pressure = *senses;
+  return {};
+}
+
 using EventField = Field<EventFields>;
 
 /// Read before the others, to know which they are.
@@ -158,6 +197,52 @@ constexpr std::array kPoseFields = {
     EventField{"buttons", false, parse_buttons},
 };
 
+constexpr std::array kDeviceFields = {
+    kEvent,
+    kTime,
+    EventField{"sensed_axes", false,
+               [](Value& v, EventFields& e) {
+                 return parse_count<&Capabilities::sensed_axes>(v, "sensed_axes", e);
+               }},
+    EventField{"actuated_axes", false,
+               [](Value& v, EventFields& e) {
+                 return parse_count<&Capabilities::actuated_axes>(v, "actuated_axes", e);
+               }},
+    EventField{"max_force_n", false,
+               [](Value& v, EventFields& e) {
+                 return parse_quantity<&Capabilities::max_force_n>(v, "max_force_n", e);
+               }},
+    EventField{"continuous_force_n", false,
+               [](Value& v, EventFields& e) {
+                 return parse_quantity<&Capabilities::continuous_force_n>(v, "continuous_force_n",
+                                                                          e);
+               }},
+    EventField{"advised_force_n", false,
+               [](Value& v, EventFields& e) {
+                 return parse_quantity<&Capabilities::advised_force_n>(v, "advised_force_n", e);
+               }},
+    EventField{"max_stiffness_n_per_m", false,
+               [](Value& v, EventFields& e) {
+                 return parse_quantity<&Capabilities::max_stiffness_n_per_m>(
+                     v, "max_stiffness_n_per_m", e);
+               }},
+    EventField{"max_damping_n_s_per_m", false,
+               [](Value& v, EventFields& e) {
+                 return parse_quantity<&Capabilities::max_damping_n_s_per_m>(
+                     v, "max_damping_n_s_per_m", e);
+               }},
+    EventField{"position_step_mm", false,
+               [](Value& v, EventFields& e) {
+                 return parse_quantity<&Capabilities::position_step_mm>(v, "position_step_mm", e);
+               }},
+    EventField{"period_ms", false, parse_period},
+    EventField{"delay_ticks", false,
+               [](Value& v, EventFields& e) {
+                 return parse_count<&Capabilities::delay_ticks>(v, "delay_ticks", e);
+               }},
+    EventField{"senses_pressure", false, parse_senses_pressure},
+};
+
 struct NamedEvent {
   std::string_view text;
   EventName name;
@@ -176,6 +261,7 @@ constexpr NamedEvent kEvents[] = {
     {"delete", EventName::kDelete, kPlainFields},
     {"duplicate", EventName::kDuplicate, kPlainFields},
     {"layer", EventName::kLayer, kLayerFields},
+    {"device", EventName::kDevice, kDeviceFields},
 };
 
 }  // namespace

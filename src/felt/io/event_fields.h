@@ -27,6 +27,7 @@ struct EventFields {
   LayerEvent::Do action{};
   LayerId layer;
   std::string name;
+  Capabilities device;
 };
 
 /// The kinds of events, by their name in the file.
@@ -42,7 +43,8 @@ enum class EventName {
   kSelect,
   kDelete,
   kDuplicate,
-  kLayer
+  kLayer,
+  kDevice
 };
 
 /// Error: none of ours.

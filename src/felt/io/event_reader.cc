@@ -71,6 +71,9 @@ Event event_of(EventName name, EventFields&& fields) {
     case EventName::kLayer:
       event.what = layer_event(std::move(fields));
       break;
+    case EventName::kDevice:
+      event.what = UseDevice{fields.device};
+      break;
   }
   return event;
 }

@@ -90,6 +90,29 @@ TEST(EventReader, ReadsWhatIsDoneToLayers) {
   }
 }
 
+TEST(EventReader, ReadsDevices) {
+  EXPECT_EQ(event_of(R"({"event":"device","t_ms":0})"), (Event{0, UseDevice{}}));
+  Capabilities can;
+  can.sensed_axes = 2;
+  can.max_force_n = 3.3;
+  can.period_ns = 250'000;
+  can.senses_pressure = true;
+  EXPECT_EQ(
+      event_of(R"({"event":"device","senses_pressure":true,"sensed_axes":2,"max_force_n":3.3,)"
+               R"("period_ms":0.25,"t_ms":0})"),
+      (Event{0, UseDevice{can}}));
+  EXPECT_EQ(error_of(R"({"event":"device","max_force_n":-1,"t_ms":0})"),
+            "max_force_n: is negative");
+  EXPECT_EQ(error_of(R"({"event":"device","period_ms":0,"t_ms":0})"),
+            "period_ms: is not more than 0");
+  EXPECT_THAT(error_of(R"({"event":"device","sensed_axes":2.5,"t_ms":0})"),
+              HasSubstr("sensed_axes: 2.5 is not a whole number"));
+  EXPECT_THAT(error_of(R"({"event":"device","delay_ticks":1001,"t_ms":0})"),
+              HasSubstr("delay_ticks: 1001 is not a whole number"));
+  EXPECT_THAT(error_of(R"({"event":"device","senses_pressure":1,"t_ms":0})"),
+              HasSubstr("senses_pressure: "));
+}
+
 TEST(EventReader, SaysWhatIsWrongWithCommands) {
   EXPECT_EQ(error_of(R"({"event":"select","t_ms":0})"), "key \"what\" is missing");
   EXPECT_EQ(error_of(R"({"event":"select","what":"some","t_ms":0})"),
@@ -135,7 +158,7 @@ TEST(EventReader, NamesTheKeyAndTheReason) {
   EXPECT_EQ(
       error_of(R"({"event":"fly","t_ms":0})"),
       "event: \"fly\" is not one of tool, option, pen, hand, undo, redo, cancel, import, select, "
-      "delete, duplicate, layer");
+      "delete, duplicate, layer, device");
   EXPECT_EQ(error_of(R"({"event":7,"t_ms":0})"), "event: 7 is not a string");
   EXPECT_EQ(error_of(R"({"event":"undo"})"), "key \"t_ms\" is missing");
   EXPECT_EQ(error_of(R"({"event":"undo","t_ms":null})"), "t_ms: null is not a number");

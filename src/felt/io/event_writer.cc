@@ -75,8 +75,19 @@ struct AppendWhat {
     if (!e.name.empty()) append_key_string(out, "name", e.name);
   }
   void operator()(const UseDevice& e) const {
+    const Capabilities& can = e.capabilities;
     kind("device");
-    append_key_number(out, "max_force_n", e.capabilities.max_force_n);
+    append_key_number(out, "sensed_axes", can.sensed_axes);
+    append_key_number(out, "actuated_axes", can.actuated_axes);
+    append_key_number(out, "max_force_n", can.max_force_n);
+    append_key_number(out, "continuous_force_n", can.continuous_force_n);
+    append_key_number(out, "advised_force_n", can.advised_force_n);
+    append_key_number(out, "max_stiffness_n_per_m", can.max_stiffness_n_per_m);
+    append_key_number(out, "max_damping_n_s_per_m", can.max_damping_n_s_per_m);
+    append_key_number(out, "position_step_mm", can.position_step_mm);
+    append_key_number(out, "period_ms", static_cast<double>(can.period_ns) / 1e6);
+    append_key_number(out, "delay_ticks", can.delay_ticks);
+    out += can.senses_pressure ? ",\"senses_pressure\":true" : ",\"senses_pressure\":false";
   }
 
  private:

@@ -41,6 +41,12 @@ TEST(EventWriter, WritesKeysInAFixedOrder) {
   EXPECT_EQ(line_of({0, DuplicateEvent{}}), "{\"t_ms\":0,\"event\":\"duplicate\"}\n");
   EXPECT_EQ(line_of({0, LayerEvent{LayerEvent::Do::kAdd, {}, "Ideas"}}),
             "{\"t_ms\":0,\"event\":\"layer\",\"do\":\"add\",\"name\":\"Ideas\"}\n");
+  EXPECT_EQ(
+      line_of({0, UseDevice{}}),
+      "{\"t_ms\":0,\"event\":\"device\",\"sensed_axes\":3,\"actuated_axes\":3,\"max_force_n\":0,"
+      "\"continuous_force_n\":0,\"advised_force_n\":0,\"max_stiffness_n_per_m\":0,"
+      "\"max_damping_n_s_per_m\":0,\"position_step_mm\":0,\"period_ms\":1,\"delay_ticks\":1,"
+      "\"senses_pressure\":false}\n");
   EXPECT_EQ(line_of({0, LayerEvent{LayerEvent::Do::kHide, {12}, ""}}),
             "{\"t_ms\":0,\"event\":\"layer\",\"do\":\"hide\",\"id\":12}\n");
 }
@@ -91,9 +97,27 @@ LayerEvent any_layer_event() {
   return event;
 }
 
+/// Any device but for its workspace, which is not written.
+UseDevice any_device() {
+  const auto quantity = [] { return std::fabs(*numbers()); };
+  Capabilities can;
+  can.sensed_axes = *rc::gen::inRange(0, 8);
+  can.actuated_axes = *rc::gen::inRange(0, 8);
+  can.max_force_n = quantity();
+  can.continuous_force_n = quantity();
+  can.advised_force_n = quantity();
+  can.max_stiffness_n_per_m = quantity();
+  can.max_damping_n_s_per_m = quantity();
+  can.position_step_mm = quantity();
+  can.period_ns = *rc::gen::inRange<std::int64_t>(1, 1'000'000'001);
+  can.delay_ticks = *rc::gen::inRange(0, 8);
+  can.senses_pressure = *rc::gen::arbitrary<bool>();
+  return {can};
+}
+
 Event any_event(std::int64_t time_ns) {
   Event event{time_ns, {}};
-  switch (*rc::gen::inRange(0, 12)) {
+  switch (*rc::gen::inRange(0, 13)) {
     case 0:
       event.what = SelectTool{*texts()};
       break;
@@ -126,6 +150,9 @@ Event any_event(std::int64_t time_ns) {
       break;
     case 10:
       event.what = any_layer_event();
+      break;
+    case 11:
+      event.what = any_device();
       break;
     default:
       event.what = ImportEvent{*texts()};

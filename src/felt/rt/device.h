@@ -46,6 +46,10 @@ class Device {
   [[nodiscard]] virtual const Capabilities& capabilities() const noexcept = 0;
   /// The pen now. `now_ns` is the loop's clock; a simulated device advances to it.
   virtual tl::expected<PenSample, DeviceFault> read(std::int64_t now_ns) noexcept = 0;
+  /// What the pen was between the last read and the one before it, oldest first, one a call; none
+  /// when all of them were told. For pens that are faster than the loop and push back with nothing:
+  /// no force depends on these. On the haptic thread, after read().
+  virtual std::optional<PenSample> between() noexcept { return std::nullopt; }
   /// Asks for a force, which holds until the next one.
   virtual tl::expected<void, DeviceFault> write(const Force& force) noexcept = 0;
   /// No force, at once. Must work in any state.
@@ -62,6 +66,13 @@ class HandInput {
   /// pressure the depth in the plane decides.
   virtual void aim(const Vec3& target_mm, std::optional<double> pressure,
                    std::uint32_t buttons) noexcept = 0;
+  /// The same for a hand that says when it was there, on the loop's clock: what arrives late and
+  /// several at once is played in its own spacing. A hand that cannot takes it as it comes.
+  virtual void aim_at(std::int64_t time_ns, const Vec3& target_mm, std::optional<double> pressure,
+                      std::uint32_t buttons) noexcept {
+    static_cast<void>(time_ns);
+    aim(target_mm, pressure, buttons);
+  }
 };
 
 }  // namespace felt

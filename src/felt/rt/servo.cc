@@ -73,9 +73,20 @@ void Servo::sense_and_act(std::int64_t now_ns) noexcept {
     device_.stop();
     report_.sent = {};
   }
-  if (report_.sample_ok || (!has_force_ && is_finite(*sample))) {
-    edit_ring_.push(*sample);
-    saver_ring_.push(*sample);
+  if (!has_force_) hand_over_between();
+  if (report_.sample_ok || (!has_force_ && is_finite(*sample))) hand_over(*sample);
+}
+
+void Servo::hand_over(const PenSample& sample) noexcept {
+  edit_ring_.push(sample);
+  saver_ring_.push(sample);
+}
+
+void Servo::hand_over_between() noexcept {
+  for (int i = 0; i < kMostBetween; ++i) {
+    const std::optional<PenSample> sample = device_.between();
+    if (!sample) return;
+    if (is_finite(*sample)) hand_over(*sample);
   }
 }
 

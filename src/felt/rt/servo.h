@@ -56,6 +56,7 @@ class Servo {
  public:
   static constexpr std::size_t kRingSamples = 16384;  ///< 16 s at 1 kHz
   using Ring = SpscRing<PenSample, kRingSamples>;
+  static constexpr int kMostBetween = 32;  ///< samples between two ticks (Device::between)
 
   /// The device must outlive the servo. Forces are off until arm().
   Servo(Device& device, const ServoOptions& options);
@@ -98,6 +99,8 @@ class Servo {
   Force force_of(const ForceModel& model, const PenSample& sample, const StiffnessScale& scale,
                  ForceMemory& memory) const noexcept FELT_HAPTIC;
   void sense_and_act(std::int64_t now_ns) noexcept FELT_HAPTIC;
+  void hand_over(const PenSample& sample) noexcept FELT_HAPTIC;
+  void hand_over_between() noexcept FELT_HAPTIC;
   void hand_over() noexcept FELT_HAPTIC;
 
   Device& device_;

@@ -104,7 +104,8 @@ struct LayerEvent {
 
 /// {"event":"device","max_force_n":3.3,...}: what the samples come from and forces go to, from now
 /// on. The gesture in work is ended as if the pen were lifted. For recordings that are told to a
-/// session as they are; the Player, which has a device of its own, refuses it.
+/// session as they are; the Player, which has a device of its own, refuses it. The workspace, which
+/// tools do not look at, is no part of the text form.
 struct UseDevice {
   Capabilities capabilities;
   friend bool operator==(const UseDevice&, const UseDevice&) = default;

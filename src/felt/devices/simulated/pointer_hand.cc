@@ -39,11 +39,12 @@ void PointerHand::point(const PointerEvent& event) noexcept {
   const Point p = event.position;
   const double height_mm = event.touching ? 0.0 : options_.hover_mm;
   if (options_.contact == ContactBy::kPressure) {
-    hand_.aim({p.x, p.y, height_mm}, pressure_, event.buttons);
+    hand_.aim_at(event.time_ns, {p.x, p.y, height_mm}, pressure_, event.buttons);
   } else if (event.touching) {
-    hand_.aim({p.x, p.y, -aim_depth_mm(options_, pressure_)}, std::nullopt, event.buttons);
+    hand_.aim_at(event.time_ns, {p.x, p.y, -aim_depth_mm(options_, pressure_)}, std::nullopt,
+                 event.buttons);
   } else {
-    hand_.aim({p.x, p.y, height_mm}, std::nullopt, event.buttons);
+    hand_.aim_at(event.time_ns, {p.x, p.y, height_mm}, std::nullopt, event.buttons);
   }
 }
 

@@ -11,7 +11,7 @@ namespace felt {
 
 /// What a mouse or a tablet says.
 struct PointerEvent {
-  std::int64_t time_ns = 0;
+  std::int64_t time_ns = 0;          ///< when it was so, on the loop's clock
   Point position{};                  ///< on the sheet, mm
   bool touching = false;             ///< the button is down, the pen is on the tablet
   std::optional<double> pressure{};  ///< 0..1, tablets only

@@ -38,6 +38,8 @@ SimulatedStylus::SimulatedStylus(const StylusPreset& preset,
     : preset_(preset),
       body_(preset.mechanics, preset.capabilities.workspace_min, preset.capabilities.workspace_max),
       aim_(aim_for(preset.capabilities)),
+      has_body_(preset.capabilities.has_force()),
+      track_(!has_body_),
       delay_ticks_(static_cast<std::size_t>(
           std::clamp(preset.capabilities.delay_ticks, 0, kMostDelayTicks))) {
   preset_.capabilities.delay_ticks = static_cast<int>(delay_ticks_);
@@ -45,17 +47,28 @@ SimulatedStylus::SimulatedStylus(const StylusPreset& preset,
   body_.place(start_of(preset.capabilities));
 }
 
-void SimulatedStylus::aim(const Vec3& target_mm, std::optional<double> pressure,
-                          std::uint32_t buttons) noexcept {
-  if (!is_finite(target_mm)) return;
-  if (pressure) {
-    pressure =
-        std::isnan(*pressure) ? std::nullopt : std::optional(std::clamp(*pressure, 0.0, 1.0));
+void SimulatedStylus::push_aim(StampedAim stamped) noexcept {
+  Aim& aim = stamped.aim;
+  if (!is_finite(aim.target_mm)) return;
+  if (aim.pressure) {
+    aim.pressure = std::isnan(*aim.pressure) ? std::nullopt
+                                             : std::optional(std::clamp(*aim.pressure, 0.0, 1.0));
   }
   const Capabilities& device = preset_.capabilities;
   constexpr Vec3 kBeyond{kAimBeyondMm, kAimBeyondMm, kAimBeyondMm};
-  queue_.push({clamped(target_mm, device.workspace_min - kBeyond, device.workspace_max + kBeyond),
-               pressure, buttons});
+  aim.target_mm =
+      clamped(aim.target_mm, device.workspace_min - kBeyond, device.workspace_max + kBeyond);
+  queue_.push(stamped);
+}
+
+void SimulatedStylus::aim(const Vec3& target_mm, std::optional<double> pressure,
+                          std::uint32_t buttons) noexcept {
+  push_aim({{target_mm, pressure, buttons}, StampedAim::kNow});
+}
+
+void SimulatedStylus::aim_at(std::int64_t time_ns, const Vec3& target_mm,
+                             std::optional<double> pressure, std::uint32_t buttons) noexcept {
+  push_aim({{target_mm, pressure, buttons}, std::max(time_ns, StampedAim::kNow + 1)});
 }
 
 void SimulatedStylus::place(const Vec3& position_mm) noexcept {
@@ -63,17 +76,39 @@ void SimulatedStylus::place(const Vec3& position_mm) noexcept {
   velocity_.reset();
   aim_ = aim_for(preset_.capabilities);
   aim_.set({.target_mm = body_.position()}, now_ns_, 0);
+  track_.clear();
+  is_timed_ = false;
 }
 
-void SimulatedStylus::take_aims(std::int64_t tick_ns) noexcept {
-  std::optional<Aim> taken = std::exchange(waiting_, std::nullopt);
-  Aim next;
-  for (std::size_t n = 0; n < kWaitingAims && queue_.pop(next); ++n) {
-    if (taken && changes_contact(*taken, next)) {
-      waiting_ = next;
-      break;
-    }
+void SimulatedStylus::take_untimed(const Aim& next, std::optional<Aim>& taken) noexcept {
+  if (std::exchange(is_timed_, false)) {
+    track_.clear();
+    if (!has_body_) aim_ = aim_for(preset_.capabilities);
+  }
+  if (taken && changes_contact(*taken, next)) {
+    waiting_ = next;
+  } else {
     taken = next;
+  }
+}
+
+void SimulatedStylus::take_aims(std::int64_t now_ns, std::int64_t tick_ns) noexcept {
+  std::optional<Aim> taken = std::exchange(waiting_, std::nullopt);
+  StampedAim next;
+  for (std::size_t n = 0; n < kWaitingAims; ++n) {
+    if (waiting_ || !track_.has_room() || !queue_.pop(next)) break;
+    if (next.time_ns == StampedAim::kNow) {
+      take_untimed(next.aim, taken);
+    } else {
+      track_.push(next, now_ns);
+      is_timed_ = true;
+    }
+  }
+  while (is_timed_ && has_body_) {
+    const Aim* due = track_.due(now_ns);
+    if (!due || (taken && changes_contact(*taken, *due))) break;
+    taken = *due;
+    track_.pass();
   }
   if (!taken) return;
   if (!aim_.is_set()) body_.place(taken->target_mm);
@@ -90,7 +125,7 @@ Force SimulatedStylus::next_force() noexcept {
 void SimulatedStylus::move_to(std::int64_t now_ns) noexcept {
   if (!aim_.is_set()) aim_.set({.target_mm = body_.position()}, now_ns_, 0);
   const std::int64_t end_ns = std::min(now_ns, now_ns_ + kLongestNs);
-  if (preset_.capabilities.has_force()) {
+  if (has_body_) {
     const std::int64_t steps = (end_ns - now_ns_ + kStepNs - 1) / kStepNs;
     const double h_s = 1e-9 * static_cast<double>(end_ns - now_ns_) / static_cast<double>(steps);
     Vec3 from = aim_.at(now_ns_);
@@ -109,7 +144,7 @@ PenSample SimulatedStylus::sense(double dt_s) noexcept {
   const double step = preset_.capabilities.position_step_mm;
   const Vec3& p = body_.position();
   PenSample sample;
-  sample.time_ns = now_ns_;
+  sample.time_ns = sampled_ns_ = now_ns_;
   sample.position = {rounded(p.x, step), rounded(p.y, step), rounded(p.z, step)};
   sample.velocity = velocity_.update(sample.position, dt_s);
   const Aim& shown = aim_.shown(now_ns_);
@@ -118,19 +153,69 @@ PenSample SimulatedStylus::sense(double dt_s) noexcept {
   return sample;
 }
 
+PenSample SimulatedStylus::sample_of(const Aim& aim, std::int64_t time_ns) noexcept {
+  const double dt_s = 1e-9 * static_cast<double>(time_ns - sampled_ns_);
+  sampled_ns_ = time_ns;
+  body_.place(aim.target_mm);
+  PenSample sample;
+  sample.time_ns = time_ns;
+  sample.position = body_.position();
+  sample.velocity = velocity_.update(sample.position, dt_s);
+  sample.pressure = aim.pressure;
+  sample.buttons = aim.buttons;
+  return sample;
+}
+
+/// Every aim whose turn has come is a sample of its own; where there is none, the pen is on its way
+/// to the next.
+PenSample SimulatedStylus::read_track(std::int64_t now_ns) noexcept {
+  std::array<Aim, kMostSamples> aims;
+  std::array<std::int64_t, kMostSamples> times_ns{};
+  std::size_t count = 0;
+  for (const Aim* due = nullptr; count < kMostSamples && (due = track_.due(now_ns)); ++count) {
+    aims[count] = *due;
+    times_ns[count] = track_.due_ns();
+    track_.pass();
+  }
+  if (count == 0) return sample_of(track_.at(now_ns), now_ns);
+  // At their own times, where these lie between the last sample and now; else spread there.
+  const std::int64_t half_ns = (now_ns - sampled_ns_) / (2 * static_cast<std::int64_t>(count) + 2);
+  for (std::size_t i = 0; i < count; ++i) {
+    const auto after = static_cast<std::int64_t>(count - 1 - i);
+    const std::int64_t time_ns =
+        std::clamp(times_ns[i], sampled_ns_ + half_ns, now_ns - after * half_ns);
+    between_[i] = sample_of(aims[i], time_ns);
+  }
+  between_next_ = 0;
+  between_end_ = count - 1;
+  return between_[between_end_];
+}
+
+std::optional<PenSample> SimulatedStylus::between() noexcept {
+  if (between_next_ == between_end_) return std::nullopt;
+  return between_[between_next_++];
+}
+
 tl::expected<PenSample, DeviceFault> SimulatedStylus::read(std::int64_t now_ns) noexcept {
   if (!started_) {
     started_ = true;
-    now_ns_ = now_ns;
+    now_ns_ = sampled_ns_ = now_ns;
   }
+  between_next_ = between_end_ = 0;
   const std::int64_t elapsed_ns = std::max<std::int64_t>(now_ns - now_ns_, 0);
-  take_aims(elapsed_ns);
+  take_aims(now_ns, elapsed_ns);
   acting_ = next_force();
+  if (is_timed_ && !has_body_ && now_ns >= now_ns_) {
+    now_ns_ = now_ns;
+    return read_track(now_ns);
+  }
   if (elapsed_ns > 0) {
     move_to(now_ns);
   } else if (now_ns < now_ns_) {
     now_ns_ = now_ns;
     aim_.restart(now_ns);
+    track_.clear();
+    is_timed_ = false;
   }
   return sense(1e-9 * static_cast<double>(elapsed_ns));
 }

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <optional>
 
+#include "felt/devices/simulated/aim_track.h"
 #include "felt/devices/simulated/held_body.h"
 #include "felt/devices/simulated/moving_aim.h"
 #include "felt/devices/simulated/simulated_hand.h"
@@ -26,7 +27,9 @@ namespace felt {
 /// 0.25 ms. The sample is what the sensor sees: rounded to the device's steps, velocity low-passed.
 ///
 /// A device without force (mouse, tablet) has no body: the pen is where the hand aims, and write()
-/// is without effect.
+/// is without effect. Aims that say when they were are played in their own spacing (AimTrack): on
+/// such a device each of them is a sample, exactly there and at its own time (plus the delay of the
+/// track), several between two reads if need be; a hand with a body is led by them.
 ///
 /// Time: the first read() starts it. Where it stands still or runs backwards nothing moves. After a
 /// gap, at most 100 ms are simulated, so that a tick is bounded; the rest of it did not happen.
@@ -36,7 +39,8 @@ namespace felt {
 class SimulatedStylus final : public Device, public HandInput {
  public:
   static constexpr int kMostDelayTicks = 7;
-  static constexpr std::size_t kWaitingAims = 256;  ///< more between two reads are lost
+  static constexpr std::size_t kWaitingAims = 2048;  ///< more between two reads are lost
+  static constexpr std::size_t kMostSamples = 16;    ///< that a read takes out of a track
 
   /// `hand`: who holds it at first; nullopt is nobody. Delays are clamped to 0..7 ticks. The pen
   /// starts 20 mm above the middle of the workspace; the first aim puts it into place.
@@ -52,6 +56,7 @@ class SimulatedStylus final : public Device, public HandInput {
   /// A force that is not finite is refused with kBadData, and none holds from then on.
   tl::expected<void, DeviceFault> write(const Force& force) noexcept override;
   void stop() noexcept override;
+  std::optional<PenSample> between() noexcept override;
 
   /// HandInput. A hand that presses aims below what it touches; targets may lie up to 100 mm
   /// outside the workspace, which the pen itself does not leave, and are clamped to that. One that
@@ -59,6 +64,9 @@ class SimulatedStylus final : public Device, public HandInput {
   /// newest counts, but no change of contact (pressure, buttons, in the plane or not) is skipped.
   void aim(const Vec3& target_mm, std::optional<double> pressure,
            std::uint32_t buttons) noexcept override;
+  /// Likewise. While an untimed aim is the newest, timed ones that wait are forgotten.
+  void aim_at(std::int64_t time_ns, const Vec3& target_mm, std::optional<double> pressure,
+              std::uint32_t buttons) noexcept override;
 
   /// Another hand takes the stylus where it is, or (nullopt) nobody holds it any more.
   void hold(const std::optional<SimulatedHand>& hand) noexcept { body_.hold(hand); }
@@ -68,21 +76,33 @@ class SimulatedStylus final : public Device, public HandInput {
   /// The truth behind the sensor, for tests and measurements.
   [[nodiscard]] const HeldBody& body() const noexcept { return body_; }
   /// Where the hand's aim is now.
-  [[nodiscard]] Vec3 hand_aim() const noexcept { return aim_.at(now_ns_); }
+  [[nodiscard]] Vec3 hand_aim() const noexcept {
+    return is_timed_ && !has_body_ ? body_.position() : aim_.at(now_ns_);
+  }
   /// The force that acted during the last read().
   [[nodiscard]] const Force& acting_force() const noexcept { return acting_; }
 
  private:
-  void take_aims(std::int64_t tick_ns) noexcept;
+  void push_aim(StampedAim aim) noexcept;
+  void take_aims(std::int64_t now_ns, std::int64_t tick_ns) noexcept;
+  void take_untimed(const Aim& next, std::optional<Aim>& taken) noexcept;
+  [[nodiscard]] PenSample read_track(std::int64_t now_ns) noexcept;
+  [[nodiscard]] PenSample sample_of(const Aim& aim, std::int64_t time_ns) noexcept;
   void move_to(std::int64_t now_ns) noexcept;
   [[nodiscard]] Force next_force() noexcept;
   [[nodiscard]] PenSample sense(double dt_s) noexcept;
 
   StylusPreset preset_;
   HeldBody body_;
-  SpscRing<Aim, kWaitingAims> queue_;
+  SpscRing<StampedAim, kWaitingAims> queue_;
   std::optional<Aim> waiting_;  // the oldest one, out of the queue
   MovingAim aim_;
+  bool has_body_;
+  AimTrack track_;
+  bool is_timed_ = false;  // by what came last
+  std::array<PenSample, kMostSamples> between_{};
+  std::size_t between_next_ = 0, between_end_ = 0;
+  std::int64_t sampled_ns_ = 0;  // time of the last sample
   VelocityFilter velocity_;
   Force asked_, acting_;
   std::array<Force, kMostDelayTicks + 1> delayed_{};  // ring: what was asked at the last reads

@@ -368,7 +368,7 @@ TEST(SimulatedStylus, IsAimedFromAnotherThread) {
   Loop loop(stylus, kMs);
   loop.run(2000);
   hand.join();
-  loop.run(300);  // whatever still waits: each of them presses or releases the button
+  loop.run(2000);  // whatever still waits: each of them presses or releases the button
   stylus.aim({20, 20, 4}, {}, 0);
   loop.run(300);
   EXPECT_NEAR(stylus.hand_aim().x, 20.0, 1e-9);

@@ -1,0 +1,204 @@
+#include "felt/devices/simulated/aim_track.h"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "felt/devices/simulated/random.h"
+#include "felt/devices/simulated/simulated_stylus.h"
+#include "felt/rt/servo.h"
+
+namespace felt {
+namespace {
+
+constexpr std::int64_t kMs = 1'000'000;
+
+struct Told {
+  std::int64_t time_ns = 0;     // when the hand was there
+  std::int64_t arrives_ns = 0;  // when the program hears of it
+  Vec3 place;
+};
+
+/// Places that are all different, told at a steady rate.
+std::vector<Told> steady(int count, std::int64_t interval_ns) {
+  std::vector<Told> told;
+  for (int i = 0; i < count; ++i) {
+    const std::int64_t time_ns = 50 * kMs + i * interval_ns;
+    told.push_back({time_ns, time_ns, {10.0 + 0.05 * i, 30.0 + 5.0 * std::sin(0.05 * i), 0.0}});
+  }
+  return told;
+}
+
+/// Arrivals in bursts: late by up to `most_ns`, never before the one in front.
+void delay(std::vector<Told>& told, std::int64_t most_ns, Random& random) {
+  std::int64_t burst_end_ns = 0;
+  for (Told& t : told) {
+    if (t.time_ns > burst_end_ns) {
+      burst_end_ns = t.time_ns + static_cast<std::int64_t>(random.between(0.0, 1.0) *
+                                                           static_cast<double>(most_ns));
+    }
+    t.arrives_ns = std::max(t.time_ns, burst_end_ns);
+  }
+}
+
+/// All samples of a pen that is told so, through a loop of 1 kHz.
+std::vector<PenSample> play(std::string_view device, std::span<const Told> told) {
+  SimulatedStylus stylus(*find_stylus_preset(device));
+  const auto servo = std::make_unique<Servo>(stylus, ServoOptions{});
+  std::vector<PenSample> samples;
+  std::size_t next = 0;
+  const std::int64_t end_ns = told.back().arrives_ns + 200 * kMs;
+  for (std::int64_t now_ns = 0; now_ns < end_ns; now_ns += kMs) {
+    for (; next < told.size() && told[next].arrives_ns <= now_ns; ++next) {
+      stylus.aim_at(told[next].time_ns, told[next].place, 0.5, 0);
+    }
+    servo->step(now_ns);
+    PenSample sample;
+    while (servo->for_edit().pop(sample)) samples.push_back(sample);
+  }
+  return samples;
+}
+
+/// Where each place turns up, in order; fails where one does not.
+std::vector<PenSample> find_all(std::span<const PenSample> samples, std::span<const Told> told) {
+  std::vector<PenSample> found;
+  auto at = samples.begin();
+  for (const Told& t : told) {
+    at =
+        std::find_if(at, samples.end(), [&t](const PenSample& s) { return s.position == t.place; });
+    if (at == samples.end()) {
+      ADD_FAILURE() << "place " << found.size() << " of " << told.size() << " is in no sample";
+      return found;
+    }
+    found.push_back(*at);
+  }
+  return found;
+}
+
+void expect_times_grow(std::span<const PenSample> samples) {
+  for (std::size_t i = 1; i < samples.size(); ++i) {
+    ASSERT_GT(samples[i].time_ns, samples[i - 1].time_ns) << i;
+  }
+}
+
+// Whatever the rate and however late they come: every place is in the samples, in order.
+TEST(AimTrack, NoPlaceIsSkipped) {
+  for (unsigned seed = 1; seed <= 20; ++seed) {
+    SCOPED_TRACE(seed);
+    Random random(seed);
+    static constexpr std::int64_t kIntervals[] = {8 * kMs, 5 * kMs, 2 * kMs, kMs, 500'000, 125'000};
+    std::vector<Told> told = steady(1000, kIntervals[seed % std::size(kIntervals)]);
+    delay(told, static_cast<std::int64_t>(random.between(0, 40)) * kMs, random);
+    const std::vector<PenSample> samples = play("tablet", told);
+    expect_times_grow(samples);
+    EXPECT_EQ(find_all(samples, told).size(), 1000u);
+  }
+}
+
+// After a stall of 1.5 s all that waited is there, and the delay is what it was.
+TEST(AimTrack, CatchesUpAfterAStall) {
+  std::vector<Told> told = steady(4000, kMs);
+  for (std::size_t i = 500; i < 2000; ++i) told[i].arrives_ns = told[2000].time_ns;
+  const std::vector<PenSample> samples = play("tablet", told);
+  expect_times_grow(samples);
+  const std::vector<PenSample> found = find_all(samples, told);
+  ASSERT_EQ(found.size(), told.size());
+  EXPECT_LT(found.back().time_ns - told.back().time_ns, AimTrack::kMostDelayNs);
+}
+
+// Events that arrive late by up to 8 ms, several at once, keep the spacing that they were made
+// with, and are never older than what the delay is bounded by.
+TEST(AimTrack, KeepsTheSpacing) {
+  for (unsigned seed = 1; seed <= 10; ++seed) {
+    SCOPED_TRACE(seed);
+    Random random(seed);
+    std::vector<Told> told = steady(1500, 2 * kMs);
+    delay(told, 8 * kMs, random);
+    const std::vector<PenSample> found = find_all(play("tablet", told), told);
+    ASSERT_EQ(found.size(), told.size());
+    int uneven = 0;
+    for (std::size_t i = 500; i < found.size(); ++i) {
+      const std::int64_t spacing_ns = found[i].time_ns - found[i - 1].time_ns;
+      uneven += std::abs(spacing_ns - 2 * kMs) > kMs / 2 ? 1 : 0;
+      EXPECT_LE(found[i].time_ns - told[i].arrives_ns, AimTrack::kMostDelayNs + kMs);
+    }
+    EXPECT_LT(uneven, 50) << "of 1000";
+  }
+}
+
+// What a tablet of 1 kHz waits for: the next event and a tick.
+TEST(AimTrack, ASteadyTabletIsHardlyDelayed) {
+  for (const auto& [interval_ns, most_ns] :
+       {std::pair<std::int64_t, std::int64_t>{kMs, 3 * kMs}, {5 * kMs, 7 * kMs}}) {
+    const std::vector<Told> told = steady(1000, interval_ns);
+    const std::vector<PenSample> found = find_all(play("tablet", told), told);
+    ASSERT_EQ(found.size(), told.size());
+    for (std::size_t i = 0; i < found.size(); ++i) {
+      ASSERT_LE(found[i].time_ns - told[i].time_ns, most_ns) << i;
+    }
+  }
+}
+
+// Between two places of a slow tablet the pen is on its way: no staircase.
+TEST(AimTrack, JoinsPlacesEvenly) {
+  const std::vector<Told> told = steady(200, 8 * kMs);
+  const std::vector<PenSample> samples = play("tablet", told);
+  double longest_mm = 0.0;
+  for (std::size_t i = 1; i < samples.size(); ++i) {
+    if (samples[i - 1].pressure.value_or(0.0) == 0.0) continue;
+    longest_mm = std::max(longest_mm, norm(samples[i].position - samples[i - 1].position));
+  }
+  double longest_told_mm = 0.0;
+  for (std::size_t i = 1; i < told.size(); ++i) {
+    longest_told_mm = std::max(longest_told_mm, norm(told[i].place - told[i - 1].place));
+  }
+  EXPECT_LT(longest_mm, 0.3 * longest_told_mm);
+}
+
+// No touch is lost on a pen with a body either, however they are bunched.
+TEST(AimTrack, TouchesOfAHandWithABodyAreKept) {
+  SimulatedStylus stylus(*find_stylus_preset("touch"));
+  std::int64_t now_ns = 0;
+  stylus.aim_at(0, {10, 10, 4}, {}, 0);
+  for (; now_ns < 300 * kMs; now_ns += kMs) static_cast<void>(stylus.read(now_ns));
+  for (int i = 0; i < 5; ++i) {
+    stylus.aim_at(now_ns, {10, 10, 4}, {}, 1);
+    stylus.aim_at(now_ns, {10, 10, 4}, {}, 0);
+  }
+  int presses = 0;
+  bool was_down = false;
+  for (int i = 0; i < 300; ++i, now_ns += kMs) {
+    const bool is_down = stylus.read(now_ns)->buttons == 1;
+    presses += is_down && !was_down ? 1 : 0;
+    was_down = is_down;
+    ASSERT_TRUE(stylus.write({}).has_value());
+  }
+  EXPECT_EQ(presses, 5);
+}
+
+TEST(AimTrack, SurvivesAnyTimes) {
+  for (const char* device : {"tablet", "touch"}) {
+    Random random(5);
+    SimulatedStylus stylus(*find_stylus_preset(device));
+    std::int64_t now_ns = 0;
+    for (int i = 0; i < 3000; ++i) {
+      now_ns += i % 100 == 99 ? -20 * kMs : kMs;
+      static constexpr std::int64_t kOdd[] = {INT64_MIN, INT64_MAX, 0, -kMs};
+      const bool odd = i % 5 == 0;
+      stylus.aim_at(odd ? kOdd[(i / 5) % 4] : now_ns - 3 * kMs,
+                    {random.between(0, 50), random.between(0, 50), 0.0}, 0.5, 0);
+      if (i % 50 == 0) stylus.aim({20, 20, 0}, 0.5, 0);
+      const auto sample = stylus.read(now_ns);
+      ASSERT_TRUE(sample.has_value());
+      ASSERT_TRUE(is_finite(sample->position) && is_finite(sample->velocity));
+      ASSERT_LE(sample->time_ns, now_ns);
+      ASSERT_TRUE(stylus.write({}).has_value());
+    }
+  }
+}
+
+}  // namespace
+}  // namespace felt
