@@ -14,6 +14,7 @@ set(FELT_FIND_pugixml::pugixml "find_dependency(pugixml)")
 set(FELT_FIND_pugixml "find_dependency(pugixml)")
 set(FELT_FIND_simdjson::simdjson "find_dependency(simdjson)")
 set(FELT_FIND_nlohmann_json::nlohmann_json "find_dependency(nlohmann_json)")
+set(FELT_FIND_SQLite::SQLite3 "find_dependency(SQLite3)")
 set(FELT_FIND_Threads::Threads "find_dependency(Threads)")
 set(FELT_FIND_PkgConfig::AGG
     "find_dependency(PkgConfig)\npkg_check_modules(AGG REQUIRED IMPORTED_TARGET libagg)")
@@ -27,6 +28,7 @@ set(FELT_PC_pugixml::pugixml "pugixml")
 set(FELT_PC_pugixml "pugixml")
 set(FELT_PC_simdjson::simdjson "simdjson")
 set(FELT_PC_nlohmann_json::nlohmann_json "")
+set(FELT_PC_SQLite::SQLite3 "sqlite3")
 set(FELT_PC_Threads::Threads "-pthread")
 set(FELT_PC_PkgConfig::AGG "libagg")
 
@@ -122,5 +124,5 @@ set(CPACK_DEBIAN_DEV_PACKAGE_SECTION libdevel)
 set(CPACK_DEBIAN_BIN_PACKAGE_SHLIBDEPS ON)
 # The archives are static: whoever links them needs what they were built against.
 set(CPACK_DEBIAN_DEV_PACKAGE_DEPENDS
-    "libexpected-dev, libpng-dev, libsimdjson-dev, libagg2-dev")
+    "libexpected-dev, libpng-dev, libsimdjson-dev, libagg2-dev, libsqlite3-dev")
 include(CPack)

@@ -4,8 +4,8 @@
 #include <string>
 #include <string_view>
 
+#include "felt/base/atomic_file.h"
 #include "felt/base/result.h"
-#include "felt/io/atomic_file.h"
 
 namespace felt::cli {
 

@@ -224,6 +224,11 @@ const Layer* Document::layer(LayerId id) const noexcept {
   return found == layers_.end() ? nullptr : &*found;
 }
 
+void Document::reserve_ids(StrokeId stroke, LayerId layer) noexcept {
+  last_id_ = std::max(last_id_, stroke.value);
+  last_layer_id_ = std::max(last_layer_id_, layer.value);
+}
+
 bool operator==(const Document& a, const Document& b) {
   return a.layers_ == b.layers_ &&
          std::equal(

@@ -58,6 +58,9 @@ class Document {
   /// Likewise for layers.
   [[nodiscard]] LayerId new_layer_id() const noexcept { return {last_layer_id_ + 1}; }
 
+  /// Counts ids up to these as taken: a document that is read from a file remembers what it had.
+  void reserve_ids(StrokeId stroke, LayerId layer) noexcept;
+
   /// The same strokes, by value, in the same places of the same layers.
   friend bool operator==(const Document& a, const Document& b);
 

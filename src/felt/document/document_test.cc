@@ -199,5 +199,15 @@ TEST(EditBuilder, WorksThePlacesOut) {
   }
 }
 
+TEST(Document, ReservedIdsNameNothingNew) {
+  Document document;
+  document.reserve_ids({41}, {6});
+  EXPECT_EQ(document.new_id(), StrokeId{42});
+  EXPECT_EQ(document.new_layer_id(), LayerId{7});
+  document.reserve_ids({3}, {2});  // never back
+  EXPECT_EQ(document.new_id(), StrokeId{42});
+  EXPECT_EQ(document.new_layer_id(), LayerId{7});
+}
+
 }  // namespace
 }  // namespace felt

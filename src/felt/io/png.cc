@@ -8,7 +8,7 @@
 #include <cstring>
 #include <vector>
 
-#include "felt/io/atomic_file.h"
+#include "felt/base/atomic_file.h"
 
 namespace felt {
 namespace {

@@ -4,9 +4,9 @@
 #include <string>
 #include <string_view>
 
+#include "felt/base/atomic_file.h"
 #include "felt/base/result.h"
 #include "felt/geometry/rect.h"
-#include "felt/io/atomic_file.h"
 #include "felt/stroke/sketch.h"
 
 namespace felt {

@@ -1,4 +1,4 @@
-#include "felt/io/atomic_file.h"
+#include "felt/base/atomic_file.h"
 
 #include <fcntl.h>
 #include <gmock/gmock.h>
@@ -9,6 +9,8 @@
 #include <filesystem>
 #include <fstream>
 #include <sstream>
+
+#include "felt/base/read_file.h"
 
 namespace felt {
 namespace {
@@ -118,6 +120,15 @@ TEST_F(AtomicFileTest, AFullDiskIsReported) {
   const auto result = write_file("/dev/full", "too much");
   ASSERT_FALSE(result);
   EXPECT_THAT(result.error().message, HasSubstr("No space left"));
+}
+
+TEST_F(AtomicFileTest, ReadsBackWhatWasWritten) {
+  const std::string bytes = std::string(700'000, 'x') + '\0' + "end";
+  ASSERT_TRUE(write_file(path("a"), bytes));
+  EXPECT_EQ(read_file(path("a"), bytes.size()).value(), bytes);
+  EXPECT_THAT(read_file(path("a"), bytes.size() - 1).error().message, HasSubstr("larger than"));
+  EXPECT_EQ(read_file(path("b"), 10).error().code, ErrorCode::kNotFound);
+  EXPECT_THAT(read_file(folder_.string(), 10).error().message, HasSubstr("directory"));
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-#include "felt/io/atomic_file.h"
+#include "felt/base/atomic_file.h"
 
 #include <fcntl.h>
 #include <sys/stat.h>

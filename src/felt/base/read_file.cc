@@ -1,0 +1,54 @@
+#include "felt/base/read_file.h"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+
+namespace felt {
+namespace {
+
+constexpr std::size_t kChunkBytes = std::size_t{1} << 18;
+
+tl::unexpected<Error> system_error(const std::string& name, int reason) {
+  return fail(reason == ENOENT ? ErrorCode::kNotFound : ErrorCode::kIo,
+              name + ": cannot read: " + std::strerror(reason));
+}
+
+Result<std::string> read_all(int fd, const std::string& name, std::size_t max_bytes) {
+  std::string bytes;
+  struct stat info {};
+  if (::fstat(fd, &info) == 0 && S_ISREG(info.st_mode)) {
+    bytes.reserve(std::min(static_cast<std::size_t>(info.st_size), max_bytes) + 1);
+  }
+  for (;;) {
+    const std::size_t have = bytes.size();
+    bytes.resize(have + kChunkBytes);
+    const ssize_t n = ::read(fd, bytes.data() + have, kChunkBytes);
+    const int reason = errno;
+    bytes.resize(have + (n > 0 ? static_cast<std::size_t>(n) : 0));
+    if (n < 0 && reason == EINTR) continue;
+    if (n < 0) return system_error(name, reason);
+    if (n == 0) return bytes;
+    if (bytes.size() > max_bytes) {
+      return fail(ErrorCode::kLimitExceeded,
+                  name + ": is larger than " + std::to_string(max_bytes) + " bytes");
+    }
+  }
+}
+
+}  // namespace
+
+Result<std::string> read_file(const std::string& path, std::size_t max_bytes) {
+  if (path == "-") return read_all(STDIN_FILENO, "stdin", max_bytes);
+  const int fd = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+  if (fd < 0) return system_error(path, errno);
+  Result<std::string> bytes = read_all(fd, path, max_bytes);
+  ::close(fd);
+  return bytes;
+}
+
+}  // namespace felt

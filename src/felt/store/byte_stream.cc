@@ -1,0 +1,45 @@
+#include "felt/store/byte_stream.h"
+
+#include <bit>
+#include <cstddef>
+
+namespace felt {
+
+void ByteWriter::little_endian(std::uint64_t v, int bytes) {
+  for (int i = 0; i < bytes; ++i) out_ += static_cast<char>((v >> (8 * i)) & 0xff);
+}
+
+void ByteWriter::f64(double v) {
+  u64(std::bit_cast<std::uint64_t>(v));
+}
+
+void ByteWriter::text(std::string_view v) {
+  u32(static_cast<std::uint32_t>(v.size()));
+  out_ += v;
+}
+
+std::uint64_t ByteReader::little_endian(std::size_t bytes) {
+  if (bytes_.size() < bytes) ok_ = false;
+  if (!ok_) return 0;
+  std::uint64_t v = 0;
+  for (std::size_t i = 0; i < bytes; ++i) {
+    v |= static_cast<std::uint64_t>(static_cast<unsigned char>(bytes_[i])) << (8 * i);
+  }
+  bytes_.remove_prefix(bytes);
+  return v;
+}
+
+double ByteReader::f64() {
+  return std::bit_cast<double>(u64());
+}
+
+std::string_view ByteReader::text(std::size_t max_bytes) {
+  const std::uint32_t size = u32();
+  if (size > max_bytes || size > bytes_.size()) ok_ = false;
+  if (!ok_) return {};
+  const std::string_view text = bytes_.substr(0, size);
+  bytes_.remove_prefix(size);
+  return text;
+}
+
+}  // namespace felt

@@ -1,0 +1,183 @@
+#include "felt/store/database.h"
+
+#include <sqlite3.h>
+
+#include <utility>
+
+#include "felt/store/stroke_blob.h"
+
+namespace felt {
+namespace {
+
+tl::unexpected<Error> error_of(sqlite3* db) {
+  const int code = sqlite3_extended_errcode(db);
+  const int kind = code & 0xff;
+  const bool is_damaged = kind == SQLITE_CORRUPT || kind == SQLITE_NOTADB;
+  return fail(is_damaged              ? ErrorCode::kInvalidData
+              : kind == SQLITE_TOOBIG ? ErrorCode::kLimitExceeded
+                                      : ErrorCode::kIo,
+              sqlite3_errmsg(db));
+}
+
+}  // namespace
+
+Statement::Statement(Statement&& other) noexcept
+    : statement_(std::exchange(other.statement_, nullptr)) {}
+
+Statement& Statement::operator=(Statement&& other) noexcept {
+  std::swap(statement_, other.statement_);
+  return *this;
+}
+
+Statement::~Statement() {
+  sqlite3_finalize(statement_);
+}
+
+void Statement::bind(int parameter, std::int64_t value) const noexcept {
+  sqlite3_bind_int64(statement_, parameter, value);
+}
+
+void Statement::bind(int parameter, double value) const noexcept {
+  sqlite3_bind_double(statement_, parameter, value);
+}
+
+void Statement::bind_text(int parameter, std::string_view text) const noexcept {
+  sqlite3_bind_text64(statement_, parameter, text.empty() ? "" : text.data(), text.size(),
+                      SQLITE_STATIC, SQLITE_UTF8);
+}
+
+void Statement::bind_blob(int parameter, std::string_view bytes) const noexcept {
+  sqlite3_bind_blob64(statement_, parameter, bytes.data(), bytes.size(), SQLITE_STATIC);
+}
+
+Result<bool> Statement::step() const {
+  const int code = sqlite3_step(statement_);
+  if (code == SQLITE_ROW) return true;
+  if (code == SQLITE_DONE) return false;
+  return error_of(sqlite3_db_handle(statement_));
+}
+
+void Statement::reset() const noexcept {
+  sqlite3_reset(statement_);
+}
+
+bool Statement::is_integer(int column) const noexcept {
+  return sqlite3_column_type(statement_, column) == SQLITE_INTEGER;
+}
+
+bool Statement::is_real(int column) const noexcept {
+  return sqlite3_column_type(statement_, column) == SQLITE_FLOAT;
+}
+
+bool Statement::is_text(int column) const noexcept {
+  return sqlite3_column_type(statement_, column) == SQLITE_TEXT;
+}
+
+bool Statement::is_blob(int column) const noexcept {
+  return sqlite3_column_type(statement_, column) == SQLITE_BLOB;
+}
+
+std::int64_t Statement::integer(int column) const noexcept {
+  return sqlite3_column_int64(statement_, column);
+}
+
+double Statement::real(int column) const noexcept {
+  return sqlite3_column_double(statement_, column);
+}
+
+std::string_view Statement::text(int column) const noexcept {
+  const auto* text = reinterpret_cast<const char*>(sqlite3_column_text(statement_, column));
+  const int size = sqlite3_column_bytes(statement_, column);
+  return text ? std::string_view(text, static_cast<std::size_t>(size)) : std::string_view();
+}
+
+std::string_view Statement::blob(int column) const noexcept {
+  const auto* bytes = static_cast<const char*>(sqlite3_column_blob(statement_, column));
+  const int size = sqlite3_column_bytes(statement_, column);
+  return bytes ? std::string_view(bytes, static_cast<std::size_t>(size)) : std::string_view();
+}
+
+Database::Database(Database&& other) noexcept : db_(std::exchange(other.db_, nullptr)) {}
+
+Database& Database::operator=(Database&& other) noexcept {
+  std::swap(db_, other.db_);
+  return *this;
+}
+
+Database::~Database() {
+  sqlite3_close(db_);
+}
+
+tl::unexpected<Error> Database::error() const {
+  return error_of(db_);
+}
+
+Result<Database> Database::create() {
+  Database database;
+  const int flags = SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE | SQLITE_OPEN_NOMUTEX;
+  if (sqlite3_open_v2(":memory:", &database.db_, flags, nullptr) != SQLITE_OK) {
+    return database.error();
+  }
+  return database;
+}
+
+Result<Database> Database::open(std::string_view bytes) {
+  Result<Database> database = create();
+  if (!database) return database;
+  if (auto ok = database->harden(); !ok) return tl::unexpected(ok.error());
+  // The interface takes writable bytes; with this flag it leaves them alone.
+  auto* data = reinterpret_cast<unsigned char*>(const_cast<char*>(bytes.data()));
+  const auto size = static_cast<sqlite3_int64>(bytes.size());
+  if (sqlite3_deserialize(database->db_, "main", data, size, size, SQLITE_DESERIALIZE_READONLY) !=
+      SQLITE_OK) {
+    return database->error();
+  }
+  Result<Statement> check = database->prepare("PRAGMA quick_check(1)");
+  if (!check) return tl::unexpected(check.error());
+  const Result<bool> row = check->step();
+  if (!row) return tl::unexpected(row.error());
+  if (!*row || check->text(0) != "ok") {
+    return fail(ErrorCode::kInvalidData, *row ? std::string(check->text(0)) : "no answer");
+  }
+  return database;
+}
+
+/// What sqlite.org/security.html asks for where files come from others.
+Result<void> Database::harden() {
+  sqlite3_db_config(db_, SQLITE_DBCONFIG_DEFENSIVE, 1, nullptr);
+  sqlite3_db_config(db_, SQLITE_DBCONFIG_TRUSTED_SCHEMA, 0, nullptr);
+  sqlite3_db_config(db_, SQLITE_DBCONFIG_ENABLE_TRIGGER, 0, nullptr);
+  sqlite3_db_config(db_, SQLITE_DBCONFIG_ENABLE_VIEW, 0, nullptr);
+  constexpr int kTextBytes = 10'000, kColumns = 32, kOperations = 10'000, kDepth = 10;
+  sqlite3_limit(db_, SQLITE_LIMIT_LENGTH, static_cast<int>(kMaxStrokeBlobBytes) + 4096);
+  sqlite3_limit(db_, SQLITE_LIMIT_SQL_LENGTH, kTextBytes);
+  sqlite3_limit(db_, SQLITE_LIMIT_COLUMN, kColumns);
+  sqlite3_limit(db_, SQLITE_LIMIT_EXPR_DEPTH, kDepth);
+  sqlite3_limit(db_, SQLITE_LIMIT_VDBE_OP, kOperations);
+  sqlite3_limit(db_, SQLITE_LIMIT_ATTACHED, 0);
+  sqlite3_limit(db_, SQLITE_LIMIT_TRIGGER_DEPTH, 1);
+  return run("PRAGMA cell_size_check=ON; PRAGMA mmap_size=0; PRAGMA temp_store=MEMORY");
+}
+
+Result<void> Database::run(const char* sql) {
+  if (sqlite3_exec(db_, sql, nullptr, nullptr, nullptr) != SQLITE_OK) return error();
+  return {};
+}
+
+Result<Statement> Database::prepare(const char* sql) const {
+  Statement statement;
+  if (sqlite3_prepare_v2(db_, sql, -1, &statement.statement_, nullptr) != SQLITE_OK) {
+    return error();
+  }
+  return statement;
+}
+
+Result<std::string> Database::bytes() const {
+  sqlite3_int64 size = 0;
+  const std::unique_ptr<unsigned char, decltype(&sqlite3_free)> data(
+      sqlite3_serialize(db_, "main", &size, 0), &sqlite3_free);
+  if (!data) return fail(ErrorCode::kIo, "not enough memory for the file");
+  return std::string(reinterpret_cast<const char*>(data.get()), static_cast<std::size_t>(size));
+}
+
+}  // namespace felt

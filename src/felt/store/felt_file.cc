@@ -1,0 +1,87 @@
+#include "felt/store/felt_file.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "felt/base/atomic_file.h"
+#include "felt/base/read_file.h"
+#include "felt/store/database.h"
+#include "felt/store/felt_tables.h"
+
+namespace felt {
+namespace {
+
+constexpr std::string_view kMagic{"SQLite format 3\0", 16};
+constexpr std::size_t kHeaderBytes = 100;
+constexpr std::size_t kWriteVersionAt = 18, kReadVersionAt = 19;
+constexpr std::size_t kUserVersionAt = 60, kApplicationIdAt = 68;
+
+std::uint32_t big_endian(std::string_view bytes, std::size_t at) noexcept {
+  std::uint32_t value = 0;
+  for (std::size_t i = 0; i < 4; ++i) {
+    value = value << 8 | static_cast<unsigned char>(bytes[at + i]);
+  }
+  return value;
+}
+
+tl::unexpected<Error> no_drawing(const std::string& why) {
+  return fail(ErrorCode::kInvalidData, why);
+}
+
+/// What the first bytes say, before SQLite sees any.
+Result<void> check_header(std::string_view bytes) {
+  if (bytes.empty()) return no_drawing("is empty");
+  const std::size_t known = std::min(bytes.size(), kMagic.size());
+  if (bytes.substr(0, known) != kMagic.substr(0, known)) {
+    return no_drawing("is no Feltline drawing");
+  }
+  if (bytes.size() < kHeaderBytes) return no_drawing("is cut off within its header");
+  if (big_endian(bytes, kApplicationIdAt) != kFeltApplicationId) {
+    return no_drawing("is a database of another program, no Feltline drawing");
+  }
+  const std::uint32_t version = big_endian(bytes, kUserVersionAt);
+  if (version > kFeltVersion) {
+    return fail(ErrorCode::kUnsupported, "was written by a newer Feltline (format " +
+                                             std::to_string(version) + ", this one knows " +
+                                             std::to_string(kFeltVersion) + ")");
+  }
+  if (version != kFeltVersion) return no_drawing("has no version of the format");
+  if (bytes[kWriteVersionAt] != 1 || bytes[kReadVersionAt] != 1) {
+    return no_drawing("was changed by another program, which left it open");
+  }
+  return {};
+}
+
+}  // namespace
+
+Result<StoredDrawing> parse_felt(std::string_view bytes) {
+  if (auto ok = check_header(bytes); !ok) return tl::unexpected(ok.error());
+  const Result<Database> database = Database::open(bytes);
+  if (!database) {
+    return tl::unexpected(with_context(database.error(), "is damaged or cut off"));
+  }
+  return read_tables(*database);
+}
+
+Result<std::string> felt_bytes(const StoredDrawing& drawing) {
+  Result<Database> database = Database::create();
+  if (!database) return tl::unexpected(database.error());
+  if (auto ok = write_tables(*database, drawing); !ok) return tl::unexpected(ok.error());
+  return database->bytes();
+}
+
+Result<StoredDrawing> read_felt(const std::string& path) {
+  const Result<std::string> bytes = read_file(path, kMaxFeltBytes);
+  if (!bytes) return tl::unexpected(bytes.error());
+  Result<StoredDrawing> drawing = parse_felt(*bytes);
+  if (drawing) return drawing;
+  return tl::unexpected(with_context(drawing.error(), path == "-" ? "stdin" : path));
+}
+
+Result<void> write_felt(const std::string& path, const StoredDrawing& drawing) {
+  const Result<std::string> bytes = felt_bytes(drawing);
+  if (bytes) return write_file(path, *bytes);
+  return tl::unexpected(with_context(bytes.error(), path));
+}
+
+}  // namespace felt

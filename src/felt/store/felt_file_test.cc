@@ -1,0 +1,158 @@
+#include "felt/store/felt_file.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <signal.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <random>
+
+#include "felt/base/atomic_file.h"
+#include "felt/base/read_file.h"
+#include "felt/document/random_document.h"
+
+namespace felt {
+namespace {
+
+namespace fs = std::filesystem;
+using ::testing::HasSubstr;
+using ::testing::StartsWith;
+
+StoredDrawing random_drawing(std::uint64_t seed) {
+  StoredDrawing drawing;
+  felt::testing::RandomEdits edits(seed);
+  std::mt19937_64 random(seed);
+  for (std::uint64_t i = random() % 12; i > 0; --i) {
+    EXPECT_TRUE(drawing.document.apply(edits.next(drawing.document)));
+  }
+  drawing.page = {10.0 + static_cast<double>(random() % 499'000) / 100.0,
+                  5000.0,
+                  {1, static_cast<std::uint8_t>(random()), 3, static_cast<std::uint8_t>(random())}};
+  drawing.material = random() % 2 == 0 ? "" : "Bütten";
+  drawing.color = {static_cast<std::uint8_t>(random()), 0, 255, 128};
+  const auto layers = drawing.document.layers();
+  if (random() % 3 > 0) drawing.layer = layers[random() % layers.size()].id;
+  return drawing;
+}
+
+class FeltFileTest : public ::testing::Test {
+ protected:
+  FeltFileTest() {
+    std::string name = (fs::temp_directory_path() / "felt-file-XXXXXX").string();
+    folder_ = ::mkdtemp(name.data());
+  }
+  ~FeltFileTest() override { fs::remove_all(folder_); }
+
+  [[nodiscard]] std::string path(const char* name) const { return (folder_ / name).string(); }
+
+  fs::path folder_;
+};
+
+TEST_F(FeltFileTest, EveryDrawingReadsBackAsItWas) {
+  for (std::uint64_t seed = 0; seed < 150; ++seed) {
+    const StoredDrawing drawing = random_drawing(seed);
+    const std::string bytes = felt_bytes(drawing).value();
+    const Result<StoredDrawing> back = parse_felt(bytes);
+    ASSERT_TRUE(back) << "seed " << seed << ": " << back.error().message;
+    EXPECT_TRUE(*back == drawing) << "seed " << seed;
+    // The next ids too, so that nothing is ever named like what was there once.
+    EXPECT_EQ(back->document.new_id(), drawing.document.new_id()) << "seed " << seed;
+    EXPECT_EQ(back->document.new_layer_id(), drawing.document.new_layer_id()) << "seed " << seed;
+    EXPECT_EQ(felt_bytes(*back).value(), bytes) << "seed " << seed;
+  }
+}
+
+TEST_F(FeltFileTest, AFileIsOnePlainFileWithOurNumbers) {
+  ASSERT_TRUE(write_felt(path("a.felt"), random_drawing(3)));
+  ASSERT_TRUE(read_felt(path("a.felt")));
+  EXPECT_EQ(std::distance(fs::directory_iterator(folder_), fs::directory_iterator()), 1);
+  const std::string bytes = read_file(path("a.felt"), kMaxFeltBytes).value();
+  EXPECT_EQ(bytes.substr(0, 16), (std::string("SQLite format 3\0", 16)));
+  EXPECT_EQ(bytes.substr(68, 4), "Felt");
+  EXPECT_EQ(bytes.substr(60, 4), (std::string("\0\0\0\1", 4)));
+  EXPECT_EQ(bytes.substr(18, 2), "\1\1");  // no WAL
+}
+
+TEST_F(FeltFileTest, ErrorsNameTheFileAndTheReason) {
+  const auto message = [this](std::string_view bytes) {
+    EXPECT_TRUE(write_file(path("x.felt"), bytes));
+    return read_felt(path("x.felt")).error().message;
+  };
+  EXPECT_THAT(read_felt(path("none")).error().message, StartsWith(path("none") + ": "));
+  EXPECT_THAT(message(""), StartsWith(path("x.felt") + ": is empty"));
+  EXPECT_THAT(message("<svg/>"), HasSubstr("is no Feltline drawing"));
+  std::string bytes = felt_bytes(random_drawing(5)).value();
+  EXPECT_THAT(message(bytes.substr(0, 50)), HasSubstr("cut off"));
+  bytes[63] = 2;
+  EXPECT_THAT(message(bytes), HasSubstr("newer Feltline (format 2, this one knows 1)"));
+  bytes[63] = 1;
+  bytes[70] = 'x';
+  EXPECT_THAT(message(bytes), HasSubstr("another program"));
+  bytes[70] = 'l';
+  bytes[18] = bytes[19] = 2;
+  EXPECT_THAT(message(bytes), HasSubstr("left it open"));
+}
+
+/// The promise behind the checksums: what is damaged is an error, or damaged where nothing is.
+TEST_F(FeltFileTest, NoDamagePassesForADrawing) {
+  const StoredDrawing drawing = random_drawing(11);
+  const std::string bytes = felt_bytes(drawing).value();
+  std::mt19937 random(4);
+  for (int run = 0; run < 3000; ++run) {
+    std::string changed = bytes;
+    for (auto k = 1 + random() % 3; k > 0; --k) {
+      changed[random() % changed.size()] ^= static_cast<char>(1 + random() % 255);
+    }
+    const Result<StoredDrawing> read = parse_felt(changed);
+    EXPECT_TRUE(read ? *read == drawing : !read.error().message.empty()) << "run " << run;
+  }
+  for (std::size_t size = 0; size < bytes.size(); size += 1 + random() % 97) {
+    EXPECT_FALSE(parse_felt(std::string_view(bytes).substr(0, size))) << size;
+  }
+  for (int run = 0; run < 200; ++run) {  // a page that never reached the disk, or another's
+    std::string changed = bytes;
+    const std::size_t page = random() % (bytes.size() / 4096) * 4096;
+    changed.replace(page, 4096,
+                    run % 2 == 0 ? std::string(4096, '\0')
+                                 : bytes.substr(random() % (bytes.size() - 4096), 4096));
+    const Result<StoredDrawing> read = parse_felt(changed);
+    EXPECT_TRUE(!read || *read == drawing) << "run " << run;
+  }
+}
+
+TEST_F(FeltFileTest, WhatNoFileMayHoldIsNotWritten) {
+  ASSERT_TRUE(write_felt(path("a.felt"), random_drawing(1)));
+  StoredDrawing drawing = random_drawing(2);
+  drawing.page.width_mm = 0.0;
+  EXPECT_THAT(write_felt(path("a.felt"), drawing).error().message,
+              StartsWith(path("a.felt") + ": the sheet"));
+  EXPECT_TRUE(read_felt(path("a.felt")).value() == random_drawing(1));
+}
+
+/// Kills a process that saves at random moments: the old drawing or the new one, and no litter.
+TEST_F(FeltFileTest, AKilledSaveLeavesTheOldFileOrTheNew) {
+  const StoredDrawing a = random_drawing(21), b = random_drawing(22);
+  ASSERT_TRUE(write_felt(path("a.felt"), a));
+  std::mt19937 random(5);
+  for (int run = 0; run < 40; ++run) {
+    const pid_t child = ::fork();
+    if (child == 0) {
+      for (;;) {
+        if (!write_felt(path("a.felt"), b) || !write_felt(path("a.felt"), a)) ::_exit(1);
+      }
+    }
+    ::usleep(static_cast<useconds_t>(500 + random() % 8000));
+    ::kill(child, SIGKILL);
+    int status = 0;
+    ::waitpid(child, &status, 0);
+    ASSERT_TRUE(WIFSIGNALED(status)) << "the child could not save";
+    const Result<StoredDrawing> read = read_felt(path("a.felt"));
+    ASSERT_TRUE(read) << read.error().message;
+    EXPECT_TRUE(*read == a || *read == b) << "run " << run;
+  }
+}
+
+}  // namespace
+}  // namespace felt

@@ -1,0 +1,299 @@
+#include "felt/store/felt_tables.h"
+
+#include <array>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <utility>
+
+#include "felt/base/utf8.h"
+#include "felt/store/byte_stream.h"
+#include "felt/store/crc32c.h"
+#include "felt/store/stroke_blob.h"
+
+namespace felt {
+namespace {
+
+// In the order of their names, which is how the schema is read. Part of the format: a file whose
+// schema is not this text is not ours.
+constexpr std::array kTables = {
+    std::pair{"drawing",
+              "CREATE TABLE drawing(id INTEGER PRIMARY KEY, width_mm REAL NOT NULL, "
+              "height_mm REAL NOT NULL, paper INTEGER NOT NULL, material TEXT NOT NULL, "
+              "color INTEGER NOT NULL, layer INTEGER NOT NULL, last_stroke INTEGER NOT NULL, "
+              "last_layer INTEGER NOT NULL, checksum INTEGER NOT NULL)"},
+    std::pair{"layer",
+              "CREATE TABLE layer(id INTEGER PRIMARY KEY, place INTEGER NOT NULL, "
+              "name TEXT NOT NULL, visible INTEGER NOT NULL, locked INTEGER NOT NULL)"},
+    std::pair{"stroke",
+              "CREATE TABLE stroke(id INTEGER PRIMARY KEY, layer INTEGER NOT NULL, "
+              "place INTEGER NOT NULL, shape BLOB NOT NULL)"}};
+
+constexpr std::size_t kMaxLayers = 10'000;
+constexpr std::size_t kMaxNameBytes = 4096;
+constexpr std::int64_t kMaxId = std::int64_t{1} << 53;
+
+tl::unexpected<Error> bad(std::string what) {
+  return fail(ErrorCode::kInvalidData, std::move(what));
+}
+
+std::int64_t number_of(Rgba c) noexcept {
+  return std::int64_t{c.r} << 24 | std::int64_t{c.g} << 16 | std::int64_t{c.b} << 8 | c.a;
+}
+
+Rgba color_of(std::int64_t n) noexcept {
+  const auto byte = [n](int shift) { return static_cast<std::uint8_t>((n >> shift) & 0xff); };
+  return {byte(24), byte(16), byte(8), byte(0)};
+}
+
+/// A checksum of all that the strokes' own ones do not cover.
+std::uint32_t checksum_of(const StoredDrawing& d) {
+  std::string bytes;
+  ByteWriter out(bytes);
+  out.f64(d.page.width_mm);
+  out.f64(d.page.height_mm);
+  out.u32(static_cast<std::uint32_t>(number_of(d.page.paper)));
+  out.text(d.material);
+  out.u32(static_cast<std::uint32_t>(number_of(d.color)));
+  out.u64(d.layer.value);
+  out.u64(d.document.new_id().value);
+  out.u64(d.document.new_layer_id().value);
+  for (const Layer& layer : d.document.layers()) {
+    out.u64(layer.id.value);
+    out.text(layer.name);
+    out.u8(static_cast<std::uint8_t>((layer.visible ? 1 : 0) | (layer.locked ? 2 : 0)));
+    out.u64(layer.strokes.size());
+    for (const StrokeId id : layer.strokes) out.u64(id.value);
+  }
+  return crc32c(bytes);
+}
+
+bool is_side(double mm) noexcept {
+  return mm >= SheetPage::kLeastMm && mm <= SheetPage::kMostMm;  // false for NaN
+}
+
+bool is_name(std::string_view text) noexcept {
+  return text.size() <= kMaxNameBytes && is_utf8(text);
+}
+
+Result<void> check_drawing(const StoredDrawing& d) {
+  if (!is_side(d.page.width_mm) || !is_side(d.page.height_mm)) {
+    return bad("the sheet is not 10 to 5000 mm on a side");
+  }
+  if (!is_name(d.material)) return bad("the material of the sheet has an impossible name");
+  if (d.layer && !d.document.layer(d.layer)) return bad("the layer in use is not there");
+  if (d.document.layers().size() > kMaxLayers) return bad("has more than 10000 layers");
+  return {};
+}
+
+// --- Writing
+
+Result<void> write_drawing_row(const Database& db, const StoredDrawing& d) {
+  const auto row = db.prepare("INSERT INTO drawing VALUES(1,?,?,?,?,?,?,?,?,?)");
+  if (!row) return tl::unexpected(row.error());
+  row->bind(1, d.page.width_mm);
+  row->bind(2, d.page.height_mm);
+  row->bind(3, number_of(d.page.paper));
+  row->bind_text(4, d.material);
+  row->bind(5, number_of(d.color));
+  row->bind(6, static_cast<std::int64_t>(d.layer.value));
+  row->bind(7, static_cast<std::int64_t>(d.document.new_id().value - 1));
+  row->bind(8, static_cast<std::int64_t>(d.document.new_layer_id().value - 1));
+  row->bind(9, static_cast<std::int64_t>(checksum_of(d)));
+  return row->step().map([](bool) {});
+}
+
+Result<void> write_layers(const Database& db, const Document& document) {
+  const auto row = db.prepare("INSERT INTO layer VALUES(?,?,?,?,?)");
+  if (!row) return tl::unexpected(row.error());
+  std::int64_t place = 0;
+  for (const Layer& layer : document.layers()) {
+    if (!is_name(layer.name)) return bad("a layer has an impossible name");
+    row->bind(1, static_cast<std::int64_t>(layer.id.value));
+    row->bind(2, place++);
+    row->bind_text(3, layer.name);
+    row->bind(4, std::int64_t{layer.visible});
+    row->bind(5, std::int64_t{layer.locked});
+    if (auto done = row->step(); !done) return tl::unexpected(done.error());
+    row->reset();
+  }
+  return {};
+}
+
+Result<void> write_strokes(const Database& db, const Document& document) {
+  const auto row = db.prepare("INSERT INTO stroke VALUES(?,?,?,?)");
+  if (!row) return tl::unexpected(row.error());
+  std::string shape;
+  for (const Layer& layer : document.layers()) {
+    std::int64_t place = 0;
+    for (const StrokeId id : layer.strokes) {
+      shape.clear();
+      if (auto ok = append_stroke_blob(shape, *document.find(id)); !ok) {
+        return tl::unexpected(with_context(ok.error(), "stroke " + std::to_string(id.value)));
+      }
+      row->bind(1, static_cast<std::int64_t>(id.value));
+      row->bind(2, static_cast<std::int64_t>(layer.id.value));
+      row->bind(3, place++);
+      row->bind_blob(4, shape);
+      if (auto done = row->step(); !done) return tl::unexpected(done.error());
+      row->reset();
+    }
+  }
+  return {};
+}
+
+// --- Reading
+
+Result<void> check_schema(const Database& db) {
+  const auto row = db.prepare("SELECT type, name, sql FROM sqlite_schema ORDER BY name");
+  if (!row) return tl::unexpected(row.error());
+  for (const auto& [name, sql] : kTables) {
+    const Result<bool> more = row->step();
+    if (!more) return tl::unexpected(more.error());
+    if (!*more || row->text(0) != "table" || row->text(1) != name || row->text(2) != sql) {
+      return bad("has other tables than a Feltline drawing");
+    }
+  }
+  const Result<bool> more = row->step();
+  if (!more) return tl::unexpected(more.error());
+  if (*more) return bad("has other tables than a Feltline drawing");
+  return {};
+}
+
+/// What the row of the table `drawing` says and the drawing itself does not keep.
+struct Head {
+  std::uint64_t last_stroke = 0, last_layer = 0;
+  std::int64_t checksum = 0;
+};
+
+bool is_id(std::int64_t value) noexcept {
+  return value > 0 && value <= kMaxId;
+}
+bool is_counter(std::int64_t value) noexcept {
+  return value >= 0 && value <= kMaxId;
+}
+bool is_color(std::int64_t value) noexcept {
+  return value >= 0 && value <= std::numeric_limits<std::uint32_t>::max();
+}
+
+Result<Head> read_drawing_row(const Database& db, StoredDrawing& d) {
+  const auto row = db.prepare(
+      "SELECT width_mm, height_mm, paper, material, color, layer, last_stroke, last_layer, "
+      "checksum FROM drawing LIMIT 2");
+  if (!row) return tl::unexpected(row.error());
+  const Result<bool> any = row->step();
+  if (!any) return tl::unexpected(any.error());
+  if (!*any) return bad("says nothing about its sheet");
+  for (const int column : {2, 4, 5, 6, 7, 8}) {
+    if (!row->is_integer(column)) return bad("the table 'drawing' holds no number where it must");
+  }
+  if (!row->is_real(0) || !row->is_real(1) || !row->is_text(3) || !is_color(row->integer(2)) ||
+      !is_color(row->integer(4)) || !is_counter(row->integer(5)) || !is_counter(row->integer(6)) ||
+      !is_counter(row->integer(7))) {
+    return bad("the table 'drawing' holds an impossible value");
+  }
+  d.page = {row->real(0), row->real(1), color_of(row->integer(2))};
+  d.material = std::string(row->text(3));
+  d.color = color_of(row->integer(4));
+  d.layer = {static_cast<std::uint64_t>(row->integer(5))};
+  const Head head{static_cast<std::uint64_t>(row->integer(6)),
+                  static_cast<std::uint64_t>(row->integer(7)), row->integer(8)};
+  const Result<bool> more = row->step();
+  if (!more) return tl::unexpected(more.error());
+  if (*more) return bad("the table 'drawing' has more than one row");
+  return head;
+}
+
+/// Adds the layers to an edit of the document that every drawing starts as.
+Result<void> read_layers(const Database& db, const Document& empty, Edit& edit) {
+  const Layer& first = empty.layers().front();
+  edit.layers.push_back({first.id, first.state(), std::nullopt, 0, 0});
+  const auto row = db.prepare("SELECT id, name, visible, locked FROM layer ORDER BY place, id");
+  if (!row) return tl::unexpected(row.error());
+  std::size_t place = 0;
+  for (;; ++place) {
+    const Result<bool> more = row->step();
+    if (!more) return tl::unexpected(more.error());
+    if (!*more) break;
+    if (place == kMaxLayers) return fail(ErrorCode::kLimitExceeded, "has more than 10000 layers");
+    const auto is_switch = [&row](int column) {
+      return row->is_integer(column) && (row->integer(column) | 1) == 1;
+    };
+    if (!is_id(row->integer(0)) || !row->is_text(1) || !is_name(row->text(1)) || !is_switch(2) ||
+        !is_switch(3)) {
+      return bad("layer " + std::to_string(row->integer(0)) + " holds an impossible value");
+    }
+    LayerChange change{
+        {static_cast<std::uint64_t>(row->integer(0))},
+        std::nullopt,
+        LayerState{std::string(row->text(1)), row->integer(2) != 0, row->integer(3) != 0},
+        0,
+        place};
+    if (change.id == first.id) {
+      edit.layers.front().after = std::move(change.after);
+      edit.layers.front().after_index = place;
+    } else {
+      edit.layers.push_back(std::move(change));
+    }
+  }
+  if (place == 0) return bad("has no layer");
+  return {};
+}
+
+Result<void> read_strokes(const Database& db, Edit& edit) {
+  const auto row = db.prepare("SELECT id, layer, place, shape FROM stroke");
+  if (!row) return tl::unexpected(row.error());
+  for (;;) {
+    const Result<bool> more = row->step();
+    if (!more) return tl::unexpected(more.error());
+    if (!*more) return {};
+    const std::string name = "stroke " + std::to_string(row->integer(0));
+    if (!is_id(row->integer(0)) || !row->is_integer(1) || !is_id(row->integer(1)) ||
+        !row->is_integer(2) || !is_counter(row->integer(2)) || !row->is_blob(3)) {
+      return bad(name + " holds an impossible value");
+    }
+    Result<Stroke> stroke = read_stroke_blob(row->blob(3));
+    if (!stroke) return tl::unexpected(with_context(stroke.error(), name));
+    edit.changes.push_back({{static_cast<std::uint64_t>(row->integer(0))},
+                            nullptr,
+                            std::make_shared<const Stroke>(*std::move(stroke)),
+                            {},
+                            {{static_cast<std::uint64_t>(row->integer(1))},
+                             static_cast<std::size_t>(row->integer(2))}});
+  }
+}
+
+}  // namespace
+
+Result<void> write_tables(Database& database, const StoredDrawing& drawing) {
+  if (auto ok = check_drawing(drawing); !ok) return ok;
+  std::string setup = "PRAGMA application_id=" + std::to_string(kFeltApplicationId) +
+                      "; PRAGMA user_version=" + std::to_string(kFeltVersion) + "; BEGIN";
+  for (const auto& [name, sql] : kTables) setup += std::string("; ") + sql;
+  return database.run(setup.c_str())
+      .and_then([&] { return write_drawing_row(database, drawing); })
+      .and_then([&] { return write_layers(database, drawing.document); })
+      .and_then([&] { return write_strokes(database, drawing.document); })
+      .and_then([&] { return database.run("COMMIT"); });
+}
+
+Result<StoredDrawing> read_tables(const Database& database) {
+  if (auto ok = check_schema(database); !ok) return tl::unexpected(ok.error());
+  StoredDrawing drawing;
+  const Result<Head> head = read_drawing_row(database, drawing);
+  if (!head) return tl::unexpected(head.error());
+  Edit edit;
+  edit.label = "Open";
+  Result<void> done = read_layers(database, drawing.document, edit)
+                          .and_then([&] { return read_strokes(database, edit); })
+                          .and_then([&] { return drawing.document.apply(edit); });
+  if (!done) return tl::unexpected(done.error());
+  drawing.document.reserve_ids({head->last_stroke}, {head->last_layer});
+  if (auto ok = check_drawing(drawing); !ok) return tl::unexpected(ok.error());
+  if (checksum_of(drawing) != head->checksum) {
+    return bad("is damaged: its checksum is not that of its layers");
+  }
+  return drawing;
+}
+
+}  // namespace felt

@@ -1,0 +1,93 @@
+#include "felt/store/stroke_blob.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cstring>
+#include <random>
+
+#include "felt/store/crc32c.h"
+#include "felt/stroke/random_stroke.h"
+
+namespace felt {
+namespace {
+
+using ::testing::HasSubstr;
+
+std::string blob_of(const Stroke& stroke) {
+  std::string bytes;
+  EXPECT_TRUE(append_stroke_blob(bytes, stroke));
+  return bytes;
+}
+
+/// Equal to the last bit: -0.0 is not 0.0 here.
+bool same_bits(const StrokeData& a, const StrokeData& b) {
+  return a == b &&
+         std::memcmp(a.points.data(), b.points.data(), a.points.size() * sizeof(Point)) == 0 &&
+         std::memcmp(a.widths.data(), b.widths.data(), a.widths.size() * sizeof(WidthKnot)) == 0;
+}
+
+TEST(Crc32c, GivesTheValuesOfTheStandard) {
+  EXPECT_EQ(crc32c("123456789"), 0xe3069283u);
+  EXPECT_EQ(crc32c(std::string(32, '\0')), 0x8a9136aau);
+  EXPECT_EQ(crc32c(std::string(32, '\xff')), 0x62a8ab43u);
+  const std::string text = "one after another, in pieces of any length";
+  for (std::size_t cut = 0; cut <= text.size(); ++cut) {
+    EXPECT_EQ(crc32c(text.substr(cut), crc32c(text.substr(0, cut))), crc32c(text));
+  }
+}
+
+TEST(StrokeBlob, EveryStrokeReadsBackToTheBit) {
+  for (std::uint64_t seed = 0; seed < 2000; ++seed) {
+    StrokeData data = felt::testing::random_stroke(seed).data();
+    data.material = seed % 3 == 0 ? "pencil" : seed % 3 == 1 ? "" : "Füller\n\"2\"";
+    if (seed % 5 == 0) data.points[1].x = -0.0;
+    Result<Stroke> stroke = Stroke::create(data);
+    if (!stroke) continue;
+    const std::string bytes = blob_of(*stroke);
+    const Result<Stroke> back = read_stroke_blob(bytes);
+    ASSERT_TRUE(back) << "seed " << seed << ": " << back.error().message;
+    ASSERT_TRUE(same_bits(back->data(), data)) << "seed " << seed;
+    ASSERT_EQ(blob_of(*back), bytes) << "seed " << seed;
+  }
+}
+
+TEST(StrokeBlob, WhatIsCutOffOrChangedIsNoStroke) {
+  const std::string bytes = blob_of(felt::testing::random_stroke(7));
+  for (std::size_t size = 0; size < bytes.size(); ++size) {
+    EXPECT_FALSE(read_stroke_blob(bytes.substr(0, size))) << size;
+  }
+  EXPECT_FALSE(read_stroke_blob(bytes + '\0'));
+  std::mt19937 random(1);
+  for (std::size_t i = 0; i < bytes.size(); ++i) {
+    std::string changed = bytes;
+    changed[i] = static_cast<char>(changed[i] ^ (1 << (random() % 8)));
+    EXPECT_FALSE(read_stroke_blob(changed)) << "byte " << i;
+  }
+}
+
+/// Damage that carries a right checksum: somebody made it.
+TEST(StrokeBlob, HostileBytesAreAnErrorOrAStroke) {
+  std::mt19937 random(2);
+  for (int run = 0; run < 20'000; ++run) {
+    std::string bytes = blob_of(felt::testing::random_stroke(random() % 50));
+    bytes.resize(bytes.size() - 4);
+    for (int k = 0; k < 3; ++k) bytes[random() % bytes.size()] = static_cast<char>(random());
+    if (random() % 4 == 0) bytes.resize(1 + random() % bytes.size());
+    const std::uint32_t crc = crc32c(bytes);
+    for (int i = 0; i < 4; ++i) bytes += static_cast<char>((crc >> (8 * i)) & 0xff);
+    if (const Result<Stroke> stroke = read_stroke_blob(bytes)) {
+      EXPECT_TRUE(check_invariants(stroke->data()));
+    }
+  }
+}
+
+TEST(StrokeBlob, SaysWhatIsWrong) {
+  std::string bytes = blob_of(felt::testing::random_stroke(1));
+  bytes[0] = 9;
+  EXPECT_THAT(read_stroke_blob(bytes).error().message, HasSubstr("version 9"));
+  EXPECT_EQ(read_stroke_blob(bytes).error().code, ErrorCode::kUnsupported);
+}
+
+}  // namespace
+}  // namespace felt
