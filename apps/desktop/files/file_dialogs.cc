@@ -1,0 +1,71 @@
+#include "desktop/files/file_dialogs.h"
+
+#include <QCoreApplication>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QMessageBox>
+#include <QPushButton>
+
+namespace felt::desktop {
+namespace {
+
+QString tr(const char* text) {
+  return QCoreApplication::translate("FileDialogs", text);
+}
+
+}  // namespace
+
+QString FileDialogs::open_name(QWidget* window, const QString& title, const QString& folder,
+                               const QString& filters) {
+  return QFileDialog::getOpenFileName(window, title, folder, filters);
+}
+
+QStringList FileDialogs::open_names(QWidget* window, const QString& title, const QString& folder,
+                                    const QString& filters) {
+  return QFileDialog::getOpenFileNames(window, title, folder, filters);
+}
+
+QString FileDialogs::save_name(QWidget* window, const QString& title, const QString& path,
+                               const QString& filters, const QString& suffix) {
+  QFileDialog dialog(window, title, QFileInfo(path).path(), filters);
+  dialog.setAcceptMode(QFileDialog::AcceptSave);
+  // The dialog appends it itself, so that it asks about the name that is written.
+  dialog.setDefaultSuffix(suffix);
+  dialog.selectFile(QFileInfo(path).fileName());
+  return dialog.exec() == QDialog::Accepted ? dialog.selectedFiles().value(0) : QString();
+}
+
+FileDialogs::Unsaved FileDialogs::ask_unsaved(QWidget* window, const QString& name) {
+  QMessageBox box(QMessageBox::Warning, tr("Unsaved changes"),
+                  tr("Save the changes to “%1”?").arg(name),
+                  QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, window);
+  box.setInformativeText(tr("Without saving, what you drew since the last save is lost."));
+  box.setDefaultButton(QMessageBox::Save);
+  box.setEscapeButton(QMessageBox::Cancel);
+  const int answer = box.exec();
+  return answer == QMessageBox::Save      ? Unsaved::kSave
+         : answer == QMessageBox::Discard ? Unsaved::kDiscard
+                                          : Unsaved::kCancel;
+}
+
+bool FileDialogs::ask_overwrite(QWidget* window, const QString& name) {
+  QMessageBox box(QMessageBox::Warning, tr("Changed on disk"),
+                  tr("“%1” was changed by another program.").arg(name), QMessageBox::Cancel,
+                  window);
+  box.setInformativeText(tr("Saving now replaces those changes by your drawing."));
+  const QPushButton* replace = box.addButton(tr("&Replace"), QMessageBox::DestructiveRole);
+  box.setDefaultButton(QMessageBox::Cancel);
+  box.setEscapeButton(QMessageBox::Cancel);
+  box.exec();
+  return box.clickedButton() == replace;
+}
+
+void FileDialogs::show_error(QWidget* window, const QString& what, const QString& why) {
+  auto* box = new QMessageBox(QMessageBox::Critical, tr("Feltline"), what, QMessageBox::Ok, window);
+  box->setAttribute(Qt::WA_DeleteOnClose);
+  box->setInformativeText(why);
+  box->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
+  box->open();
+}
+
+}  // namespace felt::desktop

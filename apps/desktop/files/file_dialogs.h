@@ -1,0 +1,32 @@
+#pragma once
+
+#include <QString>
+#include <QStringList>
+#include <QWidget>
+
+namespace felt::desktop {
+
+/// What a person is asked about files. The native dialogs; tests answer in their place.
+class FileDialogs {
+ public:
+  enum class Unsaved { kSave, kDiscard, kCancel };
+
+  virtual ~FileDialogs() = default;
+
+  /// "" where nothing was chosen. `filters` as QFileDialog takes them.
+  virtual QString open_name(QWidget* window, const QString& title, const QString& folder,
+                            const QString& filters);
+  virtual QStringList open_names(QWidget* window, const QString& title, const QString& folder,
+                                 const QString& filters);
+  /// Asks before an existing file is taken. `suffix` (".felt") is appended where there is none.
+  virtual QString save_name(QWidget* window, const QString& title, const QString& path,
+                            const QString& filters, const QString& suffix);
+  /// A drawing with changes is to go.
+  virtual Unsaved ask_unsaved(QWidget* window, const QString& name);
+  /// The file was changed by others since it was read. True: write over it.
+  virtual bool ask_overwrite(QWidget* window, const QString& name);
+  /// Stays until it is closed; the program goes on.
+  virtual void show_error(QWidget* window, const QString& what, const QString& why);
+};
+
+}  // namespace felt::desktop

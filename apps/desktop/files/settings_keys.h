@@ -1,0 +1,20 @@
+#pragma once
+
+#include <QString>
+
+/// What this room keeps, and the defaults.
+namespace felt::desktop::files_keys {
+
+/// Folder of the last file that was opened or saved; "" is the person's documents.
+inline const QString kLastFolder = QStringLiteral("files/last_folder");
+/// The last files, the newest first: a list of absolute paths.
+inline const QString kRecent = QStringLiteral("files/recent");
+inline constexpr int kRecentCount = 10;
+
+inline const QString kExportFormat = QStringLiteral("files/export_format");  ///< "svg"
+inline const QString kExportDpi = QStringLiteral("files/export_dpi");
+inline constexpr double kExportDpiDefault = 300.0;
+inline const QString kExportBackground = QStringLiteral("files/export_background");  ///< true
+inline const QString kExportInkOnly = QStringLiteral("files/export_ink_only");       ///< false
+
+}  // namespace felt::desktop::files_keys

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "felt/base/result.h"
+#include "felt/geometry/rect.h"
+#include "felt/stroke/sketch.h"
+
+namespace felt {
+
+/// What a PDF file shows.
+struct PdfOptions {
+  /// The sheet, which is the page; without it, all ink and the margin around it.
+  std::optional<Rect> sheet{};
+  double margin_mm = 5.0;
+  /// How far the outline of a stroke may be from its true one, rounding included.
+  double tolerance_mm = 0.005;
+  Rgba paper{255, 255, 255, 0};  ///< behind the ink; alpha 0 leaves it out
+};
+
+/// A sketch as a PDF 1.4 file of one page at true size: each stroke is one filled outline of
+/// curves, sharp at any zoom, in its colour; a transparent one does not darken where it crosses
+/// itself. Equal sketches give equal bytes: no date, no name of a program's version.
+///
+/// Error: a page that is empty or larger than the 5080 mm that PDF allows (14400 points), options
+/// that make no sense, a stroke that reaches farther than 1e6 mm from the page.
+Result<std::string> pdf_text(const Sketch& sketch, const PdfOptions& options);
+
+/// Writes it, whole or not at all; "-" is stdout. Errors name the file.
+Result<void> write_pdf(const std::string& path, const Sketch& sketch, const PdfOptions& options);
+
+}  // namespace felt
