@@ -1,21 +1,349 @@
 #include "desktop/files/file_actions.h"
 
+#include <QApplication>
+#include <QDir>
+#include <QDragEnterEvent>
+#include <QDropEvent>
+#include <QFileInfo>
+#include <QMenu>
+#include <QMimeData>
+#include <QStandardPaths>
+#include <QUrl>
+#include <utility>
+
+#include "desktop/engine/settings.h"
+#include "desktop/files/settings_keys.h"
+#include "felt/stroke/color_text.h"
+
 namespace felt::desktop {
+namespace {
 
-FileActions::FileActions(Studio& studio, Actions&, QWidget* window)
-    : QObject(window), studio_(studio), window_(window) {}
+QString text_of(const Error& error) {
+  return QString::fromStdString(error.message);
+}
 
-bool FileActions::open(const QString&) {
-  return false;
+QStringList local_files(const QMimeData* data) {
+  QStringList paths;
+  const QList<QUrl> urls = data->urls();
+  for (const QUrl& url : urls) {
+    if (url.isLocalFile()) paths.push_back(url.toLocalFile());
+  }
+  return paths;
 }
-bool FileActions::save() {
-  return false;
+
+QDateTime changed_at(const QString& path) {
+  const QFileInfo info(path);
+  return info.exists() ? info.lastModified() : QDateTime();
 }
-bool FileActions::save_as() {
-  return false;
+
+QString open_filters() {
+  return FileActions::tr("Drawings (*.felt *.svg *.ndjson *.jsonl)") + QStringLiteral(";;") +
+         FileActions::tr("Feltline drawings (*.felt)") + QStringLiteral(";;") +
+         FileActions::tr("All files (*)");
 }
-bool FileActions::may_close() {
+
+}  // namespace
+
+FileActions::FileActions(Studio& studio, Actions& actions, QWidget* window,
+                         std::unique_ptr<FileDialogs> dialogs)
+    : QObject(window),
+      studio_(studio),
+      window_(window),
+      dialogs_(dialogs ? std::move(dialogs) : std::make_unique<FileDialogs>()),
+      recent_menu_(new QMenu(tr("Open &recent"), window)) {
+  add_file_actions(actions);
+  connect(recent_menu_, &QMenu::aboutToShow, this, &FileActions::fill_recent_menu);
+  fill_recent_menu();
+  connect(&studio, &Studio::edited, this, [this] { ++revision_; });
+  connect(&studio, &Studio::page_changed, this, [this] { ++revision_; });
+  window->setAcceptDrops(true);
+  window->installEventFilter(this);
+}
+
+FileActions::~FileActions() = default;
+
+void FileActions::add_file_actions(Actions& actions) {
+  actions.add(QStringLiteral("file.new"), tr("&New"), {QKeySequence::New},
+              tr("Begin another drawing"), [this] { start_new(); });
+  actions.add(QStringLiteral("file.open"), tr("&Open…"), {QKeySequence::Open},
+              tr("Open a drawing from a file"), [this] { ask_open(); });
+  actions.add(QStringLiteral("file.save"), tr("&Save"), {QKeySequence::Save},
+              tr("Save the drawing to its file"), [this] { save(); });
+  actions.add(QStringLiteral("file.save_as"), tr("Save &as…"),
+              {QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_S)},
+              tr("Save the drawing to another file"), [this] { save_as(); });
+  actions.add(QStringLiteral("file.import"), tr("&Import…"), {QKeySequence(Qt::CTRL | Qt::Key_I)},
+              tr("Add the strokes of another file to this drawing"), [this] { ask_import(); });
+  actions.add(QStringLiteral("file.close"), tr("&Close"), {QKeySequence(Qt::CTRL | Qt::Key_W)},
+              tr("Close this window"), [this] { window_->close(); });
+  QAction* quit =
+      actions.add(QStringLiteral("file.quit"), tr("&Quit"), {QKeySequence(Qt::CTRL | Qt::Key_Q)},
+                  tr("Leave the program"), [] { QApplication::closeAllWindows(); });
+  quit->setMenuRole(QAction::QuitRole);
+}
+
+QString FileActions::display_name() const {
+  if (!path_.isEmpty()) return QFileInfo(path_).fileName();
+  return name_.isEmpty() ? tr("Untitled") : name_;
+}
+
+bool FileActions::is_pristine() const {
+  return path_.isEmpty() && name_.isEmpty() && !studio_.is_modified() &&
+         studio_.session().document().stroke_count() == 0;
+}
+
+Drawing FileActions::drawing() const {
+  const Session& session = studio_.session();
+  return {session.document(), studio_.page(), std::string(session.sheet().material().id),
+          session.sheet().color(), session.layer()};
+}
+
+// --- Another drawing here
+
+void FileActions::start_new() {
+  if (!may_replace()) return;
+  Drawing fresh;
+  fresh.page = studio_.page();
+  fresh.material = studio_.session().sheet().material().id;
+  fresh.color = studio_.session().sheet().color();
+  show(std::move(fresh), {}, {});
+}
+
+void FileActions::ask_open() {
+  const QString path =
+      dialogs_->open_name(window_, tr("Open a drawing"), last_folder(), open_filters());
+  if (!path.isEmpty()) open(path);
+}
+
+bool FileActions::open(const QString& given) {
+  const QString path = QFileInfo(given).absoluteFilePath();
+  if (!may_replace()) return false;
+  Result<Drawing> drawing = fail(ErrorCode::kIo, "");
+  worker_.start([&drawing, path] {
+    drawing = read_drawing(path);
+    return FileWorker::Answer();
+  });
+  QApplication::setOverrideCursor(Qt::WaitCursor);
+  worker_.wait();
+  QApplication::restoreOverrideCursor();
+  if (!drawing) {
+    dialogs_->show_error(window_, tr("“%1” cannot be opened").arg(QFileInfo(path).fileName()),
+                         text_of(drawing.error()));
+    return false;
+  }
+  const bool is_felt = drawing_format(path).value() == DrawingFormat::kFelt;
+  folder_ = QFileInfo(path).path();
+  show(*std::move(drawing), is_felt ? path : QString(),
+       is_felt ? QString() : QFileInfo(path).completeBaseName());
+  remember(path);
   return true;
+}
+
+void FileActions::adopt(Drawing drawing, const QString& name) {
+  show(std::move(drawing), {}, name);
+  studio_.set_modified(true);
+}
+
+void FileActions::show(Drawing drawing, const QString& path, const QString& name) {
+  const std::string material = drawing.material;
+  const Rgba color = drawing.color;
+  const LayerId layer = drawing.layer;
+  // Before the signals of open(), so that who hears them sees the right name.
+  path_ = path;
+  name_ = name;
+  seen_on_disk_ = changed_at(path);
+  studio_.open(std::move(drawing.document), drawing.page);
+  if (!material.empty()) studio_.apply(SetOption{"sheet.material", material});
+  studio_.apply(SetOption{"sheet.color", color_to_text(color)});
+  const Layer* in_use = studio_.session().document().layer(layer);
+  if (in_use && in_use->visible && !in_use->locked) {
+    studio_.apply(LayerEvent{LayerEvent::Do::kUse, layer, {}});
+  }
+  studio_.set_modified(false);
+  Q_EMIT path_changed(path_);
+  Q_EMIT drawing_changed();
+}
+
+bool FileActions::import(const QString& given) {
+  const QString path = QFileInfo(given).absoluteFilePath();
+  Result<Sketch> sketch = fail(ErrorCode::kIo, "");
+  worker_.start([&sketch, path] {
+    sketch = read_drawing(path).map(
+        [](const Drawing& drawing) { return visible_strokes(drawing.document); });
+    return FileWorker::Answer();
+  });
+  QApplication::setOverrideCursor(Qt::WaitCursor);
+  worker_.wait();
+  QApplication::restoreOverrideCursor();
+  if (!sketch) {
+    dialogs_->show_error(window_, tr("“%1” cannot be imported").arg(QFileInfo(path).fileName()),
+                         text_of(sketch.error()));
+    return false;
+  }
+  Settings::the().set(files_keys::kLastFolder, QFileInfo(path).path());
+  return studio_.import(path, *sketch);
+}
+
+void FileActions::ask_import() {
+  const QStringList paths =
+      dialogs_->open_names(window_, tr("Import strokes"), last_folder(), open_filters());
+  for (const QString& path : paths) import(path);
+}
+
+void FileActions::take_dropped(const QStringList& paths) {
+  for (const QString& path : paths) {
+    if (is_pristine()) {
+      open(path);
+    } else {
+      import(path);
+    }
+  }
+}
+
+bool FileActions::eventFilter(QObject* object, QEvent* event) {
+  if (object == window_ && event->type() == QEvent::DragEnter) {
+    auto* drag = static_cast<QDragEnterEvent*>(event);
+    if (!local_files(drag->mimeData()).isEmpty()) drag->acceptProposedAction();
+    return true;
+  }
+  if (object == window_ && event->type() == QEvent::Drop) {
+    auto* drop = static_cast<QDropEvent*>(event);
+    const QStringList paths = local_files(drop->mimeData());
+    if (paths.isEmpty()) return false;
+    drop->acceptProposedAction();
+    // Later: who dragged waits for the answer, and a dialog may come.
+    QMetaObject::invokeMethod(
+        this, [this, paths] { take_dropped(paths); }, Qt::QueuedConnection);
+    return true;
+  }
+  return QObject::eventFilter(object, event);
+}
+
+// --- Saving
+
+bool FileActions::save() {
+  if (path_.isEmpty()) return save_as();
+  const QDateTime now = changed_at(path_);
+  if (seen_on_disk_.isValid() && now.isValid() && now != seen_on_disk_ && !worker_.is_busy() &&
+      !dialogs_->ask_overwrite(window_, display_name())) {
+    return false;
+  }
+  return begin_save(path_);
+}
+
+bool FileActions::save_as() {
+  const QString folder = folder_.isEmpty() ? last_folder() : folder_;
+  const QString suggested =
+      path_.isEmpty() ? QDir(folder).filePath(display_name() + QStringLiteral(".felt")) : path_;
+  const QString chosen =
+      dialogs_->save_name(window_, tr("Save the drawing"), suggested,
+                          tr("Feltline drawings (*.felt)"), QStringLiteral("felt"));
+  if (chosen.isEmpty()) return false;
+  return begin_save(with_suffix(QFileInfo(chosen).absoluteFilePath(), DrawingFormat::kFelt));
+}
+
+bool FileActions::begin_save(const QString& path) {
+  auto copy = std::make_shared<Drawing>(drawing());
+  worker_.start([this, path, revision = revision_, copy]() mutable -> FileWorker::Answer {
+    Result<void> done = write_drawing(path, *copy);
+    copy.reset();
+    return [this, path, revision, done] { end_save(path, revision, done); };
+  });
+  return true;
+}
+
+void FileActions::end_save(const QString& path, std::uint64_t revision, const Result<void>& done) {
+  last_save_failed_ = !done;
+  if (!done) {
+    dialogs_->show_error(
+        window_, tr("“%1” was not saved").arg(QFileInfo(path).fileName()),
+        tr("%1\nYour drawing is still here: save it to another place.").arg(text_of(done.error())));
+    Q_EMIT saved(false);
+    return;
+  }
+  seen_on_disk_ = changed_at(path);
+  folder_ = QFileInfo(path).path();
+  name_.clear();
+  set_path(path);
+  // What was drawn while the file was being written is not in it.
+  if (revision == revision_) studio_.set_modified(false);
+  remember(path);
+  Q_EMIT saved(true);
+}
+
+bool FileActions::may_replace() {
+  worker_.wait();
+  if (!studio_.is_modified()) return true;
+  switch (dialogs_->ask_unsaved(window_, display_name())) {
+    case FileDialogs::Unsaved::kDiscard:
+      return true;
+    case FileDialogs::Unsaved::kCancel:
+      return false;
+    case FileDialogs::Unsaved::kSave:
+      break;
+  }
+  if (!save()) return false;
+  worker_.wait();
+  return !last_save_failed_;
+}
+
+bool FileActions::may_close() {
+  return may_replace();
+}
+
+void FileActions::set_path(const QString& path) {
+  if (path == path_) return;
+  path_ = path;
+  Q_EMIT path_changed(path_);
+}
+
+// --- Folders and recent files
+
+QString FileActions::last_folder() const {
+  const QString folder = Settings::the().text(files_keys::kLastFolder);
+  if (!folder.isEmpty() && QFileInfo(folder).isDir()) return folder;
+  return QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
+}
+
+void FileActions::remember(const QString& path) {
+  Settings& settings = Settings::the();
+  settings.set(files_keys::kLastFolder, QFileInfo(path).path());
+  QStringList recent = settings.value(files_keys::kRecent).toStringList();
+  recent.removeAll(path);
+  recent.prepend(path);
+  settings.set(files_keys::kRecent, QStringList(recent.mid(0, files_keys::kRecentCount)));
+  fill_recent_menu();
+}
+
+void FileActions::fill_recent_menu() {
+  Settings& settings = Settings::the();
+  QStringList recent = settings.value(files_keys::kRecent).toStringList();
+  recent.removeIf([](const QString& path) { return !QFileInfo::exists(path); });
+  settings.set(files_keys::kRecent, recent);
+  recent_menu_->clear();
+  int number = 0;
+  for (const QString& path : std::as_const(recent)) {
+    // Names that hold an ampersand are shown with it.
+    QString name = QFileInfo(path).fileName();
+    name.replace(QLatin1Char('&'), QStringLiteral("&&"));
+    const QString mark = ++number < 10 ? QStringLiteral("&%1  ").arg(number) : QString();
+    QAction* action = recent_menu_->addAction(mark + name);
+    action->setStatusTip(path);
+    // Later: opening fills this menu anew, and the action is gone then.
+    connect(
+        action, &QAction::triggered, this, [this, path] { open(path); }, Qt::QueuedConnection);
+  }
+  if (recent.isEmpty()) {
+    recent_menu_->addAction(tr("Nothing yet"))->setEnabled(false);
+    return;
+  }
+  recent_menu_->addSeparator();
+  const auto clear = [this] {
+    Settings::the().set(files_keys::kRecent, QStringList());
+    fill_recent_menu();
+  };
+  connect(recent_menu_->addAction(tr("&Clear this list")), &QAction::triggered, this, clear,
+          Qt::QueuedConnection);
 }
 
 }  // namespace felt::desktop

@@ -1,42 +1,107 @@
 #pragma once
 
+#include <QDateTime>
 #include <QObject>
 #include <QString>
 #include <QWidget>
+#include <cstdint>
+#include <memory>
 
 #include "desktop/engine/actions.h"
 #include "desktop/engine/studio.h"
+#include "desktop/files/drawing_file.h"
+#include "desktop/files/file_dialogs.h"
+#include "desktop/files/file_worker.h"
+
+class QMenu;
 
 namespace felt::desktop {
 
 /// Which file a window shows, and all that concerns files: new, open, recent, save, save as,
 /// import, export, copy as a picture, page, print. Adds its actions ("file.open", "edit.copy").
 /// Nothing is ever lost without being asked about.
+///
+/// Files are written beside the window (FileWorker), from a copy: the pen never waits. A drawing
+/// counts as saved when its bytes are on the disk. `path()` is always a .felt file; what is opened
+/// from another format has no path yet, for that file could not hold all of it.
 class FileActions : public QObject {
   Q_OBJECT
 
  public:
-  FileActions(Studio& studio, Actions& actions, QWidget* window);
+  /// `dialogs` are for tests; null: the native ones.
+  FileActions(Studio& studio, Actions& actions, QWidget* window,
+              std::unique_ptr<FileDialogs> dialogs = nullptr);
+  ~FileActions() override;
 
   /// "" for a drawing without a name.
   [[nodiscard]] const QString& path() const noexcept { return path_; }
+  /// For titles: the file's name, or what the drawing without one is called.
+  [[nodiscard]] QString display_name() const;
+  /// Nothing was drawn, opened or saved here: another drawing may take the place.
+  [[nodiscard]] bool is_pristine() const;
+
   /// Opens it here; asks about unsaved changes first. False: it was not opened, and the person has
   /// been told why.
   bool open(const QString& path);
+  /// Begins to write; false: the person stopped it. What comes of it is told by `saved`.
   bool save();
   bool save_as();
-  /// Saves, throws away or stops, as the person says. True: the drawing may go.
+  /// Saves, throws away or stops, as the person says, and waits for what is being written. True:
+  /// the drawing may go.
   bool may_close();
+  /// The strokes of another file are added, as one step.
+  bool import(const QString& path);
+  /// Opens the first where this window is pristine, imports the others.
+  void take_dropped(const QStringList& paths);
+  /// A drawing that was rescued: it has changes and this name, and no file.
+  void adopt(Drawing drawing, const QString& name);
+
+  /// "Open recent", kept up to date; owned by the window.
+  [[nodiscard]] QMenu* recent_menu() const noexcept { return recent_menu_; }
+  /// Waits until no file is being written.
+  void finish_writing() { worker_.wait(); }
+  /// The whole drawing, to be written elsewhere.
+  [[nodiscard]] Drawing drawing() const;
+  [[nodiscard]] FileWorker& worker() noexcept { return worker_; }
+  [[nodiscard]] FileDialogs& dialogs() noexcept { return *dialogs_; }
 
  Q_SIGNALS:
   void path_changed(const QString& path);
+  /// A drawing was written to `path()`, or not.
+  void saved(bool done);
+  /// Another drawing is here: opened, new or rescued; after Studio::opened.
+  void drawing_changed();
   /// Another window for that file, "" for an empty drawing.
   void wants_window(const QString& path);
 
+ protected:
+  bool eventFilter(QObject* object, QEvent* event) override;
+
  private:
+  void add_file_actions(Actions& actions);
+  bool may_replace();
+  void start_new();
+  void ask_open();
+  void ask_import();
+  bool begin_save(const QString& path);
+  void end_save(const QString& path, std::uint64_t revision, const Result<void>& done);
+  void show(Drawing drawing, const QString& path, const QString& name);
+  void set_path(const QString& path);
+  void remember(const QString& path);
+  void fill_recent_menu();
+  [[nodiscard]] QString last_folder() const;
+
   Studio& studio_;
   QWidget* window_;
+  std::unique_ptr<FileDialogs> dialogs_;
+  FileWorker worker_;
+  QMenu* recent_menu_;
   QString path_;
+  QString name_;                // of a drawing without a path; "" is "Untitled"
+  QString folder_;              // where it came from
+  QDateTime seen_on_disk_;      // of path_, when it was read or written here
+  std::uint64_t revision_ = 0;  // of the drawing
+  bool last_save_failed_ = false;
 };
 
 }  // namespace felt::desktop

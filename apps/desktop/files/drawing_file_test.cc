@@ -1,0 +1,86 @@
+#include "desktop/files/drawing_file.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <QTemporaryDir>
+
+#include "felt/base/atomic_file.h"
+#include "felt/document/random_document.h"
+#include "felt/io/ndjson_writer.h"
+
+namespace felt::desktop {
+namespace {
+
+using ::testing::HasSubstr;
+
+Drawing random_drawing(std::uint64_t seed) {
+  Drawing drawing;
+  felt::testing::RandomEdits edits(seed);
+  for (int i = 0; i < 8; ++i) {
+    EXPECT_TRUE(drawing.document.apply(edits.next(drawing.document)));
+  }
+  drawing.page = {200.0, 100.0, {250, 240, 230, 255}};
+  return drawing;
+}
+
+TEST(DrawingFile, FeltHoldsEverything) {
+  const QTemporaryDir folder;
+  for (std::uint64_t seed = 0; seed < 10; ++seed) {
+    const Drawing drawing = random_drawing(seed);
+    const QString path = folder.filePath(QStringLiteral("a.felt"));
+    ASSERT_TRUE(write_drawing(path, drawing));
+    EXPECT_TRUE(read_drawing(path).value() == drawing) << "seed " << seed;
+  }
+}
+
+TEST(DrawingFile, OtherFormatsHoldTheVisibleStrokes) {
+  const QTemporaryDir folder;
+  for (std::uint64_t seed = 0; seed < 10; ++seed) {
+    const Drawing drawing = random_drawing(seed);
+    const Sketch sketch = visible_strokes(drawing.document);
+    for (const char* name : {"a.svg", "a.ndjson"}) {
+      const QString path = folder.filePath(QString::fromUtf8(name));
+      ASSERT_TRUE(write_drawing(path, drawing));
+      const Drawing back = read_drawing(path).value();
+      const Sketch read = visible_strokes(back.document);
+      ASSERT_EQ(read.size(), sketch.size()) << name;
+      for (std::size_t i = 0; i < read.size(); ++i) EXPECT_EQ(read[i].stroke, sketch[i].stroke);
+      EXPECT_TRUE(name[2] == 'n' || back.page == drawing.page) << name;
+    }
+  }
+}
+
+TEST(DrawingFile, RawPenSamplesBecomeInk) {
+  const QTemporaryDir folder;
+  std::string text;
+  std::vector<InkSample> samples;
+  for (int i = 0; i < 50; ++i) samples.push_back({{1.0 * i, 20.0}, 0.5, 4.0 * i});
+  append_raw_line(text, "r1", samples);
+  const QString path = folder.filePath(QStringLiteral("raw.ndjson"));
+  ASSERT_TRUE(write_file(path.toStdString(), text));
+  const Result<Drawing> drawing = read_drawing(path);
+  ASSERT_TRUE(drawing) << drawing.error().message;
+  ASSERT_EQ(drawing->document.stroke_count(), 1u);
+}
+
+TEST(DrawingFile, ErrorsNameFileAndPlace) {
+  const QTemporaryDir folder;
+  const QString path = folder.filePath(QStringLiteral("a.ndjson"));
+  ASSERT_TRUE(write_file(path.toStdString(), "{\"feltline\":1,\"unit\":\"mm\"}\nnonsense\n"));
+  EXPECT_THAT(read_drawing(path).error().message, HasSubstr("a.ndjson:2: "));
+  EXPECT_THAT(read_drawing(folder.filePath(QStringLiteral("a.doc"))).error().message,
+              HasSubstr("no format of this ending"));
+  EXPECT_THAT(read_drawing(folder.filePath(QStringLiteral("a.pdf"))).error().message,
+              HasSubstr("not read"));
+  EXPECT_FALSE(write_drawing(folder.filePath(QStringLiteral("no/such.felt")), {}));
+}
+
+TEST(DrawingFile, SuffixesComeOnce) {
+  EXPECT_EQ(with_suffix(QStringLiteral("a"), DrawingFormat::kFelt), QStringLiteral("a.felt"));
+  EXPECT_EQ(with_suffix(QStringLiteral("a.FELT"), DrawingFormat::kFelt), QStringLiteral("a.FELT"));
+  EXPECT_EQ(with_suffix(QStringLiteral("a.svg"), DrawingFormat::kPdf), QStringLiteral("a.svg.pdf"));
+}
+
+}  // namespace
+}  // namespace felt::desktop

@@ -1,0 +1,159 @@
+#include "desktop/files/file_actions.h"
+
+#include <gtest/gtest.h>
+
+#include <QAction>
+#include <QFile>
+#include <QMenu>
+#include <QTest>
+
+#include "desktop/engine/settings.h"
+#include "desktop/files/settings_keys.h"
+#include "desktop/files/test_desk.h"
+
+namespace felt::desktop {
+namespace {
+
+TEST(FileActions, WhatIsSavedOpensAsItWas) {
+  TestDesk desk;
+  desk.draw(1);
+  desk.studio.apply(LayerEvent{LayerEvent::Do::kAdd, {}, "Ideas"});
+  desk.draw(2);
+  desk.studio.set_page({148.0, 210.0, {255, 250, 240, 255}});
+  desk.studio.apply(SetOption{"sheet.color", std::string("#204060")});
+  desk.person->next = desk.at("one");  // the suffix is appended
+  EXPECT_TRUE(desk.studio.is_modified());
+  ASSERT_TRUE(desk.files->save());
+  desk.files->finish_writing();
+  EXPECT_FALSE(desk.studio.is_modified());
+  EXPECT_EQ(desk.files->path(), desk.at("one.felt"));
+  const Drawing before = desk.files->drawing();
+
+  TestDesk other;
+  QSignalSpy opened(&other.studio, &Studio::opened);
+  ASSERT_TRUE(other.files->open(desk.at("one.felt")));
+  EXPECT_EQ(opened.count(), 1);
+  EXPECT_TRUE(other.files->drawing() == before);
+  EXPECT_FALSE(other.studio.is_modified());
+  EXPECT_FALSE(other.files->is_pristine());
+}
+
+TEST(FileActions, NothingIsLostUnasked) {
+  TestDesk desk;
+  desk.draw(1);
+  const Document before = desk.document();
+  EXPECT_FALSE(desk.files->may_close());
+  desk.actions.find(QStringLiteral("file.new"))->trigger();
+  EXPECT_FALSE(desk.files->open(desk.at("none.felt")));
+  EXPECT_EQ(desk.person->asked.size(), 3);
+  EXPECT_TRUE(desk.document() == before);
+
+  desk.person->unsaved = FileDialogs::Unsaved::kSave;
+  EXPECT_FALSE(desk.files->may_close()) << "no name was chosen, so it is not saved";
+  desk.person->next = desk.at("kept.felt");
+  EXPECT_TRUE(desk.files->may_close());
+  EXPECT_TRUE(read_drawing(desk.at("kept.felt")).value().document == before);
+
+  desk.draw(2);
+  desk.person->unsaved = FileDialogs::Unsaved::kDiscard;
+  desk.actions.find(QStringLiteral("file.new"))->trigger();
+  EXPECT_EQ(desk.document().stroke_count(), 0u);
+  EXPECT_TRUE(desk.files->is_pristine());
+}
+
+TEST(FileActions, AFailedSaveKeepsTheDrawingModifiedAndSaysWhy) {
+  TestDesk desk;
+  desk.draw(1);
+  desk.person->next = desk.at("no/folder.felt");
+  QSignalSpy saved(desk.files, &FileActions::saved);
+  desk.files->save();
+  desk.files->finish_writing();
+  ASSERT_EQ(saved.count(), 1);
+  EXPECT_FALSE(saved[0][0].toBool());
+  ASSERT_EQ(desk.person->errors.size(), 1);
+  EXPECT_TRUE(desk.person->errors[0].contains(QStringLiteral("No such file")));
+  EXPECT_TRUE(desk.studio.is_modified());
+  desk.person->unsaved = FileDialogs::Unsaved::kSave;
+  EXPECT_FALSE(desk.files->may_close());
+}
+
+TEST(FileActions, WhatIsDrawnDuringASaveStaysUnsaved) {
+  TestDesk desk;
+  desk.draw(1);
+  desk.person->next = desk.at("a.felt");
+  desk.files->save();
+  desk.draw(2);
+  desk.files->finish_writing();
+  EXPECT_TRUE(desk.studio.is_modified());
+  EXPECT_EQ(read_drawing(desk.at("a.felt")).value().document.stroke_count(), 3u);
+}
+
+TEST(FileActions, AFileChangedByOthersIsNotOverwrittenUnasked) {
+  TestDesk desk;
+  desk.draw(1);
+  desk.person->next = desk.at("a.felt");
+  desk.files->save();
+  desk.files->finish_writing();
+  QFile file(desk.at("a.felt"));
+  ASSERT_TRUE(file.open(QIODevice::ReadWrite));
+  ASSERT_TRUE(file.setFileTime(QDateTime::currentDateTime().addSecs(60),
+                               QFileDevice::FileModificationTime));
+  file.close();
+  desk.draw(2);
+  EXPECT_FALSE(desk.files->save());
+  EXPECT_EQ(desk.person->asked, QStringList{QStringLiteral("a.felt")});
+  desk.person->overwrite = true;
+  EXPECT_TRUE(desk.files->save());
+  desk.files->finish_writing();
+  EXPECT_EQ(read_drawing(desk.at("a.felt")).value().document.stroke_count(), 6u);
+}
+
+TEST(FileActions, OtherFormatsOpenWithoutAFileOfTheirOwn) {
+  TestDesk desk;
+  desk.draw(1);
+  ASSERT_TRUE(write_drawing(desk.at("a.svg"), desk.files->drawing()));
+  TestDesk other;
+  ASSERT_TRUE(other.files->open(desk.at("a.svg")));
+  EXPECT_EQ(other.files->path(), QString());
+  EXPECT_EQ(other.files->display_name(), QStringLiteral("a"));
+  other.files->save();
+  EXPECT_EQ(other.person->suggested, desk.at("a.felt"));
+}
+
+TEST(FileActions, DroppedFilesOpenOrAreAdded) {
+  TestDesk desk;
+  desk.draw(1);
+  ASSERT_TRUE(write_drawing(desk.at("a.felt"), desk.files->drawing()));
+  TestDesk other;
+  other.files->take_dropped({desk.at("a.felt"), desk.at("a.felt")});
+  EXPECT_EQ(other.document().stroke_count(), 6u);
+  EXPECT_EQ(other.files->path(), desk.at("a.felt"));
+  EXPECT_TRUE(other.studio.apply(UndoEvent{}));
+  EXPECT_EQ(other.document().stroke_count(), 3u);
+}
+
+TEST(FileActions, RecentFilesAreRememberedWhileTheyAreThere) {
+  Settings::the().set(files_keys::kRecent, QStringList());
+  TestDesk desk;
+  desk.draw(1);
+  for (const char* name : {"a&b.felt", "b.felt"}) {
+    ASSERT_TRUE(write_drawing(desk.at(name), desk.files->drawing()));
+    desk.person->unsaved = FileDialogs::Unsaved::kDiscard;
+    ASSERT_TRUE(desk.files->open(desk.at(name)));
+  }
+  const QMenu* menu = desk.files->recent_menu();
+  ASSERT_EQ(menu->actions().size(), 4);
+  EXPECT_EQ(menu->actions()[0]->text(), QStringLiteral("&1  b.felt"));
+  EXPECT_EQ(menu->actions()[1]->text(), QStringLiteral("&2  a&&b.felt"));
+  menu->actions()[1]->trigger();
+  QTRY_COMPARE(desk.files->path(), desk.at("a&b.felt"));
+  QFile::remove(desk.at("b.felt"));
+  Q_EMIT desk.files->recent_menu()->aboutToShow();
+  EXPECT_EQ(menu->actions().size(), 3);
+  menu->actions().back()->trigger();
+  QTest::qWait(1);
+  EXPECT_FALSE(menu->actions()[0]->isEnabled());
+}
+
+}  // namespace
+}  // namespace felt::desktop
