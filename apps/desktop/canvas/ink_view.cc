@@ -1,66 +1,388 @@
 #include "desktop/canvas/ink_view.h"
 
 #include <QImage>
+#include <QRegion>
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <map>
+#include <numbers>
+#include <utility>
+#include <vector>
 
-#include "felt/render/raster.h"
+#include "desktop/canvas/ink_worker.h"
 
 namespace felt::desktop {
+namespace {
+
+/// A stroke that was just drawn must be seen in the very next frame: painting waits so long for the
+/// worker, which as a rule needs a fraction of it.
+constexpr std::chrono::microseconds kPatience{2000};
+
+/// Strokes of one edit that are painted here when the worker is late.
+constexpr std::size_t kMostFresh = 8;
+constexpr int kMostFreshSegments = 400;
+
+/// Planes that are kept for the way back, and for what is shown until new tiles come.
+constexpr std::size_t kMostPlanes = 6;
+
+/// Farther away than this from a plane's first view another plane begins.
+constexpr double kFarthestPx = 1e9;
+
+constexpr double kHairPx = 1.0;
+
+QRect device_rect(const QRect& part, double dpr) {
+  const QRectF r(part.x() * dpr, part.y() * dpr, part.width() * dpr, part.height() * dpr);
+  return r.toAlignedRect();
+}
+
+QRect widget_rect(const QRect& device, double dpr) {
+  return QRectF(device.x() / dpr, device.y() / dpr, device.width() / dpr, device.height() / dpr)
+      .toAlignedRect();
+}
+
+/// What a widget of device pixels shows.
+View view_of(const CanvasView& view, double dpr) {
+  const double angle =
+      (view.is_mirrored() ? -1.0 : 1.0) * view.angle_deg() * std::numbers::pi / 180.0;
+  return {view.to_mm({0.0, 0.0}),
+          view.px_per_mm() * dpr,
+          {std::cos(angle), std::sin(angle)},
+          view.is_mirrored()};
+}
+
+QTransform transform_of(const View& view) {
+  const Vec o = view.to_px({0, 0}), x = view.to_px({1, 0}), y = view.to_px({0, 1});
+  return {x.x - o.x, x.y - o.y, y.x - o.x, y.y - o.y, o.x, o.y};
+}
+
+}  // namespace
 
 struct InkView::State {
-  Document document;
-  std::optional<Edit> preview;
+  struct Tile {
+    TilePtr picture;
+    std::uint64_t order = 0;
+  };
+  struct Plane {
+    PlaneSpec spec;
+    std::uint64_t style = 0;
+    std::map<TilePlace, Tile> tiles;
+  };
+  /// A stroke that the tiles may not have yet.
+  struct Fresh {
+    std::uint64_t order = 0;
+    StrokeId id;
+    StrokePtr stroke;
+  };
+
+  explicit State(std::function<void()> on_news) : worker(std::move(on_news)) {}
+
+  [[nodiscard]] Plane* current() { return planes.empty() ? nullptr : &planes.back(); }
+  void choose_plane();
+  void ask();
+  [[nodiscard]] PlaneRect plane_rect(const QRect& device) const {
+    return {device.left() + left, device.top() + top, device.right() + 1 + left,
+            device.bottom() + 1 + top};
+  }
+  [[nodiscard]] QRect on_widget(const PlaneRect& px) const;
+  void copy_tiles(QPainter& painter, const Plane& plane, const QRect& device, QRegion& missing);
+  void paint_others(QPainter& painter, const QRegion& missing);
+  void paint_fresh(QPainter& painter, Plane& plane, const QRect& device);
+  [[nodiscard]] double covered(const Plane& plane, const View& from) const;
+
   CanvasView view;
   double dpr = 1.0;
-  Rasterizer rasterizer;
+  Grain grain;
+  bool is_outline = false;
+  std::uint64_t style = 0;  // counts changes of the two
+  std::uint64_t last_plane = 0;
+  std::vector<Plane> planes;       // the one in use last
+  std::int64_t left = 0, top = 0;  // of the widget, in the plane
+  std::map<LayerId, bool> visible;
+  std::vector<Fresh> fresh;
+  TilePainter strokes;
+  bool is_previewing = false;
+  std::uint64_t opened = 0;  // the order that brought the document
+  InkWorker worker;          // last, so that its thread ends first
 };
 
-InkView::InkView(QObject* parent) : QObject(parent), state_(std::make_unique<State>()) {}
+/// Takes the plane of this scale, angle and style, or lays out a new one.
+void InkView::State::choose_plane() {
+  const View now = view_of(view, dpr);
+  const auto is_same = [&](const Plane& plane) {
+    const View& v = plane.spec.view;
+    const Vec at = v.to_px(now.origin_mm);
+    return plane.style == style && v.px_per_mm == now.px_per_mm && v.turn == now.turn &&
+           v.is_mirrored == now.is_mirrored && std::fabs(at.x) < kFarthestPx &&
+           std::fabs(at.y) < kFarthestPx;
+  };
+  const auto found = std::find_if(planes.begin(), planes.end(), is_same);
+  if (found != planes.end()) {
+    std::rotate(found, found + 1, planes.end());
+  } else {
+    const InkStyle look{grain, is_outline ? kHairPx * std::max(1.0, dpr) : 0.0};
+    planes.push_back({{++last_plane, now, look}, style, {}});
+    if (planes.size() > kMostPlanes) {
+      worker.forget(planes.front().spec.id);
+      planes.erase(planes.begin());
+    }
+  }
+  const Vec at = planes.back().spec.view.to_px(now.origin_mm);
+  left = std::llround(at.x);
+  top = std::llround(at.y);
+}
+
+void InkView::State::ask() {
+  choose_plane();
+  const QRect all(0, 0, static_cast<int>(std::ceil(view.size().width() * dpr)),
+                  static_cast<int>(std::ceil(view.size().height() * dpr)));
+  worker.look(planes.back().spec, plane_rect(all));
+}
+
+QRect InkView::State::on_widget(const PlaneRect& px) const {
+  const QRect device(static_cast<int>(px.x0 - left), static_cast<int>(px.y0 - top),
+                     static_cast<int>(px.x1 - px.x0), static_cast<int>(px.y1 - px.y0));
+  return widget_rect(device, dpr);
+}
+
+InkView::InkView(QObject* parent)
+    : QObject(parent), state_(std::make_unique<State>([this] {
+        QMetaObject::invokeMethod(this, &InkView::take_news, Qt::QueuedConnection);
+      })) {}
+
 InkView::~InkView() = default;
 
 void InkView::set_document(const Document& document) {
-  state_->document = document;
-  Q_EMIT changed({});
+  State& s = *state_;
+  s.fresh.clear();
+  s.visible.clear();
+  for (const Layer& layer : document.layers()) s.visible[layer.id] = layer.visible;
+  for (State::Plane& plane : s.planes) plane.tiles.clear();
+  s.is_previewing = false;
+  s.opened = s.worker.open(document);
+  Q_EMIT changed(QRect({0, 0}, s.view.size().toSize()));
 }
 
 void InkView::apply(const Edit& edit) {
-  static_cast<void>(state_->document.apply(edit));
-  Q_EMIT changed({});
+  State& s = *state_;
+  s.is_previewing = false;
+  const std::uint64_t order = s.worker.apply(edit);
+  for (const LayerChange& c : edit.layers) {
+    if (c.after) s.visible[c.id] = c.after->visible;
+  }
+  const auto is_changed = [&edit](const State::Fresh& fresh) {
+    return std::any_of(edit.changes.begin(), edit.changes.end(),
+                       [&fresh](const StrokeChange& c) { return c.id == fresh.id; });
+  };
+  if (!s.fresh.empty()) {
+    s.fresh.erase(std::remove_if(s.fresh.begin(), s.fresh.end(), is_changed), s.fresh.end());
+  }
+  if (!edit.layers.empty() || edit.changes.size() > kMostFresh || s.planes.empty()) return;
+  const PlaneSpec& plane = s.planes.back().spec;
+  for (const StrokeChange& c : edit.changes) {
+    if (c.before || !s.visible[c.after_place.layer]) continue;
+    if (c.after->segment_count() > kMostFreshSegments) continue;
+    s.fresh.push_back({order, c.id, c.after});
+    const Rect px = plane.view.area_px(c.after->bounds()).inflated(2.0);
+    const auto whole = [](double x) { return std::llround(std::clamp(x, -2e9, 2e9)); };
+    Q_EMIT changed(
+        s.on_widget(PlaneRect{whole(px.x0), whole(px.y0), whole(px.x1), whole(px.y1)}.intersected(
+            {s.left, s.top, s.left + 65536, s.top + 65536})));
+  }
 }
 
 void InkView::show(const std::optional<Edit>& preview) {
-  if (!preview && !state_->preview) return;
-  state_->preview = preview;
-  Q_EMIT changed({});
+  State& s = *state_;
+  if (!preview && !s.is_previewing) return;
+  s.is_previewing = preview.has_value();
+  s.worker.show(preview);
 }
 
 void InkView::set_view(const CanvasView& view, double dpr) {
-  state_->view = view;
-  state_->dpr = dpr;
+  State& s = *state_;
+  s.view = view;
+  s.dpr = dpr > 0.0 ? dpr : 1.0;
+  s.ask();
 }
 
-void InkView::set_grain(const Grain&) {}
-void InkView::set_outline_mode(bool) {}
-bool InkView::is_up_to_date() const {
-  return true;
+void InkView::set_grain(const Grain& grain) {
+  state_->grain = grain;
+  ++state_->style;
+  state_->ask();
 }
-void InkView::finish() {}
+
+void InkView::set_outline_mode(bool on) {
+  if (std::exchange(state_->is_outline, on) == on) return;
+  ++state_->style;
+  state_->ask();
+}
+
+QTransform InkView::transform() const {
+  if (state_->planes.empty()) return state_->view.transform();
+  QTransform from = transform_of(state_->planes.back().spec.view);
+  const double dpr = state_->dpr;
+  return from *
+         QTransform::fromTranslate(-static_cast<double>(state_->left),
+                                   -static_cast<double>(state_->top)) *
+         QTransform::fromScale(1.0 / dpr, 1.0 / dpr);
+}
+
+bool InkView::is_up_to_date() const {
+  return state_->worker.stage() >= InkWorker::Stage::kComplete;
+}
+
+void InkView::finish() {
+  state_->worker.wait(InkWorker::Stage::kComplete);
+  take_news();
+}
+
+/// Takes the worker's tiles over and says which parts of the widget they change.
+void InkView::take_news() {
+  State& s = *state_;
+  const PlaneRect seen = s.plane_rect(QRect(0, 0, static_cast<int>(s.view.size().width() * s.dpr),
+                                            static_cast<int>(s.view.size().height() * s.dpr)));
+  for (TileNews& news : s.worker.take_news()) {
+    const auto plane =
+        std::find_if(s.planes.begin(), s.planes.end(),
+                     [&news](const State::Plane& p) { return p.spec.id == news.plane; });
+    if (plane == s.planes.end()) continue;
+    if (!news.is_there) {
+      plane->tiles.erase(news.place);
+      continue;
+    }
+    if (news.order < s.opened) continue;
+    plane->tiles[news.place] = {std::move(news.picture), news.order};
+    if (&*plane != s.current()) continue;
+    const PlaneRect tile = rect_of(news.place);
+    const PlaneRect part = PlaneRect{tile.x0 + news.changed.x0, tile.y0 + news.changed.y0,
+                                     tile.x0 + news.changed.x1, tile.y0 + news.changed.y1}
+                               .intersected(seen);
+    if (!part.empty()) Q_EMIT changed(s.on_widget(part));
+  }
+  const std::uint64_t repaired = s.worker.repaired_order();
+  const auto is_old = [&](const State::Fresh& f) { return f.order <= repaired; };
+  if (!s.fresh.empty()) {
+    s.fresh.erase(std::remove_if(s.fresh.begin(), s.fresh.end(), is_old), s.fresh.end());
+  }
+}
 
 void InkView::paint(QPainter& painter, const QRect& part) {
-  Document seen = state_->document;
-  if (state_->preview) static_cast<void>(seen.apply(*state_->preview));
-  QImage image(part.size() * state_->dpr, QImage::Format_ARGB32_Premultiplied);
-  image.fill(Qt::transparent);
-  image.setDevicePixelRatio(state_->dpr);
-  const Pixels pixels{image.bits(), image.width(), image.height(), image.bytesPerLine(),
-                      PixelOrder::kBgra};
-  const View view{state_->view.to_mm(part.topLeft()), state_->view.px_per_mm() * state_->dpr};
-  for (const Layer& layer : seen.layers()) {
-    if (!layer.visible) continue;
-    for (const StrokeId id : layer.strokes) {
-      state_->rasterizer.draw(*seen.find(id), view, pixels.rect(), pixels);
+  State& s = *state_;
+  if (s.planes.empty()) return;
+  if (s.worker.stage() == InkWorker::Stage::kBusy) {
+    s.worker.wait(InkWorker::Stage::kRepaired, kPatience);
+  }
+  take_news();
+  const QRect device = device_rect(part, s.dpr);
+  painter.save();
+  painter.setClipRect(part, Qt::IntersectClip);
+  painter.scale(1.0 / s.dpr, 1.0 / s.dpr);  // from here on in device pixels
+  painter.setRenderHint(QPainter::SmoothPixmapTransform, false);
+  QRegion missing;
+  s.copy_tiles(painter, s.planes.back(), device, missing);
+  if (!missing.isEmpty()) s.paint_others(painter, missing);
+  if (!s.fresh.empty()) s.paint_fresh(painter, s.planes.back(), device);
+  painter.restore();
+}
+
+void InkView::State::copy_tiles(QPainter& painter, const Plane& plane, const QRect& device,
+                                QRegion& missing) {
+  const PlaneRect wanted = plane_rect(device);
+  if (wanted.empty()) return;
+  const TileRange range = TileRange::of(wanted);
+  for (std::int64_t y = range.first.y; y <= range.last.y; ++y) {
+    for (std::int64_t x = range.first.x; x <= range.last.x; ++x) {
+      const PlaneRect tile = rect_of({y, x}), both = tile.intersected(wanted);
+      const QRect to(static_cast<int>(both.x0 - left), static_cast<int>(both.y0 - top),
+                     static_cast<int>(both.x1 - both.x0), static_cast<int>(both.y1 - both.y0));
+      const auto found = plane.tiles.find({y, x});
+      if (found == plane.tiles.end()) {
+        missing += to;
+      } else if (found->second.picture) {
+        const QImage image(found->second.picture->bytes.data(), kTileSide, kTileSide, 4 * kTileSide,
+                           QImage::Format_ARGB32_Premultiplied);
+        painter.drawImage(to.topLeft(), image,
+                          QRect(static_cast<int>(both.x0 - tile.x0),
+                                static_cast<int>(both.y0 - tile.y0), to.width(), to.height()));
+      }
     }
   }
-  painter.drawImage(part.topLeft(), image);
+}
+
+/// How much of a view the tiles of another plane can show, 0..1 or so.
+double InkView::State::covered(const Plane& plane, const View& from) const {
+  const double width = view.size().width() * dpr, height = view.size().height() * dpr;
+  const Rect seen = plane.spec.view.area_px(from.area_mm({0, 0}, {width, height}));
+  double area = 0.0;
+  for (const auto& [place, tile] : plane.tiles) {
+    const PlaneRect r = rect_of(place);
+    const double w =
+        std::min(seen.x1, static_cast<double>(r.x1)) - std::max(seen.x0, static_cast<double>(r.x0));
+    const double h =
+        std::min(seen.y1, static_cast<double>(r.y1)) - std::max(seen.y0, static_cast<double>(r.y0));
+    if (w > 0.0 && h > 0.0) area += w * h;
+  }
+  return area / (seen.width() * seen.height());
+}
+
+/// Where tiles are missing: those of another plane, scaled and turned.
+void InkView::State::paint_others(QPainter& painter, const QRegion& missing) {
+  const View& here = planes.back().spec.view;
+  const View seen = here.from({static_cast<double>(left), static_cast<double>(top)});
+  const Plane* best = nullptr;
+  double most = 0.0;
+  for (std::size_t i = 0; i + 1 < planes.size(); ++i) {
+    const double share = covered(planes[i], seen);
+    if (share < most || share <= 0.0) continue;
+    most = share;
+    best = &planes[i];
+  }
+  if (!best) return;
+  painter.save();
+  painter.setClipRegion(missing, Qt::IntersectClip);
+  painter.setTransform(transform_of(best->spec.view).inverted() * transform_of(seen), true);
+  for (const auto& [place, tile] : best->tiles) {
+    if (!tile.picture) continue;
+    const PlaneRect r = rect_of(place);
+    const QImage image(tile.picture->bytes.data(), kTileSide, kTileSide, 4 * kTileSide,
+                       QImage::Format_ARGB32_Premultiplied);
+    painter.drawImage(QPointF(static_cast<double>(r.x0), static_cast<double>(r.y0)), image);
+  }
+  painter.restore();
+}
+
+/// Strokes that were just drawn, over the tiles that have not got them yet.
+void InkView::State::paint_fresh(QPainter& painter, Plane& plane, const QRect& device) {
+  const View seen = plane.spec.view.from({static_cast<double>(left), static_cast<double>(top)});
+  for (const Fresh& f : fresh) {
+    const Rect px = seen.area_px(f.stroke->bounds()).inflated(2.0);
+    const QRect box =
+        QRectF(QPointF(px.x0, px.y0), QPointF(px.x1, px.y1)).toAlignedRect().intersected(device);
+    if (box.isEmpty()) continue;
+    const PlaneRect wanted = plane_rect(box);
+    const TileRange range = TileRange::of(wanted);
+    QRegion stale;
+    for (std::int64_t y = range.first.y; y <= range.last.y; ++y) {
+      for (std::int64_t x = range.first.x; x <= range.last.x; ++x) {
+        const auto found = plane.tiles.find({y, x});
+        if (found != plane.tiles.end() && found->second.order >= f.order) continue;
+        const PlaneRect both = rect_of({y, x}).intersected(wanted);
+        stale += QRect(static_cast<int>(both.x0 - left), static_cast<int>(both.y0 - top),
+                       static_cast<int>(both.x1 - both.x0), static_cast<int>(both.y1 - both.y0));
+      }
+    }
+    if (stale.isEmpty()) continue;
+    QImage image(box.size(), QImage::Format_ARGB32_Premultiplied);
+    image.fill(Qt::transparent);
+    const Pixels pixels{image.bits(), image.width(), image.height(), image.bytesPerLine(),
+                        PixelOrder::kBgra};
+    strokes.draw(*f.stroke, seen.from({static_cast<double>(box.x()), static_cast<double>(box.y())}),
+                 pixels.rect(), plane.spec.style, pixels);
+    painter.save();
+    painter.setClipRegion(stale, Qt::IntersectClip);
+    painter.drawImage(box.topLeft(), image);
+    painter.restore();
+  }
 }
 
 }  // namespace felt::desktop

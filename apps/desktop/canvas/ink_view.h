@@ -38,10 +38,13 @@ class InkView : public QObject {
   void show(const std::optional<Edit>& preview);
   /// `dpr`: device pixels a widget pixel.
   void set_view(const CanvasView& view, double dpr);
-  /// The relief of the sheet in the ink.
+  /// The relief of the sheet in the ink; its field must outlive this.
   void set_grain(const Grain& grain);
   /// Centre lines only, hair-thin.
   void set_outline_mode(bool on);
+  /// From mm to widget pixels, exactly as the ink is painted: as the view says but for a part of a
+  /// device pixel, so that panning copies. What is to lie on the ink without a seam uses this.
+  [[nodiscard]] QTransform transform() const;
   /// Paints the ink of this part of the widget over what the painter has.
   void paint(QPainter& painter, const QRect& part);
   /// All tiles of the view are as they should be.
@@ -54,6 +57,7 @@ class InkView : public QObject {
   void changed(const QRect& part);
 
  private:
+  void take_news();
   struct State;
   std::unique_ptr<State> state_;
 };

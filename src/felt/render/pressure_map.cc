@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "felt/render/grain.h"
+#include "felt/render/segment_runs.h"
 
 namespace felt {
 namespace {
@@ -21,8 +22,10 @@ void PressureMap::make(const Stroke& stroke, const View& view, PixelRect area) {
   area_ = area;
   values_.assign(static_cast<std::size_t>(area.width()) * static_cast<std::size_t>(area.height()),
                  0.0F);
+  const Rect near = view.area_mm({area.x0 - 2.0, area.y0 - 2.0}, {area.x1 + 2.0, area.y1 + 2.0});
   for (int i = 0; i < stroke.segment_count(); ++i) {
     const Cubic c = stroke.segment(i);
+    if (!near.intersects(segment_area(stroke, i))) continue;
     // The control polygon is at least as long as the curve.
     double length_px = 0.0, thinnest_px = 1e300;
     for (std::size_t k = 1; k < 4; ++k) {

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "felt/render/pressure_map.h"
+#include "felt/render/segment_runs.h"
 
 namespace felt {
 namespace {
@@ -20,6 +21,9 @@ namespace {
 /// AGG silently drops what exceeds its limit of 4096-cell blocks; 64 million cells are the edge
 /// pixels of any stroke on the largest picture.
 constexpr unsigned kCellBlocks = 16384;
+
+/// Of the tolerance, for the centre line: as much as StrokeOutliner gives it.
+constexpr double kTraceShare = 0.5;
 
 /// Clips in floating point, so that no coordinate overflows AGG's integers.
 using Cells = agg::rasterizer_scanline_aa<agg::rasterizer_sl_clip_dbl>;
@@ -45,10 +49,15 @@ Rect rough_bounds(const Stroke& stroke) noexcept {
   return area.inflated(0.5 * widest);
 }
 
+/// What of the sheet a part of a picture shows, and two pixels more.
+Rect shown_by(PixelRect part, const View& view) noexcept {
+  return view.area_mm({part.x0 - 2.0, part.y0 - 2.0}, {part.x1 + 2.0, part.y1 + 2.0});
+}
+
 /// The pixels that a stroke may touch.
 PixelRect pixels_of(const Stroke& stroke, const View& view, PixelRect clip) noexcept {
-  const Rect area = rough_bounds(stroke);
-  const Vec from = view.to_px({area.x0, area.y0}), to = view.to_px({area.x1, area.y1});
+  const Rect area = view.area_px(rough_bounds(stroke));
+  const Vec from{area.x0, area.y0}, to{area.x1, area.y1};
   const auto whole = [](double px, int least, int most) {
     return static_cast<int>(std::clamp(px, static_cast<double>(least), static_cast<double>(most)));
   };
@@ -79,6 +88,9 @@ struct Rasterizer::State {
   Cells cells{kCellBlocks};
   agg::scanline_u8 line;
   StrokeOutliner outliner;
+  SegmentRuns runs;
+  std::vector<Dab> dabs, more_dabs;
+  Outline joined;
   std::vector<std::uint8_t> mask;  // RGBA; its alpha is the coverage
   PressureMap pressure;
 };
@@ -112,14 +124,50 @@ void Rasterizer::fill(const Outline& outline, const View& view, PixelRect clip, 
   }
 }
 
+/// The outline of what a stroke inks in `shown`; of a stroke that lies there as a whole, its own.
+const Outline& Rasterizer::trace_near(const Stroke& stroke, const View& view, const Rect& shown) {
+  State& s = *state_;
+  const double tolerance_mm = kRasterTolerancePx / view.px_per_mm;
+  s.runs.find(stroke, shown);
+  if (s.runs.is_whole(stroke)) return s.outliner.trace(stroke, tolerance_mm);
+  s.joined.clear();
+  const auto& runs = s.runs.runs();
+  // Of a ring the last run goes on with the first.
+  const bool goes_round = stroke.closed() && runs.size() > 1 && runs.front().first == 0 &&
+                          runs.back().last == stroke.segment_count();
+  for (std::size_t i = goes_round ? 1 : 0; i < runs.size(); ++i) {
+    flatten(stroke, runs[i].first, runs[i].last, kTraceShare * tolerance_mm, s.dabs);
+    if (goes_round && i + 1 == runs.size()) {
+      flatten(stroke, 0, runs.front().last, kTraceShare * tolerance_mm, s.more_dabs);
+      s.dabs.insert(s.dabs.end(), s.more_dabs.begin(), s.more_dabs.end());
+    }
+    const Outline& part = s.outliner.trace(s.dabs, false, tolerance_mm);
+    const std::size_t size = s.joined.points.size();
+    s.joined.points.insert(s.joined.points.end(), part.points.begin(), part.points.end());
+    for (const std::size_t end : part.ends) s.joined.ends.push_back(size + end);
+  }
+  return s.joined;
+}
+
 void Rasterizer::draw(const Stroke& stroke, const View& view, PixelRect clip, Pixels target) {
   const PixelRect part = clip.intersected(target.rect());
-  Rect shown;
-  shown.extend(view.to_mm({static_cast<double>(part.x0), static_cast<double>(part.y0)}));
-  shown.extend(view.to_mm({static_cast<double>(part.x1), static_cast<double>(part.y1)}));
-  if (part.empty() || !shown.intersects(rough_bounds(stroke))) return;
-  fill(state_->outliner.trace(stroke, kRasterTolerancePx / view.px_per_mm), view, part,
-       stroke.color(), target);
+  if (part.empty()) return;
+  const Rect shown = shown_by(part, view);
+  if (!shown.intersects(rough_bounds(stroke))) return;
+  fill(trace_near(stroke, view, shown), view, part, stroke.color(), target);
+}
+
+void Rasterizer::draw_center_line(const Stroke& stroke, const View& view, PixelRect clip,
+                                  double width_px, Pixels target) {
+  const PixelRect part = clip.intersected(target.rect());
+  if (part.empty() || !shown_by(part, view).intersects(rough_bounds(stroke))) return;
+  State& s = *state_;
+  const double tolerance_mm = kRasterTolerancePx / view.px_per_mm;
+  flatten(stroke, kTraceShare * tolerance_mm, s.dabs);
+  for (Dab& dab : s.dabs) dab.radius_mm = 0.5 * width_px / view.px_per_mm;
+  const Rgba color = stroke.color();
+  fill(s.outliner.trace(s.dabs, stroke.closed(), tolerance_mm), view, part,
+       {color.r, color.g, color.b, 255}, target);
 }
 
 void Rasterizer::draw(const Stroke& stroke, const View& view, PixelRect clip, const Grain& grain,
@@ -128,7 +176,7 @@ void Rasterizer::draw(const Stroke& stroke, const View& view, PixelRect clip, co
   if (grain.is_smooth() || !(share > 0.0)) return draw(stroke, view, clip, target);
   const PixelRect part = pixels_of(stroke, view, clip.intersected(target.rect()));
   if (part.empty() || stroke.color().a == 0) return;
-  const Outline& outline = state_->outliner.trace(stroke, kRasterTolerancePx / view.px_per_mm);
+  const Outline& outline = trace_near(stroke, view, shown_by(part, view));
   const double opacity = stroke.color().a / (255.0 * 255.0);
   for (int top = part.y0; top < part.y1; top += State::kBandRows) {
     const PixelRect band{part.x0, top, part.x1, std::min(part.y1, top + State::kBandRows)};
@@ -138,8 +186,7 @@ void Rasterizer::draw(const Stroke& stroke, const View& view, PixelRect clip, co
                 0);
     const Pixels coverage{mask.data(), band.width(), band.height(),
                           std::ptrdiff_t{4} * band.width(), PixelOrder::kRgba};
-    const View shifted{view.to_mm({static_cast<double>(band.x0), static_cast<double>(band.y0)}),
-                       view.px_per_mm};
+    const View shifted = view.from({static_cast<double>(band.x0), static_cast<double>(band.y0)});
     fill(outline, shifted, coverage.rect(), {255, 255, 255, 255}, coverage);
     state_->pressure.make(stroke, view, band);
     for (int y = band.y0; y < band.y1; ++y) {

@@ -18,6 +18,8 @@ inline constexpr double kRasterTolerancePx = 0.05;
 /// stroke does not darken where it crosses itself. What lies outside `clip` is not touched;
 /// filling an area in one go or in tiles gives the same pixels, to 2 of 255 levels at the seams.
 ///
+/// Of a long stroke only the segments near the clip are traced.
+///
 /// The object keeps its buffers: no allocation per outline after warm-up. One thread at a time.
 class Rasterizer {
  public:
@@ -33,11 +35,18 @@ class Rasterizer {
   /// when it lies outside the clip.
   void draw(const Stroke& stroke, const View& view, PixelRect clip, Pixels target);
 
-  /// The same on a sheet with a relief (R47): materials that are dry show it (grain_share).
+  /// Only its centre line, `width_px` wide and opaque: outline view.
+  void draw_center_line(const Stroke& stroke, const View& view, PixelRect clip, double width_px,
+                        Pixels target);
+
+  /// The same as `draw` on a sheet with a relief (R47): materials that are dry show it
+  /// (grain_share).
   void draw(const Stroke& stroke, const View& view, PixelRect clip, const Grain& grain,
             Pixels target);
 
  private:
+  const Outline& trace_near(const Stroke& stroke, const View& view, const Rect& shown);
+
   struct State;
   std::unique_ptr<State> state_;
 };

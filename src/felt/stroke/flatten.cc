@@ -15,12 +15,20 @@ int flatten_steps(const Cubic& c, double span, double tolerance_mm) noexcept {
 }
 
 void flatten(const Stroke& stroke, double tolerance_mm, std::vector<Dab>& out) {
+  flatten(stroke, 0, stroke.segment_count(), tolerance_mm, out);
+}
+
+void flatten(const Stroke& stroke, int first, int last, double tolerance_mm,
+             std::vector<Dab>& out) {
   const auto knots = stroke.widths();
   const int most = std::max(1, kMaxStrokeSteps / stroke.segment_count());
   out.clear();
-  out.push_back({stroke.position(0.0), 0.5 * knots[0].width_mm});
-  std::size_t k = 0;  // the width piece in hand runs from knot k to k + 1
-  for (int i = 0; i < stroke.segment_count(); ++i) {
+  out.push_back({stroke.segment(first).p[0], 0.5 * stroke.width_mm(first)});
+  // The width piece in hand runs from knot k to k + 1.
+  const auto after = std::upper_bound(knots.begin(), knots.end() - 1, static_cast<double>(first),
+                                      [](double u, const WidthKnot& knot) { return u < knot.u; });
+  auto k = static_cast<std::size_t>(after - knots.begin()) - 1;
+  for (int i = first; i < last; ++i) {
     const Cubic c = stroke.segment(i);
     for (double t0 = 0.0; t0 < 1.0;) {
       const WidthKnot a = knots[k], b = knots[k + 1];

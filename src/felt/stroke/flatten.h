@@ -34,4 +34,8 @@ int flatten_steps(const Cubic& c, double span, double tolerance_mm) noexcept;
 /// exactly. A closed stroke's seam appears at both ends.
 void flatten(const Stroke& stroke, double tolerance_mm, std::vector<Dab>& out);
 
+/// Likewise along the segments from `first` up to, not including, `last`: the same dabs as those of
+/// the whole stroke there. Requires 0 <= first < last <= segment_count().
+void flatten(const Stroke& stroke, int first, int last, double tolerance_mm, std::vector<Dab>& out);
+
 }  // namespace felt

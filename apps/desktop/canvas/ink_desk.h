@@ -1,0 +1,92 @@
+#pragma once
+
+#include <functional>
+#include <map>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "desktop/canvas/ink_tiles.h"
+#include "felt/document/document.h"
+
+namespace felt::desktop {
+
+/// What the worker has on its desk: the scene, the planes with their tiles, the work that is to be
+/// done next. One thread.
+class InkDesk {
+ public:
+  /// How urgent the next work is.
+  enum class Need { kRepair, kMissing, kAround, kNone };
+
+  /// Tiles of all planes take at most about so much memory; those of the view are kept in any case.
+  explicit InkDesk(std::size_t most_bytes = std::size_t{256} << 20U) : most_bytes_(most_bytes) {}
+
+  void open(const Document& document);
+  void apply(const Edit& edit);
+  void show(const std::optional<Edit>& preview);
+  void look(const PlaneSpec& plane, const PlaneRect& seen);
+  void forget(std::uint64_t plane);
+
+  /// Decides what work() is to do.
+  Need plan();
+  /// Makes or mends the tile that plan() chose. `should_stop` is asked between strokes; a work that
+  /// was laid down is taken up by the next call, unless something else is more urgent then. `order`
+  /// goes into the news.
+  void work(std::uint64_t order, const std::function<bool()>& should_stop,
+            std::vector<TileNews>& news);
+  [[nodiscard]] std::size_t bytes() const noexcept { return bytes_; }
+  [[nodiscard]] std::size_t tile_count() const noexcept;
+
+ private:
+  struct Tile {
+    TilePtr picture;
+    PixelRect dirty;
+    bool is_made = false;
+    bool must_finish = false;  // was begun in vain once
+    std::uint64_t damages = 0;
+    std::uint64_t used = 0;
+    std::unique_ptr<TileSplit> split;
+  };
+  struct Plane {
+    PlaneSpec spec;
+    std::map<TilePlace, Tile> tiles;
+  };
+  /// A tile in the making that was laid down.
+  struct Begun {
+    std::uint64_t plane = 0;
+    TilePlace place;
+    std::uint64_t damages = 0;
+    PixelRect part;
+    std::shared_ptr<TilePicture> picture;
+    InkJob job;
+  };
+  struct Choice {
+    Need need = Need::kNone;
+    std::uint64_t plane = 0;
+    TilePlace place;
+  };
+
+  void damage(const InkDamage& areas);
+  static void damage(Plane& plane, const Rect& area);
+  static void damage(Tile& tile, PixelRect part);
+  [[nodiscard]] Choice choose() const;
+  [[nodiscard]] std::optional<Choice> nearest(const Plane& plane, const PlaneRect& area,
+                                              bool only_made) const;
+  [[nodiscard]] Begun begin(const Choice& choice, Plane& plane, Tile& tile);
+  bool paint(Plane& plane, Tile& tile, Begun& begun, const std::function<bool()>& should_stop);
+  void drop_old(std::vector<TileNews>& news);
+  void drop_splits();
+
+  std::size_t most_bytes_;
+  std::size_t bytes_ = 0;
+  std::uint64_t uses_ = 0;
+  std::unique_ptr<InkScene> scene_ = std::make_unique<InkScene>();
+  TilePainter painter_;
+  std::map<std::uint64_t, Plane> planes_;
+  std::uint64_t current_ = 0;
+  PlaneRect seen_;
+  Choice choice_;
+  std::optional<Begun> begun_;
+};
+
+}  // namespace felt::desktop

@@ -1,0 +1,191 @@
+#include "felt/render/tile_painter.h"
+
+#include <algorithm>
+#include <cstring>
+#include <iterator>
+
+namespace felt {
+namespace {
+
+/// Fewer strokes around those of a preview than this are drawn as quickly as a picture is copied.
+constexpr std::size_t kWorthKeeping = 4;
+
+/// A split is made wider by this than what is asked for: strokes of a preview move.
+constexpr int kMarginPx = 48;
+
+constexpr PixelRect kTile{0, 0, kTileSide, kTileSide};
+
+Rect area_of(const View& view, PixelRect part) noexcept {
+  return view.area_mm({part.x0 - 2.0, part.y0 - 2.0}, {part.x1 + 2.0, part.y1 + 2.0});
+}
+
+bool contains(PixelRect outer, PixelRect inner) noexcept {
+  return outer.intersected(inner) == inner;
+}
+
+/// Pixels of a vector that shows `valid`, as a picture in which (0, 0) is the tile's corner.
+Pixels pixels_of(std::vector<std::uint8_t>& bytes, PixelRect valid, PixelOrder order) noexcept {
+  return {bytes.data(), valid.width(), valid.height(), std::ptrdiff_t{4} * valid.width(), order};
+}
+
+void blend_row(const std::uint8_t* from, std::uint8_t* to, int pixels) noexcept {
+  for (int x = 0; x < pixels; ++x, from += 4, to += 4) {
+    const unsigned left = 255U - from[3];
+    if (left == 255U) continue;
+    for (int k = 0; k < 4; ++k) {
+      const unsigned under = to[k] * left + 128U;
+      to[k] = static_cast<std::uint8_t>(from[k] + ((under + (under >> 8U)) >> 8U));
+    }
+  }
+}
+
+/// Height limits of a split: what lies strictly between is drawn anew.
+struct Gap {
+  InkHeight above;  ///< of the lowest stroke above
+  InkHeight below;  ///< of the highest stroke below
+  bool has_above = false;
+  bool has_below = false;
+
+  [[nodiscard]] bool contains(InkHeight h) const noexcept {
+    return (!has_below || h > below) && (!has_above || h < above);
+  }
+};
+
+Gap gap_of(const InkScene& scene, const TileSplit& split) {
+  Gap gap;
+  if (const SceneStroke* below = scene.find(split.below_top)) {
+    gap.has_below = true;
+    gap.below = InkScene::height(*below);
+  }
+  if (const SceneStroke* above = scene.find(split.above_bottom)) {
+    gap.has_above = true;
+    gap.above = InkScene::height(*above);
+  }
+  return gap;
+}
+
+}  // namespace
+
+InkJob TilePainter::job_of(const InkScene& scene, const View& view, PixelRect part) {
+  std::vector<const SceneStroke*> found;
+  scene.find(area_of(view, part), found);
+  InkJob job{view, part, {}, 0};
+  job.strokes.reserve(found.size());
+  for (const SceneStroke* s : found) job.strokes.push_back(s->stroke);
+  return job;
+}
+
+void TilePainter::draw(const Stroke& stroke, const View& view, PixelRect part,
+                       const InkStyle& style, Pixels target) {
+  if (style.hair_px > 0.0) {
+    rasterizer_.draw_center_line(stroke, view, part, style.hair_px, target);
+  } else {
+    rasterizer_.draw(stroke, view, part, style.grain, target);
+  }
+}
+
+void TilePainter::draw_next(InkJob& job, const InkStyle& style, Pixels target) {
+  draw(*job.strokes[job.next++], job.view, job.part, style, target);
+}
+
+/// What it keeps is still what the sheet shows apart from the preview.
+bool TilePainter::is_valid(const InkScene& scene, const View& view, const TileSplit& split) {
+  if (split.valid.empty() || split.revision != scene.revision()) return false;
+  if (split.previewed == scene.previewed()) return true;
+  std::vector<StrokeId> others;
+  std::set_difference(scene.previewed().begin(), scene.previewed().end(), split.previewed.begin(),
+                      split.previewed.end(), std::back_inserter(others));
+  for (const StrokeId id : others) {
+    if (std::binary_search(split.drawn.begin(), split.drawn.end(), id)) return false;
+  }
+  others.clear();
+  std::set_difference(split.previewed.begin(), split.previewed.end(), scene.previewed().begin(),
+                      scene.previewed().end(), std::back_inserter(others));
+  const Rect area = area_of(view, split.valid);
+  return std::none_of(others.begin(), others.end(), [&](StrokeId id) {
+    const SceneStroke* stroke = scene.find(id);
+    return stroke && area.intersects(stroke->box);
+  });
+}
+
+/// It has all of `part`, and the strokes of the preview in `found_` lie in its gap.
+bool TilePainter::fits(const InkScene& scene, const TileSplit& split, PixelRect part) const {
+  if (!contains(split.valid, part)) return false;
+  const Gap gap = gap_of(scene, split);
+  return std::all_of(found_.begin(), found_.end(), [&](const SceneStroke* s) {
+    return !s->is_previewed || gap.contains(InkScene::height(*s));
+  });
+}
+
+bool TilePainter::make(const InkScene& scene, const View& view, PixelRect valid,
+                       const InkStyle& style, TileSplit& split) {
+  scene.find(area_of(view, valid), found_);
+  const auto is_previewed = [](const SceneStroke* s) { return s->is_previewed; };
+  const auto lowest = std::find_if(found_.begin(), found_.end(), is_previewed);
+  const auto highest = std::find_if(found_.rbegin(), found_.rend(), is_previewed).base();
+  if (lowest == found_.end()) return false;
+  const auto kept = static_cast<std::size_t>((lowest - found_.begin()) + (found_.end() - highest));
+  if (kept < kWorthKeeping) return false;
+  const View shifted = view.from({static_cast<double>(valid.x0), static_cast<double>(valid.y0)});
+  split = {};
+  split.valid = valid;
+  split.revision = scene.revision();
+  split.previewed = scene.previewed();
+  const auto draw_all = [&](auto first, auto last, std::vector<std::uint8_t>& bytes) {
+    bytes.assign(std::size_t{4} * static_cast<std::size_t>(valid.width()) *
+                     static_cast<std::size_t>(valid.height()),
+                 0);
+    const Pixels pixels = pixels_of(bytes, valid, PixelOrder::kBgra);
+    for (auto s = first; s != last; ++s) {
+      draw(*(*s)->stroke, shifted, pixels.rect(), style, pixels);
+      split.drawn.push_back((*s)->id);
+    }
+  };
+  draw_all(found_.begin(), lowest, split.below);
+  draw_all(highest, found_.end(), split.above);
+  if (lowest != found_.begin()) split.below_top = (*std::prev(lowest))->id;
+  if (highest != found_.end()) split.above_bottom = (*highest)->id;
+  std::sort(split.drawn.begin(), split.drawn.end());
+  return true;
+}
+
+bool TilePainter::paint_split(const InkScene& scene, const View& view, PixelRect part,
+                              const InkStyle& style, TileSplit& split, Pixels target) {
+  if (scene.previewed().empty()) return false;
+  if (!is_valid(scene, view, split)) split = {};
+  scene.find(area_of(view, part), found_);
+  if (found_.size() < kWorthKeeping) return false;
+  if (!fits(scene, split, part)) {
+    PixelRect wide = part;
+    if (!split.valid.empty()) {
+      wide = {std::min(wide.x0, split.valid.x0), std::min(wide.y0, split.valid.y0),
+              std::max(wide.x1, split.valid.x1), std::max(wide.y1, split.valid.y1)};
+    }
+    wide = kTile.intersected(
+        {wide.x0 - kMarginPx, wide.y0 - kMarginPx, wide.x1 + kMarginPx, wide.y1 + kMarginPx});
+    if (!make(scene, view, wide, style, split)) return false;
+    scene.find(area_of(view, part), found_);
+  }
+  const PixelRect valid = split.valid;
+  const std::ptrdiff_t stride = std::ptrdiff_t{4} * valid.width();
+  const auto row_of = [&](std::vector<std::uint8_t>& bytes, int y) {
+    return bytes.data() + (y - valid.y0) * stride + std::ptrdiff_t{4} * (part.x0 - valid.x0);
+  };
+  const auto target_row = [&](int y) {
+    return target.data + y * target.stride + std::ptrdiff_t{4} * part.x0;
+  };
+  for (int y = part.y0; y < part.y1; ++y) {
+    std::memcpy(target_row(y), row_of(split.below, y),
+                std::size_t{4} * static_cast<std::size_t>(part.width()));
+  }
+  const Gap gap = gap_of(scene, split);
+  for (const SceneStroke* s : found_) {
+    if (gap.contains(InkScene::height(*s))) draw(*s->stroke, view, part, style, target);
+  }
+  for (int y = part.y0; y < part.y1; ++y) {
+    blend_row(row_of(split.above, y), target_row(y), part.width());
+  }
+  return true;
+}
+
+}  // namespace felt
