@@ -8,13 +8,32 @@
 namespace felt::desktop {
 namespace {
 
+const QString kPrefix = QStringLiteral("shortcuts/");
+
 QString key_of(const QString& name) {
-  return QStringLiteral("shortcuts/") + name;
+  return kPrefix + name;
 }
 
 }  // namespace
 
-Actions::Actions(QWidget* window) : QObject(window), window_(window) {}
+Actions::Actions(QWidget* window) : QObject(window), window_(window) {
+  // Every window has a table of its own; a key that is chosen in one is chosen in all.
+  connect(&Settings::the(), &Settings::changed, this, [this](const QString& key) {
+    if (!key.startsWith(kPrefix)) return;
+    if (QAction* action = find(key.mid(kPrefix.size()))) take_keys(action);
+  });
+}
+
+void Actions::take_keys(QAction* action) {
+  const QString name = action->objectName();
+  const QVariant chosen = Settings::the().value(key_of(name));
+  action->setShortcuts(chosen.isValid() ? QKeySequence::listFromString(chosen.toString())
+                                        : defaults_[name]);
+  const QString tip = action->statusTip();
+  const QString shown = action->shortcut().toString(QKeySequence::NativeText);
+  action->setToolTip(shown.isEmpty() ? tip : QStringLiteral("%1 (%2)").arg(tip, shown));
+  Q_EMIT keys_changed(name);
+}
 
 QAction* Actions::make(const QString& name, const QString& text, const QList<QKeySequence>& keys,
                        const QString& tip) {
@@ -22,10 +41,7 @@ QAction* Actions::make(const QString& name, const QString& text, const QList<QKe
   action->setObjectName(name);
   action->setStatusTip(tip);
   defaults_[name] = keys;
-  const QVariant chosen = Settings::the().value(key_of(name));
-  action->setShortcuts(chosen.isValid() ? QKeySequence::listFromString(chosen.toString()) : keys);
-  const QString shown = action->shortcut().toString(QKeySequence::NativeText);
-  action->setToolTip(shown.isEmpty() ? tip : QStringLiteral("%1 (%2)").arg(tip, shown));
+  take_keys(action);
   window_->addAction(action);
   actions_.push_back(action);
   return action;
@@ -61,10 +77,20 @@ QList<QKeySequence> Actions::default_keys(const QString& name) const {
 }
 
 void Actions::set_keys(const QString& name, const QList<QKeySequence>& keys) {
-  QAction* action = find(name);
-  if (!action) return;
+  if (!find(name)) return;
+  if (keys == default_keys(name)) return reset_keys(name);
   Settings::the().set(key_of(name), QKeySequence::listToString(keys));
-  action->setShortcuts(keys);
+}
+
+void Actions::reset_keys(const QString& name) {
+  Settings::the().reset(key_of(name));
+}
+
+QAction* Actions::owner_of(const QKeySequence& key, const QAction* but) const {
+  for (QAction* action : actions_) {
+    if (action != but && action->shortcuts().contains(key)) return action;
+  }
+  return nullptr;
 }
 
 }  // namespace felt::desktop

@@ -35,12 +35,20 @@ class Actions : public QObject {
   [[nodiscard]] const QList<QAction*>& all() const noexcept { return actions_; }
   /// The keys that it came with.
   [[nodiscard]] QList<QKeySequence> default_keys(const QString& name) const;
-  /// Chosen by a person; kept. Empty: no keys.
+  /// Chosen by a person; kept, and so in every window. Empty: no keys.
   void set_keys(const QString& name, const QList<QKeySequence>& keys);
+  /// The keys that it came with, again.
+  void reset_keys(const QString& name);
+  /// The one that has this key now, or null; `but` is not looked at.
+  [[nodiscard]] QAction* owner_of(const QKeySequence& key, const QAction* but = nullptr) const;
+
+ Q_SIGNALS:
+  void keys_changed(const QString& name);
 
  private:
   QAction* make(const QString& name, const QString& text, const QList<QKeySequence>& keys,
                 const QString& tip);
+  void take_keys(QAction* action);
 
   QWidget* window_;
   QList<QAction*> actions_;

@@ -41,4 +41,10 @@ void Settings::set(const QString& key, const QVariant& value) {
   Q_EMIT changed(key);
 }
 
+void Settings::reset(const QString& key) {
+  if (!store().contains(key)) return;
+  store().remove(key);
+  Q_EMIT changed(key);
+}
+
 }  // namespace felt::desktop

@@ -23,6 +23,9 @@ class Settings : public QObject {
   [[nodiscard]] QString text(const QString& key, const QString& fallback = {}) const;
   /// Stored soon after; `changed` comes at once, and only where the value differs.
   void set(const QString& key, const QVariant& value);
+  /// Forgets what was chosen, so that the default counts; `changed` comes where there was
+  /// something.
+  void reset(const QString& key);
 
  Q_SIGNALS:
   void changed(const QString& key);

@@ -1,7 +1,61 @@
 #include "desktop/help/help_actions.h"
 
+#include "desktop/help/about_dialog.h"
+#include "desktop/help/examples.h"
+#include "desktop/help/guide_dialog.h"
+#include "desktop/help/shortcut_sheet.h"
+#include "desktop/help/tour_window.h"
+
 namespace felt::desktop {
 
-void add_help_actions(Actions&, Canvas&, QWidget*) {}
+HelpActions::HelpActions(Actions& actions, QWidget* window)
+    : QObject(window), actions_(actions), window_(window) {
+  actions.add(QStringLiteral("help.guide"), tr("&Guide"), {QKeySequence(Qt::Key_F1)},
+              tr("What the tools do, on one page"), [this] {
+                show_dialog(guide_, [](const Actions& all, QWidget* parent) -> QWidget* {
+                  return new GuideDialog(all, parent);
+                });
+              });
+  actions.add(QStringLiteral("help.shortcuts"), tr("&Keys at a glance"),
+              {QKeySequence(Qt::Key_Question)}, tr("All keys on one page, to search and to print"),
+              [this] {
+                show_dialog(shortcuts_, [](const Actions& all, QWidget* parent) -> QWidget* {
+                  return new ShortcutSheet(all, parent);
+                });
+              });
+  actions.add(QStringLiteral("help.tour"), tr("Guided &tour"), {},
+              tr("Two minutes in which the program draws by itself"), [this] { show_tour(); });
+  for (const Example& example : examples()) {
+    actions.add(QStringLiteral("help.example_") + example.id, example.title, {},
+                tr("Opens this drawing, made by the project's simulated hand"), [this, example] {
+                  Q_EMIT wants_drawing(example_document(example.id), example.title);
+                });
+  }
+  actions.add(QStringLiteral("help.about"), tr("&About Feltline"), {},
+              tr("Version, licence and what it is built on"), [this] {
+                show_dialog(about_, [](const Actions&, QWidget* parent) -> QWidget* {
+                  return new AboutDialog(parent);
+                });
+              });
+}
+
+void HelpActions::show_dialog(QPointer<QWidget>& dialog,
+                              QWidget* (*make)(const Actions&, QWidget*)) {
+  if (!dialog) dialog = make(actions_, window_);
+  dialog->show();
+  dialog->raise();
+  dialog->activateWindow();
+}
+
+void HelpActions::show_tour() {
+  if (!tour_) {
+    auto* tour = new TourWindow(window_);
+    connect(tour, &TourWindow::wants_sheet, this, &HelpActions::wants_sheet);
+    tour_ = tour;
+  }
+  tour_->show();
+  tour_->raise();
+  tour_->activateWindow();
+}
 
 }  // namespace felt::desktop

@@ -1,13 +1,40 @@
 #pragma once
 
+#include <QObject>
+#include <QPointer>
+#include <QString>
 #include <QWidget>
 
-#include "desktop/canvas/canvas.h"
 #include "desktop/engine/actions.h"
+#include "felt/document/document.h"
 
 namespace felt::desktop {
 
-/// Adds "help.shortcuts", "help.tour", "help.example_1" and on, "help.about".
-void add_help_actions(Actions& actions, Canvas& canvas, QWidget* window);
+/// Adds "help.guide", "help.shortcuts", "help.tour", "help.example_cat" and on, "help.about", and
+/// shows what they promise. `actions` and `window` must outlive it.
+class HelpActions : public QObject {
+  Q_OBJECT
+
+ public:
+  HelpActions(Actions& actions, QWidget* window);
+
+ Q_SIGNALS:
+  /// An example is wanted, in place of an empty drawing or in a window of its own.
+  void wants_drawing(const felt::Document& drawing, const QString& title);
+  /// The tour is over, and the person wants to draw.
+  void wants_sheet();
+
+ private:
+  void show_tour();
+  /// One window of each kind, made when it is first asked for.
+  void show_dialog(QPointer<QWidget>& dialog, QWidget* (*make)(const Actions&, QWidget*));
+
+  Actions& actions_;
+  QWidget* window_;
+  QPointer<QWidget> tour_;
+  QPointer<QWidget> shortcuts_;
+  QPointer<QWidget> guide_;
+  QPointer<QWidget> about_;
+};
 
 }  // namespace felt::desktop

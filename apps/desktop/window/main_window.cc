@@ -1,8 +1,12 @@
 #include "desktop/window/main_window.h"
 
+#include <QApplication>
 #include <QCloseEvent>
-#include <QDockWidget>
+#include <QFileInfo>
+#include <QKeyEvent>
+#include <QMenuBar>
 
+#include "desktop/engine/settings.h"
 #include "desktop/feel/feel_panel.h"
 #include "desktop/feel/force_panel.h"
 #include "desktop/help/help_actions.h"
@@ -11,8 +15,22 @@
 #include "desktop/panels/layers_panel.h"
 #include "desktop/panels/options_panel.h"
 #include "desktop/pens/pen_input.h"
+#include "desktop/window/edit_actions.h"
+#include "desktop/window/menus.h"
+#include "desktop/window/preferences.h"
+#include "desktop/window/settings_keys.h"
+#include "desktop/window/status_line.h"
+#include "desktop/window/tool_keys.h"
+#include "desktop/window/top_bar.h"
 
 namespace felt::desktop {
+namespace {
+
+/// Of the layout that restoreState() knows; another one starts anew.
+constexpr int kLayoutVersion = 1;
+constexpr QSize kFirstSize{1280, 820};
+
+}  // namespace
 
 MainWindow::MainWindow(StudioOptions options, QWidget* parent)
     : QMainWindow(parent),
@@ -20,24 +38,218 @@ MainWindow::MainWindow(StudioOptions options, QWidget* parent)
       canvas_(new Canvas(*studio_, this)),
       actions_(new Actions(this)),
       files_(new FileActions(*studio_, *actions_, this)) {
+  setObjectName(QStringLiteral("main"));
   setCentralWidget(canvas_);
   new PenInput(*canvas_);
-  add_help_actions(*actions_, *canvas_, this);
-  const auto dock = [this](QWidget* panel, const QString& title, Qt::DockWidgetArea area) {
-    auto* widget = new QDockWidget(title, this);
-    widget->setWidget(panel);
-    addDockWidget(area, widget);
+  add_edit_actions(*actions_, *studio_);
+  auto* help = new HelpActions(*actions_, this);
+  connect(help, &HelpActions::wants_drawing, this, &MainWindow::wants_drawing);
+  connect(help, &HelpActions::wants_sheet, this, [this] {
+    activateWindow();
+    canvas_->setFocus();
+  });
+  new ToolKeys(*actions_, *studio_, this);
+  make_panels();
+  add_window_actions();
+  set_action_icons(*actions_);
+  addToolBar(Qt::TopToolBarArea, new TopBar(*actions_, *canvas_, this));
+  auto* tools = new QToolBar(tr("Tools"), this);
+  tools->setObjectName(QStringLiteral("tools"));
+  for (QAction* action : actions_->all()) {
+    if (action->objectName().startsWith(QStringLiteral("tool.")) && action->isCheckable()) {
+      tools->addAction(action);
+    }
+  }
+  addToolBar(Qt::LeftToolBarArea, tools);
+  setStatusBar(new StatusLine(*studio_, *canvas_, this));
+  make_menus(*this, *actions_);
+  connect(studio_, &Studio::modified_changed, this, &MainWindow::show_title);
+  connect(files_, &FileActions::path_changed, this, &MainWindow::show_title);
+  connect(this, &MainWindow::wants_preferences, this, [this] {
+    if (!preferences_) preferences_ = new Preferences(*this);
+    preferences_->show();
+    preferences_->raise();
+    preferences_->activateWindow();
+  });
+  show_title();
+  place_panels();
+  resize(kFirstSize);
+  restoreGeometry(Settings::the().value(window_keys::kGeometry).toByteArray());
+  restoreState(Settings::the().value(window_keys::kLayout).toByteArray(), kLayoutVersion);
+  qApp->installEventFilter(this);
+  canvas_->setFocus();
+}
+
+QDockWidget* MainWindow::add_panel(const QString& name, const QString& title, QWidget* panel) {
+  auto* dock = new QDockWidget(title, this);
+  dock->setObjectName(name);
+  dock->setWidget(panel);
+  panels_.push_back(dock);
+  QAction* action =
+      actions_->add_switch(QStringLiteral("view.panel_") + name, title, {},
+                           tr("Shows or hides the panel %1").arg(title), true, [dock](bool on) {
+                             if (on == !dock->isHidden()) return;
+                             dock->setVisible(on);
+                             if (on) dock->raise();
+                           });
+  // Not by visibility: a panel behind another one of its tabs is shown, too.
+  connect(dock->toggleViewAction(), &QAction::toggled, action, &QAction::setChecked);
+  return dock;
+}
+
+void MainWindow::make_panels() {
+  setDockNestingEnabled(true);
+  setTabPosition(Qt::AllDockWidgetAreas, QTabWidget::North);
+  add_panel(QStringLiteral("options"), tr("Options"), new OptionsPanel(*studio_));
+  add_panel(QStringLiteral("feel"), tr("Feel"), new FeelPanel(*studio_));
+  add_panel(QStringLiteral("layers"), tr("Layers"), new LayersPanel(*studio_));
+  add_panel(QStringLiteral("colors"), tr("Colours"), new ColorsPanel(*studio_));
+  add_panel(QStringLiteral("history"), tr("History"), new HistoryPanel(*studio_));
+  add_panel(QStringLiteral("forces"), tr("Forces"), new ForcePanel(*studio_));
+}
+
+void MainWindow::place_panels() {
+  const auto dock = [this](const char* name) {
+    return findChild<QDockWidget*>(QString::fromLatin1(name));
   };
-  dock(new OptionsPanel(*studio_), tr("Options"), Qt::LeftDockWidgetArea);
-  dock(new FeelPanel(*studio_), tr("Feel"), Qt::LeftDockWidgetArea);
-  dock(new LayersPanel(*studio_), tr("Layers"), Qt::RightDockWidgetArea);
-  dock(new HistoryPanel(*studio_), tr("History"), Qt::RightDockWidgetArea);
-  dock(new ColorsPanel(*studio_), tr("Colours"), Qt::RightDockWidgetArea);
-  dock(new ForcePanel(*studio_), tr("Forces"), Qt::BottomDockWidgetArea);
+  for (QDockWidget* panel : panels_) {
+    removeDockWidget(panel);
+    panel->setFloating(false);
+    panel->show();
+  }
+  addDockWidget(Qt::RightDockWidgetArea, dock("options"));
+  // Splitting goes first: beside a panel that has tabs it would only make one more tab.
+  splitDockWidget(dock("options"), dock("layers"), Qt::Vertical);
+  tabifyDockWidget(dock("options"), dock("feel"));
+  tabifyDockWidget(dock("layers"), dock("colors"));
+  tabifyDockWidget(dock("colors"), dock("history"));
+  addDockWidget(Qt::BottomDockWidgetArea, dock("forces"));
+  dock("forces")->hide();  // a calm window first
+  dock("options")->raise();
+  dock("layers")->raise();
+}
+
+void MainWindow::reset_layout() {
+  hide_panels(false);
+  place_panels();
+}
+
+bool MainWindow::show_panel(const QString& name) {
+  for (QDockWidget* panel : panels_) {
+    if (panel->objectName() != name) continue;
+    panel->show();
+    panel->raise();
+    return true;
+  }
+  return false;
+}
+
+void MainWindow::add_window_actions() {
+  actions_->add_switch(QStringLiteral("view.hide_panels"), tr("&Hide all panels"),
+                       {QKeySequence(Qt::Key_Tab)}, tr("Leaves nothing but the sheet"), false,
+                       [this](bool on) { hide_panels(on); });
+  actions_->add_switch(QStringLiteral("view.full_screen"), tr("&Full screen"),
+                       {QKeySequence(Qt::Key_F11)}, tr("The window fills the screen"), false,
+                       [this](bool on) { set_full_screen(on); });
+  actions_->add(QStringLiteral("view.next_part"), tr("&Next part of the window"),
+                {QKeySequence(Qt::Key_F6)},
+                tr("Moves the focus from the sheet to the tools, to each panel, and back"),
+                [this] { go_to_next_part(); });
+  actions_->add(QStringLiteral("view.reset_layout"), tr("&Reset the panels"), {},
+                tr("Puts panels and bars where they were at first"), [this] { reset_layout(); });
+  actions_->add(QStringLiteral("edit.preferences"), tr("&Preferences\u2026"),
+                {QKeySequence(Qt::CTRL | Qt::Key_Comma)},
+                tr("Theme, language, pen, device and shortcuts"),
+                [this] { Q_EMIT wants_preferences(); });
+  if (!actions_->find(QStringLiteral("file.close"))) {
+    actions_->add(QStringLiteral("file.close"), tr("&Close"), {QKeySequence(Qt::CTRL | Qt::Key_W)},
+                  tr("Closes this window"), [this] { close(); });
+  }
+  if (!actions_->find(QStringLiteral("file.quit"))) {
+    actions_->add(QStringLiteral("file.quit"), tr("&Quit"), {QKeySequence(Qt::CTRL | Qt::Key_Q)},
+                  tr("Closes all windows"), [] { QApplication::closeAllWindows(); });
+  }
+}
+
+void MainWindow::hide_panels(bool hide) {
+  if (!hide) {
+    for (QWidget* widget : std::exchange(hidden_, {})) widget->show();
+    return;
+  }
+  QList<QWidget*> all;
+  for (QDockWidget* panel : panels_) all.push_back(panel);
+  for (QToolBar* bar : findChildren<QToolBar*>(Qt::FindDirectChildrenOnly)) all.push_back(bar);
+  all.push_back(statusBar());
+  for (QWidget* widget : all) {
+    if (widget->isHidden()) continue;
+    hidden_.push_back(widget);
+    widget->hide();
+  }
+  canvas_->setFocus();
+}
+
+void MainWindow::set_full_screen(bool on) {
+  setWindowState(windowState().setFlag(Qt::WindowFullScreen, on));
+}
+
+/// By keys to every part: the sheet, the bars, the panels that are seen.
+void MainWindow::go_to_next_part() {
+  QList<QWidget*> parts{canvas_};
+  for (QToolBar* bar : findChildren<QToolBar*>(Qt::FindDirectChildrenOnly)) parts.push_back(bar);
+  for (QDockWidget* panel : panels_) {
+    if (panel->isVisible() && !panel->visibleRegion().isEmpty()) parts.push_back(panel->widget());
+  }
+  const QWidget* focus = QApplication::focusWidget();
+  qsizetype at = 0;
+  for (qsizetype i = 0; i < parts.size(); ++i) {
+    if (focus && (parts[i] == focus || parts[i]->isAncestorOf(focus))) at = i;
+  }
+  for (qsizetype step = 1; step <= parts.size(); ++step) {
+    QWidget* part = parts[(at + step) % parts.size()];
+    if (part == canvas_) return canvas_->setFocus(Qt::TabFocusReason);
+    for (QWidget* child : part->findChildren<QWidget*>()) {
+      if (!(child->focusPolicy() & Qt::TabFocus) || !child->isVisible() || !child->isEnabled()) {
+        continue;
+      }
+      return child->setFocus(Qt::TabFocusReason);
+    }
+  }
+}
+
+void MainWindow::show_title() {
+  const QString name =
+      files_->path().isEmpty() ? tr("Untitled") : QFileInfo(files_->path()).fileName();
+  setWindowTitle(QStringLiteral("%1[*] \u2013 Feltline").arg(name));
+  setWindowModified(studio_->is_modified());
+  setWindowFilePath(files_->path());
+}
+
+bool MainWindow::eventFilter(QObject* watched, QEvent* event) {
+  // On the sheet Tab hides the panels; everywhere else it goes on to the next control, as always.
+  if (event->type() == QEvent::ShortcutOverride && watched != canvas_ && watched->isWidgetType() &&
+      static_cast<QWidget*>(watched)->window() == this) {
+    const auto* key = static_cast<QKeyEvent*>(event);
+    const bool is_plain = !(key->modifiers() & (Qt::ControlModifier | Qt::AltModifier));
+    if (is_plain && key->key() == Qt::Key_Tab) event->accept();
+  }
+  return QMainWindow::eventFilter(watched, event);
+}
+
+void MainWindow::changeEvent(QEvent* event) {
+  QMainWindow::changeEvent(event);
+  if (event->type() == QEvent::PaletteChange && actions_) set_action_icons(*actions_);
+  if (event->type() == QEvent::WindowStateChange) {
+    QAction* action = actions_->find(QStringLiteral("view.full_screen"));
+    if (action) action->setChecked(isFullScreen());
+  }
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
   event->setAccepted(files_->may_close());
+  if (!event->isAccepted()) return;
+  hide_panels(false);
+  if (!isFullScreen()) Settings::the().set(window_keys::kGeometry, saveGeometry());
+  Settings::the().set(window_keys::kLayout, saveState(kLayoutVersion));
 }
 
 }  // namespace felt::desktop

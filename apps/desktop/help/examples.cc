@@ -1,0 +1,79 @@
+#include "desktop/help/examples.h"
+
+#include <QCoreApplication>
+
+#include "felt/devices/simulated/drawings.h"
+#include "felt/devices/simulated/writing_hand.h"
+#include "felt/geometry/affine.h"
+#include "felt/session/session.h"
+#include "felt/stroke/ink_fitter.h"
+
+namespace felt::desktop {
+namespace {
+
+constexpr std::size_t kDoodles = 120;
+constexpr double kFineMm = 0.25, kBroadMm = 2.2, kGamma = 1.2;
+
+/// The cat sits in the middle of an A4 sheet, the other drawings begin near its corner.
+constexpr Vec kCatPlace{95.0, 38.0};
+constexpr Vec kTextPlace{34.0, 60.0};
+constexpr Vec kPagePlace{60.0, 42.0};
+
+struct Source {
+  std::vector<Gesture> gestures;
+  Vec place;
+};
+
+Source source_of(const QString& id) {
+  if (id == QStringLiteral("cat")) return {cat_drawing(), kCatPlace};
+  if (id == QStringLiteral("writing")) {
+    Source source{{}, kTextPlace};
+    const std::string_view lines[] = {"hello felt line", "the line on the felt",
+                                      "is felt in the hole"};
+    double y = 20.0;
+    for (const std::string_view line : lines) {
+      for (Gesture& gesture : cursive(line, {0.0, y}, 9.0)) source.gestures.push_back(gesture);
+      y += 34.0;
+    }
+    return source;
+  }
+  if (id == QStringLiteral("exercises")) return {exercise_page(), kPagePlace};
+  if (id == QStringLiteral("doodles")) return {random_gestures(11, kDoodles), {}};
+  return {};
+}
+
+}  // namespace
+
+std::vector<Example> examples() {
+  const auto tr = [](const char* text) { return QCoreApplication::translate("Examples", text); };
+  return {
+      {QStringLiteral("cat"), tr(QT_TRANSLATE_NOOP("Examples", "A cat"))},
+      {QStringLiteral("writing"), tr(QT_TRANSLATE_NOOP("Examples", "Handwriting"))},
+      {QStringLiteral("exercises"), tr(QT_TRANSLATE_NOOP("Examples", "A page of exercises"))},
+      {QStringLiteral("doodles"), tr(QT_TRANSLATE_NOOP("Examples", "Doodles"))},
+  };
+}
+
+Document example_document(const QString& id) {
+  const Source source = source_of(id);
+  WritingHand hand({.seed = 3});
+  InkFitOptions options;
+  options.width_map.min_mm = kFineMm;
+  options.width_map.max_mm = kBroadMm;
+  options.width_map.gamma = kGamma;
+  InkFitter fitter(options);
+  Sketch sketch;
+  for (const Gesture& gesture : source.gestures) {
+    fitter.begin();
+    for (const HandSample& sample : hand.draw(gesture)) {
+      fitter.push({sample.position + source.place, sample.pressure, sample.time_ns});
+    }
+    fitter.end();
+    fitter.refine();
+    Result<Stroke> stroke = fitter.stroke();
+    if (stroke) sketch.push_back({std::to_string(sketch.size() + 1), *std::move(stroke)});
+  }
+  return document_of(sketch);
+}
+
+}  // namespace felt::desktop

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <QObject>
+#include <QString>
+#include <cstdint>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "desktop/engine/studio.h"
+#include "felt/session/pose_track.h"
+
+namespace felt::desktop {
+
+/// Plays an event script (docs/formats/events.md) on a studio that is not live: hand poses through
+/// its device and its haptic loop, everything else as events, at the pace that advance() is called
+/// with. What the guided tour and the pictures of the documents are drawn by.
+///
+///   Studio studio({.device = "simulated:touch", .live = false});
+///   ScriptPlayer player(studio);
+///   if (player.load("1-pencil", text)) while (!player.is_over()) player.advance(16'000'000);
+///
+/// The studio must outlive this. Qt's main thread.
+class ScriptPlayer {
+ public:
+  explicit ScriptPlayer(Studio& studio) : studio_(studio) {}
+
+  /// Gets ready to play it from now on, on the drawing that is there. Error: "NAME:LINE: reason".
+  Result<void> load(const QString& name, std::string_view text);
+  /// Time goes on by this much, in ticks of 1 ms, or until the script is over.
+  void advance(std::int64_t ns);
+  /// All that is left, at once.
+  void finish();
+  [[nodiscard]] bool is_over() const noexcept { return played_ns_ >= length_ns_; }
+  [[nodiscard]] std::int64_t length_ns() const noexcept { return length_ns_; }
+  [[nodiscard]] std::int64_t played_ns() const noexcept { return played_ns_; }
+
+ private:
+  void tick();
+
+  Studio& studio_;
+  std::vector<Event> events_;
+  std::optional<PoseTrack> track_;
+  std::size_t next_ = 0;  // of events_
+  std::int64_t played_ns_ = 0;
+  std::int64_t length_ns_ = 0;
+};
+
+}  // namespace felt::desktop

@@ -1,0 +1,244 @@
+#include "desktop/help/tour_window.h"
+
+#include <QBoxLayout>
+#include <QCoreApplication>
+#include <QFile>
+#include <QKeyEvent>
+#include <algorithm>
+#include <array>
+
+namespace felt::desktop {
+namespace {
+
+constexpr int kFrameMs = 16;
+constexpr std::int64_t kMostNs = 50'000'000;  // of one frame, however late it is
+constexpr qint64 kHurryMs = 10;               // of a frame, where an act is skipped
+constexpr std::int64_t kHurryStepNs = 4'000'000;
+constexpr SheetPage kSheet{.width_mm = 124.0, .height_mm = 140.0};
+
+struct Act {
+  const char* script;
+  const char* title;
+  const char* caption;
+  double seconds;  // what it takes at most, on screen
+};
+
+constexpr std::array kActs{
+    Act{"1-pencil", QT_TRANSLATE_NOOP("Tour", "Draw"),
+        QT_TRANSLATE_NOOP(
+            "Tour",
+            "Lines become smooth curves while you draw; press harder for a broader one. "
+            "Near its start, an outline snaps shut."),
+        36.0},
+    Act{"2-pull", QT_TRANSLATE_NOOP("Tour", "Pull and push"),
+        QT_TRANSLATE_NOOP("Tour",
+                          "A line is not quite right? Take hold of it and pull. It resists like a "
+                          "wire, the more the further you go."),
+        16.0},
+    Act{"3-smooth", QT_TRANSLATE_NOOP("Tour", "Smooth"),
+        QT_TRANSLATE_NOOP("Tour", "Rub along a shaky line: the jitter goes, the shape stays."),
+        16.0},
+    Act{"4-width", QT_TRANSLATE_NOOP("Tour", "Width"),
+        QT_TRANSLATE_NOOP("Tour", "Press on a line to make it broader, after it was drawn."), 14.0},
+    Act{"5-eraser", QT_TRANSLATE_NOOP("Tour", "Erase"),
+        QT_TRANSLATE_NOOP(
+            "Tour", "Rub away what is covered, a line up to its next crossing, or all of it."),
+        14.0},
+    Act{"6-lasso", QT_TRANSLATE_NOOP("Tour", "Select"),
+        QT_TRANSLATE_NOOP("Tour", "Draw a loop around lines to select them; touch one to take it."),
+        10.0},
+    Act{"7-transform", QT_TRANSLATE_NOOP("Tour", "Move and turn"),
+        QT_TRANSLATE_NOOP("Tour",
+                          "Drag what is selected. Lines that lead out of it hold it back, and you "
+                          "feel how much."),
+        18.0},
+    Act{"8-connect", QT_TRANSLATE_NOOP("Tour", "Connect"),
+        QT_TRANSLATE_NOOP("Tour", "Drag one end onto another: they snap, and become one line."),
+        16.0},
+};
+
+QString tour_text(const char* text) {
+  return QCoreApplication::translate("Tour", text);
+}
+
+}  // namespace
+
+TourWindow::TourWindow(QWidget* parent)
+    : QWidget(parent, Qt::Window),
+      studio_(new Studio({.device = QStringLiteral("simulated:touch"), .live = false}, this)),
+      canvas_(new Canvas(*studio_, this)),
+      player_(*studio_) {
+  setWindowTitle(tr("Guided tour"));
+  setAttribute(Qt::WA_DeleteOnClose);
+  studio_->set_page(kSheet);
+  canvas_->setFocusPolicy(Qt::NoFocus);
+  canvas_->setAccessibleName(tr("The sheet of the tour"));
+  make_controls();
+  resize(760, 820);
+  before_.push_back(studio_->session().document());
+  start_act();
+  timer_.setTimerType(Qt::PreciseTimer);
+  timer_.setInterval(kFrameMs);
+  connect(&timer_, &QTimer::timeout, this, &TourWindow::tick);
+}
+
+int TourWindow::act_count() const noexcept {
+  return int(kActs.size());
+}
+
+void TourWindow::make_controls() {
+  title_ = new QLabel(this);
+  QFont font = title_->font();
+  font.setPointSizeF(1.5 * font.pointSizeF());
+  font.setBold(true);
+  title_->setFont(font);
+  caption_ = new QLabel(this);
+  caption_->setWordWrap(true);
+  caption_->setAlignment(Qt::AlignTop | Qt::AlignLeft);
+  // Room for the longest one, so that the picture does not jump from act to act.
+  caption_->setMinimumHeight(3 * caption_->fontMetrics().lineSpacing());
+  step_ = new QLabel(this);
+  progress_ = new QProgressBar(this);
+  progress_->setRange(0, 1000);
+  progress_->setTextVisible(false);
+  progress_->setMaximumHeight(6);
+  progress_->setAccessibleName(tr("How much of the tour was seen"));
+  back_ = new QPushButton(tr("&Back"), this);
+  pause_ = new QPushButton(tr("&Pause"), this);
+  next_ = new QPushButton(tr("&Next"), this);
+  auto* close = new QPushButton(tr("&Close"), this);
+  connect(back_, &QPushButton::clicked, this, [this] { go_to(act_ - 1); });
+  connect(pause_, &QPushButton::clicked, this, [this] { set_paused(!is_paused_); });
+  connect(next_, &QPushButton::clicked, this, [this] {
+    if (act_ < act_count()) return go_to(act_ + 1);
+    Q_EMIT wants_sheet();
+    this->close();
+  });
+  connect(close, &QPushButton::clicked, this, &QWidget::close);
+  auto* buttons = new QHBoxLayout;
+  buttons->addWidget(step_, 1);
+  for (QPushButton* button : {back_, pause_, next_, close}) buttons->addWidget(button);
+  auto* words = new QVBoxLayout;
+  words->setContentsMargins(16, 10, 16, 12);
+  words->addWidget(title_);
+  words->addWidget(caption_);
+  words->addLayout(buttons);
+  auto* all = new QVBoxLayout(this);
+  all->setContentsMargins(0, 0, 0, 0);
+  all->setSpacing(0);
+  all->addWidget(canvas_, 1);
+  all->addWidget(progress_);
+  all->addLayout(words);
+  // So that Space pauses, whatever has the focus first.
+  pause_->setFocus();
+}
+
+void TourWindow::start_act() {
+  if (act_ < act_count()) {
+    const Act& act = kActs[std::size_t(act_)];
+    QFile file(QStringLiteral(":/tour/%1.ndjson").arg(QLatin1String(act.script)));
+    const QByteArray text = file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+    const Result<void> loaded =
+        player_.load(file.fileName(), {text.data(), std::size_t(text.size())});
+    if (!loaded) caption_->setText(QString::fromStdString(loaded.error().message));
+    speed_ = std::max(1.0, 1e-9 * double(player_.length_ns()) / act.seconds);
+  }
+  show_state();
+}
+
+void TourWindow::go_to(int act) {
+  act = std::clamp(act, 0, act_count());
+  if (act > act_) {
+    wanted_ = act;  // what lies between is drawn, in a hurry
+    set_paused(false);
+    return;
+  }
+  studio_->apply(CancelEvent{});
+  act_ = wanted_ = act;
+  before_.resize(std::size_t(act) + 1);
+  studio_->open(before_[std::size_t(act)], studio_->page());
+  set_paused(false);
+  start_act();
+}
+
+void TourWindow::set_paused(bool paused) {
+  is_paused_ = paused;
+  if (isVisible() && !paused) clock_.start();
+  show_state();
+}
+
+void TourWindow::tick() {
+  const std::int64_t ns = clock_.nsecsElapsed();
+  clock_.start();
+  if (!is_paused_) play(std::min(ns, kMostNs));
+}
+
+void TourWindow::play(std::int64_t ns) {
+  if (act_ >= act_count()) return;
+  if (wanted_ > act_) {
+    QElapsedTimer spent;
+    for (spent.start(); !player_.is_over() && spent.elapsed() < kHurryMs;) {
+      player_.advance(kHurryStepNs);
+    }
+  } else {
+    player_.advance(std::int64_t(speed_ * double(ns)));
+  }
+  if (player_.is_over()) {
+    before_.push_back(studio_->session().document());
+    wanted_ = std::max(wanted_, ++act_);
+    start_act();
+  }
+  show_state();
+}
+
+void TourWindow::show_state() {
+  const bool is_end = act_ >= act_count();
+  const double here = is_end || player_.length_ns() == 0
+                          ? 0.0
+                          : double(player_.played_ns()) / double(player_.length_ns());
+  progress_->setValue(int(1000.0 * (act_ + here) / act_count()));
+  const Act* act = is_end ? nullptr : &kActs[std::size_t(act_)];
+  title_->setText(act ? tour_text(act->title) : tr("Try it yourself"));
+  caption_->setText(act ? tour_text(act->caption)
+                        : tr("Draw with a pen or with the mouse. Press ? for the keys. "
+                             "Nothing can go wrong: Ctrl+Z takes everything back."));
+  step_->setText(act ? tr("%1 of %2").arg(act_ + 1).arg(act_count()) : QString());
+  back_->setEnabled(act_ > 0);
+  pause_->setEnabled(!is_end);
+  pause_->setText(is_paused_ ? tr("&Go on") : tr("&Pause"));
+  next_->setText(is_end ? tr("&Try it yourself") : tr("&Next"));
+}
+
+void TourWindow::keyPressEvent(QKeyEvent* event) {
+  switch (event->key()) {
+    case Qt::Key_Escape:
+      close();
+      break;
+    case Qt::Key_Right:
+    case Qt::Key_PageDown:
+      go_to(act_ + 1);
+      break;
+    case Qt::Key_Left:
+    case Qt::Key_PageUp:
+      go_to(act_ - 1);
+      break;
+    case Qt::Key_Space:
+      set_paused(!is_paused_);
+      break;
+    default:
+      QWidget::keyPressEvent(event);
+  }
+}
+
+void TourWindow::showEvent(QShowEvent* event) {
+  QWidget::showEvent(event);
+  clock_.start();
+  timer_.start();
+}
+
+void TourWindow::hideEvent(QHideEvent* event) {
+  QWidget::hideEvent(event);
+  timer_.stop();
+}
+
+}  // namespace felt::desktop

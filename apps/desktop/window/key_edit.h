@@ -1,0 +1,26 @@
+#pragma once
+
+#include <QKeySequence>
+#include <QLineEdit>
+
+namespace felt::desktop {
+
+/// A field that takes the next key that is pressed in it, with its modifiers. Tab is not taken: it
+/// moves the focus on, as everywhere.
+class KeyEdit : public QLineEdit {
+  Q_OBJECT
+
+ public:
+  explicit KeyEdit(QWidget* parent = nullptr);
+
+  void set_key(const QKeySequence& key);
+
+ Q_SIGNALS:
+  void pressed(const QKeySequence& key);
+
+ protected:
+  bool event(QEvent* event) override;
+  void keyPressEvent(QKeyEvent* event) override;
+};
+
+}  // namespace felt::desktop

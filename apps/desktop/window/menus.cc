@@ -1,0 +1,167 @@
+#include "desktop/window/menus.h"
+
+#include <QCoreApplication>
+#include <QMenu>
+#include <QMenuBar>
+#include <QSet>
+#include <array>
+#include <string_view>
+
+#include "desktop/panels/tool_icons.h"
+
+namespace felt::desktop {
+namespace {
+
+QString text_of(std::string_view text) {
+  return QString::fromUtf8(text.data(), qsizetype(text.size()));
+}
+
+/// A menu: the first part of its actions' names, and their order. "-" is a line, "name.*" all of
+/// that beginning, in a submenu of its own where `submenus` names one.
+struct MenuRow {
+  std::string_view prefix;
+  const char* title;
+  std::string_view order;  // separated by blanks
+};
+
+constexpr std::array kMenus{
+    MenuRow{"file", QT_TRANSLATE_NOOP("Menus", "&File"),
+            "file.new file.new_window file.open file.recent file.recent* - file.save file.save_as "
+            "file.revert - file.import file.export* file.page file.print* - file.* - file.close "
+            "file.quit"},
+    MenuRow{"edit", QT_TRANSLATE_NOOP("Menus", "&Edit"),
+            "edit.undo edit.redo - edit.cut edit.copy edit.copy* edit.paste edit.duplicate "
+            "edit.delete - edit.select_all edit.select_none edit.select_invert edit.select* - "
+            "edit.* - edit.cancel - edit.preferences"},
+    MenuRow{"view", QT_TRANSLATE_NOOP("Menus", "&View"),
+            "view.zoom_in view.zoom_out view.zoom_100 view.life_size view.zoom* view.fit_selection "
+            "view.fit_all view.fit_page view.fit* - view.rotate* view.turn* view.mirror "
+            "view.reset* - view.* - view.panel_* view.next_part view.hide_panels view.full_screen"},
+    MenuRow{"tool", QT_TRANSLATE_NOOP("Menus", "&Tools"), "tool.*"},
+    MenuRow{"layer", QT_TRANSLATE_NOOP("Menus", "&Layer"),
+            "layer.add layer.rename layer.remove - layer.raise layer.lower - layer.*"},
+    MenuRow{"feel", QT_TRANSLATE_NOOP("Menus", "F&eel"), "feel.forces feel.forces_off - feel.*"},
+    MenuRow{"help", QT_TRANSLATE_NOOP("Menus", "&Help"),
+            "help.guide help.tour help.shortcuts - help.example* - help.* - help.about"},
+};
+
+/// Actions of that beginning go into a menu within the menu.
+struct SubmenuRow {
+  std::string_view prefix;
+  const char* title;
+};
+constexpr std::array kSubmenus{
+    SubmenuRow{"file.recent_", QT_TRANSLATE_NOOP("Menus", "Open &recent")},
+    SubmenuRow{"file.export_", QT_TRANSLATE_NOOP("Menus", "&Export")},
+    SubmenuRow{"edit.copy_as_", QT_TRANSLATE_NOOP("Menus", "Copy &as")},
+    SubmenuRow{"view.panel_", QT_TRANSLATE_NOOP("Menus", "&Panels")},
+    SubmenuRow{"help.example_", QT_TRANSLATE_NOOP("Menus", "&Example drawings")},
+};
+
+struct IconRow {
+  std::string_view action;
+  std::string_view icon;
+};
+/// Where an icon has another name than the command.
+constexpr std::array kIcons{
+    IconRow{"view.fit_page", "zoom-fit"},
+    IconRow{"file.save_as", "save"},
+};
+
+class MenuFiller {
+ public:
+  MenuFiller(QMenu& menu, const Actions& actions) : menu_(menu), actions_(actions) {}
+
+  void fill(const MenuRow& row) {
+    const QStringList order = text_of(row.order).split(QLatin1Char(' '));
+    for (const QString& name : order) {
+      if (name.size() > 1 && !name.endsWith(QLatin1Char('*'))) named_.insert(name);
+    }
+    for (const QString& name : order) add(name);
+    add(text_of(row.prefix) + QStringLiteral(".*"));
+  }
+
+ private:
+  void add(const QString& name) {
+    if (name == QStringLiteral("-")) {
+      wants_line_ = true;
+    } else if (!name.endsWith(QLatin1Char('*'))) {
+      put(actions_.find(name));
+    } else {
+      for (QAction* action : actions_.all()) {
+        if (named_.contains(action->objectName())) continue;
+        if (action->objectName().startsWith(name.chopped(1))) put(action);
+      }
+    }
+  }
+
+  void put(QAction* action) {
+    if (!action || done_.contains(action)) return;
+    done_.insert(action);
+    for (const SubmenuRow& row : kSubmenus) {
+      if (!action->objectName().startsWith(text_of(row.prefix))) continue;
+      submenu(row).addAction(action);
+      return;
+    }
+    line();
+    menu_.addAction(action);
+  }
+
+  void line() {
+    if (wants_line_ && !menu_.isEmpty()) menu_.addSeparator();
+    wants_line_ = false;
+  }
+
+  QMenu& submenu(const SubmenuRow& row) {
+    const QString name = text_of(row.prefix);
+    if (auto* present = menu_.findChild<QMenu*>(name, Qt::FindDirectChildrenOnly)) return *present;
+    line();
+    QMenu* made = menu_.addMenu(QCoreApplication::translate("Menus", row.title));
+    made->setObjectName(name);
+    return *made;
+  }
+
+  QMenu& menu_;
+  const Actions& actions_;
+  QSet<QString> named_;  // have a place of their own in the table
+  QSet<QAction*> done_;
+  bool wants_line_ = false;
+};
+
+}  // namespace
+
+void make_menus(QMainWindow& window, const Actions& actions) {
+  for (const MenuRow& row : kMenus) {
+    QMenu* menu = window.menuBar()->addMenu(QCoreApplication::translate("Menus", row.title));
+    menu->setObjectName(text_of(row.prefix));
+    MenuFiller(*menu, actions).fill(row);
+    menu->menuAction()->setVisible(!menu->isEmpty());
+  }
+}
+
+void set_action_icons(const Actions& actions) {
+  for (QAction* action : actions.all()) {
+    const QString name = action->objectName();
+    const QString command = name.section(QLatin1Char('.'), 1);
+    std::string wanted = command.toStdString();
+    for (char& c : wanted) c = c == '_' ? '-' : c;
+    for (const IconRow& row : kIcons) {
+      if (name == text_of(row.action)) wanted = row.icon;
+    }
+    QIcon icon = icon_of(wanted);
+    if (icon.isNull() && !name.startsWith(QStringLiteral("tool."))) {
+      icon = icon_of(name.section(QLatin1Char('.'), 0, 0).toStdString() + "-" + wanted);
+    }
+    if (!icon.isNull()) action->setIcon(icon);
+  }
+}
+
+QString menu_title_of(const QString& action_name) {
+  for (const MenuRow& row : kMenus) {
+    if (!action_name.startsWith(text_of(row.prefix) + QLatin1Char('.'))) continue;
+    return QCoreApplication::translate("Menus", row.title).remove(QLatin1Char('&'));
+  }
+  return {};
+}
+
+}  // namespace felt::desktop

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <QDialog>
+#include <QListWidget>
+#include <QStackedWidget>
+#include <functional>
+#include <vector>
+
+#include "desktop/window/main_window.h"
+
+namespace felt::desktop {
+
+/// What a person can choose, page by page. Everything takes effect at once and is kept; there is
+/// nothing to confirm. A page is made when it is first looked at.
+class Preferences : public QDialog {
+  Q_OBJECT
+
+ public:
+  explicit Preferences(MainWindow& window);
+
+  /// "general", "pen", "device", "canvas", "shortcuts"; false where there is none of that name.
+  bool show_page(const QString& name);
+  [[nodiscard]] QStringList page_names() const;
+  [[nodiscard]] QWidget* page(const QString& name);
+
+ private:
+  struct Page {
+    QString name;
+    std::function<QWidget*()> make;
+    QWidget* made = nullptr;
+  };
+  void add(const QString& name, const QString& title, std::function<QWidget*()> make);
+  void show_row(int row);
+
+  std::vector<Page> pages_;
+  QListWidget* list_;
+  QStackedWidget* stack_;
+};
+
+}  // namespace felt::desktop

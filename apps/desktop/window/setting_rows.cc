@@ -1,0 +1,39 @@
+#include "desktop/window/setting_rows.h"
+
+#include "desktop/engine/settings.h"
+
+namespace felt::desktop {
+
+QCheckBox* setting_switch(const QString& key, bool fallback, const QString& text,
+                          const QString& tip, QWidget* parent) {
+  auto* box = new QCheckBox(text, parent);
+  box->setToolTip(tip);
+  const auto show = [box, key, fallback] { box->setChecked(Settings::the().flag(key, fallback)); };
+  show();
+  QObject::connect(box, &QCheckBox::toggled, box, [key](bool on) { Settings::the().set(key, on); });
+  QObject::connect(&Settings::the(), &Settings::changed, box, [key, show](const QString& changed) {
+    if (changed == key) show();
+  });
+  return box;
+}
+
+QComboBox* setting_choice(const QString& key, const QString& fallback,
+                          const std::vector<std::pair<QString, QString>>& choices,
+                          const QString& name, QWidget* parent) {
+  auto* box = new QComboBox(parent);
+  box->setAccessibleName(name);
+  for (const auto& [kept, shown] : choices) box->addItem(shown, kept);
+  const auto show = [box, key, fallback] {
+    const int index = box->findData(Settings::the().text(key, fallback));
+    box->setCurrentIndex(index < 0 ? 0 : index);
+  };
+  show();
+  QObject::connect(box, &QComboBox::currentIndexChanged, box,
+                   [box, key] { Settings::the().set(key, box->currentData().toString()); });
+  QObject::connect(&Settings::the(), &Settings::changed, box, [key, show](const QString& changed) {
+    if (changed == key) show();
+  });
+  return box;
+}
+
+}  // namespace felt::desktop

@@ -1,0 +1,106 @@
+#include "desktop/window/status_line.h"
+
+#include <QCoreApplication>
+#include <QLocale>
+#include <cmath>
+
+namespace felt::desktop {
+namespace {
+
+constexpr int kRefusedMs = 6000;
+
+QString percent(double part) {
+  return QStringLiteral("%1\u202f%").arg(std::lround(100.0 * part));
+}
+
+}  // namespace
+
+StatusLine::StatusLine(Studio& studio, Canvas& canvas, QWidget* parent)
+    : QStatusBar(parent), studio_(studio), canvas_(canvas), hint_(new QLabel(this)) {
+  hint_->setAccessibleName(tr("Hint"));
+  hint_->setTextFormat(Qt::PlainText);
+  hint_->setMinimumWidth(1);
+  hint_->setContentsMargins(6, 0, 6, 0);
+  addWidget(hint_, 1);
+  place_ = field(tr("Place of the pen"), QStringLiteral("-888.8, -888.8 mm"));
+  pressure_ = field(tr("Pressure"), tr("Pressure %1").arg(percent(1.0)));
+  zoom_ = field(tr("Zoom"), QStringLiteral("8888\u202f%"));
+  angle_ = field(tr("Turn of the view"), QStringLiteral("-888\u00b0"));
+  device_ = field(tr("Device"), QString());
+  saved_ = field(tr("State of the file"), QString());
+  connect(&studio, &Studio::tool_changed, this, &StatusLine::show_tool);
+  connect(&studio, &Studio::shown, this, &StatusLine::show_pen);
+  connect(&studio, &Studio::device_changed, this, &StatusLine::show_device);
+  connect(&studio, &Studio::forces_changed, this, &StatusLine::show_device);
+  connect(&studio, &Studio::modified_changed, this, &StatusLine::show_saved);
+  connect(&studio, &Studio::opened, this, &StatusLine::show_saved);
+  connect(&canvas, &Canvas::view_changed, this, &StatusLine::show_view);
+  connect(&studio, &Studio::refused, this,
+          [this](const QString& why) { showMessage(why, kRefusedMs); });
+  show_tool();
+  show_pen();
+  show_view();
+  show_device();
+  show_saved();
+}
+
+QLabel* StatusLine::field(const QString& name, const QString& widest) {
+  auto* label = new QLabel(this);
+  label->setAccessibleName(name);
+  label->setToolTip(name);
+  label->setTextFormat(Qt::PlainText);
+  label->setContentsMargins(8, 0, 8, 0);
+  // So wide as it can get, or the others would move about while one draws.
+  if (!widest.isEmpty())
+    label->setMinimumWidth(label->fontMetrics().horizontalAdvance(widest) + 20);
+  addPermanentWidget(label);
+  return label;
+}
+
+void StatusLine::show_tool() {
+  const ToolInfo& info = studio_.session().tool().info();
+  hint_text_ = QCoreApplication::translate("tools", info.help.data());
+  elide_hint();
+}
+
+void StatusLine::elide_hint() {
+  hint_->setToolTip(hint_text_);
+  hint_->setText(hint_->fontMetrics().elidedText(hint_text_, Qt::ElideRight, hint_->width() - 12));
+}
+
+void StatusLine::resizeEvent(QResizeEvent* event) {
+  QStatusBar::resizeEvent(event);
+  elide_hint();
+}
+
+void StatusLine::show_pen() {
+  const PenState& pen = studio_.pen();
+  if (!pen.is_known) return;
+  const QLocale locale;
+  const QString place = tr("%1, %2 mm")
+                            .arg(locale.toString(pen.sample.position.x, 'f', 1),
+                                 locale.toString(pen.sample.position.y, 'f', 1));
+  if (place != place_->text()) place_->setText(place);
+  const bool is_pressed = in_contact(pen.sample) && pen.sample.pressure;
+  const QString pressure =
+      is_pressed ? tr("Pressure %1").arg(percent(*pen.sample.pressure)) : QString();
+  if (pressure != pressure_->text()) pressure_->setText(pressure);
+}
+
+void StatusLine::show_view() {
+  zoom_->setText(percent(canvas_.zoom()));
+  const double angle = canvas_.view().angle_deg();
+  angle_->setText(QStringLiteral("%1\u00b0").arg(std::lround(angle)));
+  angle_->setVisible(std::lround(angle) != 0);
+}
+
+void StatusLine::show_device() {
+  const QString& name = studio_.device().info().label;
+  device_->setText(studio_.forces_are_on() ? name : tr("%1, forces off").arg(name));
+}
+
+void StatusLine::show_saved() {
+  saved_->setText(studio_.is_modified() ? tr("Not saved") : QString());
+}
+
+}  // namespace felt::desktop

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <QLabel>
+#include <QStatusBar>
+
+#include "desktop/canvas/canvas.h"
+#include "desktop/engine/studio.h"
+
+namespace felt::desktop {
+
+/// The line at the bottom: what the tool does and what its modifiers are, and at the right where
+/// the pen is, zoom, turn, pressure, device, and whether the drawing is saved. What the session
+/// refuses stands there for some seconds; nothing takes the focus.
+class StatusLine : public QStatusBar {
+  Q_OBJECT
+
+ public:
+  StatusLine(Studio& studio, Canvas& canvas, QWidget* parent = nullptr);
+
+ protected:
+  void resizeEvent(QResizeEvent* event) override;
+
+ private:
+  void show_tool();
+  void show_pen();
+  void show_view();
+  void show_device();
+  void show_saved();
+  QLabel* field(const QString& name, const QString& widest);
+  void elide_hint();
+
+  Studio& studio_;
+  Canvas& canvas_;
+  QString hint_text_;
+  QLabel* hint_;
+  QLabel* place_;
+  QLabel* pressure_;
+  QLabel* zoom_;
+  QLabel* angle_;
+  QLabel* device_;
+  QLabel* saved_;
+};
+
+}  // namespace felt::desktop

@@ -1,0 +1,133 @@
+#include "desktop/window/tool_keys.h"
+
+#include <QApplication>
+#include <QDateTime>
+#include <QElapsedTimer>
+#include <QKeyEvent>
+#include <QWidget>
+#include <utility>
+
+namespace felt::desktop {
+namespace {
+
+const QString kPencil = QStringLiteral("pencil");
+const QString kEraser = QStringLiteral("eraser");
+
+QString text_of(std::string_view text) {
+  return QString::fromUtf8(text.data(), qsizetype(text.size()));
+}
+
+qint64 now_ms() {
+  static const QElapsedTimer kClock = [] {
+    QElapsedTimer clock;
+    clock.start();
+    return clock;
+  }();
+  return kClock.elapsed();
+}
+
+}  // namespace
+
+ToolKeys::ToolKeys(Actions& actions, Studio& studio, QWidget* window)
+    : QObject(window), actions_(actions), studio_(studio), window_(window) {
+  for (const auto& tool : studio.session().tools()) {
+    const ToolInfo& info = tool->info();
+    const QString id = text_of(info.id), name = QStringLiteral("tool.") + id;
+    QAction* action = actions_.find(name);
+    if (!action) {
+      QList<QKeySequence> keys;
+      if (info.shortcut) keys.push_back(QKeySequence(QChar::fromLatin1(info.shortcut).toUpper()));
+      action = actions_.add(name, QCoreApplication::translate("tools", info.label.data()), keys,
+                            QCoreApplication::translate("tools", info.help.data()), [] {});
+      action->setCheckable(true);
+    }
+    action->setAutoRepeat(false);
+    // After what the action does by itself, so that whoever added it, holding works.
+    connect(action, &QAction::triggered, this, [this, id] { choose(id); });
+  }
+  QAction* swap = actions_.add(
+      QStringLiteral("tool.swap"), tr("&Eraser while held"), {QKeySequence(Qt::Key_X)},
+      tr("The eraser as long as the key is held; the pencil where the eraser is in hand"),
+      [this] { borrow(tool_in_hand() == kEraser ? kPencil : kEraser, true); });
+  swap->setAutoRepeat(false);
+  connect(&studio_, &Studio::shown, this, &ToolKeys::note_use);
+  const auto check = [this] {
+    for (const auto& tool : studio_.session().tools()) {
+      const QString id = text_of(tool->info().id);
+      QAction* action = actions_.find(QStringLiteral("tool.") + id);
+      if (action && action->isCheckable()) action->setChecked(id == tool_in_hand());
+    }
+  };
+  connect(&studio_, &Studio::tool_changed, this, check);
+  check();
+  qApp->installEventFilter(this);
+}
+
+QString ToolKeys::tool_in_hand() const {
+  return text_of(studio_.session().tool().info().id);
+}
+
+void ToolKeys::choose(const QString& tool) {
+  borrow(tool, false);
+}
+
+/// Takes the tool; whether for good is seen when the key is released.
+void ToolKeys::borrow(const QString& tool, bool always) {
+  const QString former = held_.key ? held_.former : tool_in_hand();
+  owed_.clear();
+  if (tool_in_hand() != tool) studio_.apply(SelectTool{tool.toStdString()});
+  held_ = {};
+  if (last_key_) held_ = {last_key_, former, now_ms(), false, always};
+  if (!last_key_ && always) return;  // from the menu: there is nothing to hold
+}
+
+void ToolKeys::note_use() {
+  const bool is_down = in_contact(studio_.pen().sample) || studio_.session().gesture_in_work();
+  if (held_.key && is_down) held_.is_used = true;
+  if (!owed_.isEmpty() && !is_down) give_back();
+}
+
+void ToolKeys::release() {
+  const Held held = std::exchange(held_, {});
+  const bool is_held = now_ms() - held.since_ms >= kHoldMs;
+  if (!held.key || (!held.gives_back_always && !(is_held && held.is_used))) return;
+  owed_ = held.former;
+  note_use();
+}
+
+void ToolKeys::give_back() {
+  const QString tool = std::exchange(owed_, {});
+  if (tool != tool_in_hand()) studio_.apply(SelectTool{tool.toStdString()});
+}
+
+bool ToolKeys::eventFilter(QObject* watched, QEvent* event) {
+  switch (event->type()) {
+    case QEvent::ShortcutOverride:
+    case QEvent::KeyPress: {
+      const auto* key = static_cast<QKeyEvent*>(event);
+      last_key_ = key->isAutoRepeat() ? 0 : key->key();
+      break;
+    }
+    case QEvent::KeyRelease: {
+      const auto* key = static_cast<QKeyEvent*>(event);
+      if (key->isAutoRepeat()) break;
+      last_key_ = 0;
+      if (held_.key == key->key()) release();
+      break;
+    }
+    case QEvent::MouseButtonPress:
+      last_key_ = 0;  // an action that comes now comes from a click
+      break;
+    case QEvent::WindowDeactivate:
+      if (watched == window_) {
+        last_key_ = 0;
+        release();
+      }
+      break;
+    default:
+      break;
+  }
+  return false;
+}
+
+}  // namespace felt::desktop

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <QToolBar>
+
+#include "desktop/canvas/canvas.h"
+#include "desktop/engine/actions.h"
+
+namespace felt::desktop {
+
+/// What one reaches for all the time: undo, redo, zoom, the sheet's material, the forces.
+class TopBar : public QToolBar {
+  Q_OBJECT
+
+ public:
+  TopBar(const Actions& actions, Canvas& canvas, QWidget* parent = nullptr);
+
+ private:
+  void add_named(const Actions& actions, const char* name);
+  void add_material(Studio& studio);
+};
+
+}  // namespace felt::desktop
