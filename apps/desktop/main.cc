@@ -1,17 +1,122 @@
 #include <QApplication>
+#include <QElapsedTimer>
+#include <QFileInfo>
+#include <QIcon>
+#include <QStandardPaths>
+#include <QTimer>
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <span>
 
-#include "desktop/window/main_window.h"
+#include "desktop/window/language.h"
+#include "desktop/window/picture.h"
+#include "desktop/window/start_options.h"
+#include "desktop/window/start_watch.h"
 #include "desktop/window/theme.h"
+#include "desktop/window/windows.h"
 
-int main(int argc, char** argv) {
+namespace {
+
+using namespace felt::desktop;
+
+bool has(std::span<char*> arguments, std::initializer_list<const char*> names) {
+  return std::any_of(arguments.begin(), arguments.end(), [&](const char* argument) {
+    return std::any_of(names.begin(), names.end(),
+                       [&](const char* name) { return std::strcmp(argument, name) == 0; });
+  });
+}
+
+bool is_set(const char* name) {
+  const char* value = std::getenv(name);
+  return value && *value;
+}
+
+bool has_display(std::span<char*> arguments) {
+  return is_set("DISPLAY") || is_set("WAYLAND_DISPLAY") || is_set("QT_QPA_PLATFORM") ||
+         has(arguments, {"-platform", "--platform"});
+}
+
+/// Qt would abort, with a core file, where the display does not answer.
+void say_and_leave(QtMsgType type, const QMessageLogContext&, const QString& text) {
+  std::fprintf(stderr, "%s\n", qPrintable(text));
+  if (type != QtFatalMsg) return;
+  std::fputs("feltline-desktop: the display cannot be used.\n", stderr);
+  std::_Exit(1);
+}
+
+/// Answers that need no display. True: that was all.
+bool answer(int argc, char** argv) {
+  const std::span arguments(argv, std::size_t(argc));
+  const bool wants_help = has(arguments, {"--help", "-h"});
+  if (!wants_help && !has(arguments, {"--version", "-v"})) return false;
+  const QCoreApplication app(argc, argv);
+  StartOptions options;
+  static_cast<void>(read_arguments(QCoreApplication::arguments(), options));
+  use_language(options.language);
+  const QString text =
+      wants_help ? help_text() : QStringLiteral("feltline-desktop " FELT_VERSION "\n");
+  std::fputs(qPrintable(text), stdout);
+  return true;
+}
+
+void set_names() {
   QCoreApplication::setAttribute(Qt::AA_CompressHighFrequencyEvents, false);
   QCoreApplication::setAttribute(Qt::AA_CompressTabletEvents, false);
   QCoreApplication::setOrganizationName(QStringLiteral("feltline"));
   QCoreApplication::setApplicationName(QStringLiteral("feltline-desktop"));
   QCoreApplication::setApplicationVersion(QStringLiteral(FELT_VERSION));
-  const QApplication app(argc, argv);
-  felt::desktop::follow_theme_setting();
-  felt::desktop::MainWindow window({});
-  window.show();
+}
+
+void dress() {
+  QApplication::setApplicationDisplayName(QString());
+  QGuiApplication::setDesktopFileName(QStringLiteral("org.feltline.Feltline"));
+  const QIcon ours(QStringLiteral(":/icons/org.feltline.Feltline.svg"));
+  QApplication::setWindowIcon(QIcon::fromTheme(QStringLiteral("org.feltline.Feltline"), ours));
+}
+
+int run(const StartOptions& options) {
+  StudioOptions studio;
+  Windows windows(std::move(studio));
+  QStringList files = options.files;
+  if (files.isEmpty() && !options.new_window) files.push_back(Windows::last_file());
+  if (files.isEmpty()) files.push_back(QString());
+  MainWindow* first = nullptr;
+  for (const QString& file : files) {
+    MainWindow* window = windows.open_file(file);
+    if (!first) first = window;
+  }
+  if (options.measure_start && first) new StartWatch(first->canvas());
   return QApplication::exec();
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  set_names();
+  if (answer(argc, argv)) return 0;
+  const std::span arguments(argv, std::size_t(argc));
+  const bool is_picture = has(arguments, {"--screenshot"});
+  if (is_picture && !is_set("QT_QPA_PLATFORM")) qputenv("QT_QPA_PLATFORM", "offscreen");
+  if (is_picture) QStandardPaths::setTestModeEnabled(true);
+  if (!has_display(arguments)) {
+    std::fputs(
+        "feltline-desktop: there is no display: neither WAYLAND_DISPLAY nor DISPLAY is set. "
+        "The program feltline draws and converts without one.\n",
+        stderr);
+    return 1;
+  }
+  qInstallMessageHandler(say_and_leave);
+  const QApplication app(argc, argv);
+  StartOptions options;
+  if (const auto wrong = read_arguments(QCoreApplication::arguments(), options)) {
+    std::fprintf(stderr, "feltline-desktop: %s\n", qPrintable(*wrong));
+    return 2;
+  }
+  use_language(options.language);
+  dress();
+  if (!options.picture.path.isEmpty()) return make_picture(options.picture);
+  follow_theme_setting();
+  return run(options);
 }

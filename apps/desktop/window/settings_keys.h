@@ -14,4 +14,7 @@ inline const QString kLayout = QStringLiteral("window/layout");
 /// The drawing that was open last comes back at the next start.
 inline const QString kReopenLast = QStringLiteral("window/reopen_last");
 
+/// Its path.
+inline const QString kLastFile = QStringLiteral("window/last_file");
+
 }  // namespace felt::desktop::window_keys

@@ -1,0 +1,88 @@
+#include "desktop/window/windows.h"
+
+#include <QFileInfo>
+#include <cstdio>
+
+#include "desktop/engine/settings.h"
+#include "desktop/window/settings_keys.h"
+
+namespace felt::desktop {
+namespace {
+
+/// Beside the window that is there already.
+constexpr QPoint kStep{28, 28};
+
+bool is_untouched(MainWindow& window) {
+  return window.files().path().isEmpty() && !window.studio().is_modified() &&
+         window.studio().session().document().stroke_count() == 0;
+}
+
+}  // namespace
+
+Windows::Windows(StudioOptions first, QObject* parent)
+    : QObject(parent), options_(std::move(first)) {}
+
+MainWindow* Windows::make() {
+  auto* window = new MainWindow(options_);
+  options_.on_event = {};
+  window->setAttribute(Qt::WA_DeleteOnClose);
+  if (!windows_.isEmpty()) window->move(windows_.back()->pos() + kStep);
+  windows_.push_back(window);
+  connect(window, &QObject::destroyed, this, [this, window] { windows_.removeOne(window); });
+  connect(&window->files(), &FileActions::wants_window, this, &Windows::open_file);
+  connect(&window->files(), &FileActions::path_changed, this, [window] { remember(*window); });
+  connect(window, &MainWindow::wants_drawing, this,
+          [this, window](const Document& drawing, const QString& title) {
+            open_drawing(drawing, title, window);
+          });
+  return window;
+}
+
+MainWindow* Windows::open() {
+  MainWindow* window = make();
+  window->show();
+  return window;
+}
+
+MainWindow* Windows::open_file(const QString& path) {
+  if (path.isEmpty()) return open();
+  const QString wanted = QFileInfo(path).canonicalFilePath();
+  for (MainWindow* window : windows_) {
+    if (wanted.isEmpty() || QFileInfo(window->files().path()).canonicalFilePath() != wanted)
+      continue;
+    window->raise();
+    window->activateWindow();
+    return window;
+  }
+  const bool is_first = windows_.isEmpty();
+  MainWindow* window = make();
+  window->show();
+  if (window->files().open(path)) return window;
+  std::fprintf(stderr, "feltline-desktop: %s could not be opened\n", qPrintable(path));
+  if (is_first) return window;
+  window->deleteLater();
+  return nullptr;
+}
+
+MainWindow* Windows::open_drawing(const Document& drawing, const QString&, MainWindow* here) {
+  MainWindow* window = here && is_untouched(*here) ? here : open();
+  window->studio().open(drawing, SheetPage{});
+  window->canvas().fit_page();
+  window->raise();
+  window->activateWindow();
+  return window;
+}
+
+void Windows::remember(MainWindow& window) {
+  const QString path = window.files().path();
+  if (!path.isEmpty())
+    Settings::the().set(window_keys::kLastFile, QFileInfo(path).absoluteFilePath());
+}
+
+QString Windows::last_file() {
+  if (!Settings::the().flag(window_keys::kReopenLast, false)) return {};
+  const QString path = Settings::the().text(window_keys::kLastFile);
+  return QFileInfo::exists(path) ? path : QString();
+}
+
+}  // namespace felt::desktop

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <QObject>
+#include <QString>
+
+#include "desktop/window/main_window.h"
+
+namespace felt::desktop {
+
+/// The windows of this process, each with a drawing of its own.
+class Windows : public QObject {
+  Q_OBJECT
+
+ public:
+  /// `first` is what the first window's studio gets; the others get the same, but what they do is
+  /// told to nobody.
+  explicit Windows(StudioOptions first, QObject* parent = nullptr);
+
+  /// A window with a fresh sheet.
+  MainWindow* open();
+  /// A window with this file, or the one that has it already. Where it cannot be read the person
+  /// has been told, and null comes back unless it is the first window, which then shows a fresh
+  /// sheet.
+  MainWindow* open_file(const QString& path);
+  /// Likewise with an example; in `here` where nothing was drawn there.
+  MainWindow* open_drawing(const Document& drawing, const QString& title, MainWindow* here);
+  /// What was open when the program was used last, "" for nothing.
+  [[nodiscard]] static QString last_file();
+
+ private:
+  MainWindow* make();
+  static void remember(MainWindow& window);
+
+  StudioOptions options_;
+  QList<MainWindow*> windows_;
+};
+
+}  // namespace felt::desktop
