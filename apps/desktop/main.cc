@@ -1,15 +1,14 @@
 #include <QApplication>
-#include <QElapsedTimer>
-#include <QFileInfo>
 #include <QIcon>
 #include <QStandardPaths>
-#include <QTimer>
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <memory>
 #include <span>
 
+#include "desktop/engine/recording_file.h"
 #include "desktop/window/language.h"
 #include "desktop/window/picture.h"
 #include "desktop/window/start_options.h"
@@ -78,6 +77,7 @@ void dress() {
 
 int run(const StartOptions& options) {
   StudioOptions studio;
+  const std::unique_ptr<RecordingFile> recording = record_into(options.record, studio);
   Windows windows(std::move(studio));
   QStringList files = options.files;
   if (files.isEmpty() && !options.new_window) files.push_back(Windows::last_file());
@@ -86,6 +86,10 @@ int run(const StartOptions& options) {
   for (const QString& file : files) {
     MainWindow* window = windows.open_file(file);
     if (!first) first = window;
+  }
+  if (recording && !recording->error().isEmpty()) {
+    std::fprintf(stderr, "feltline-desktop: %s\n", qPrintable(recording->error()));
+    return 1;
   }
   if (options.measure_start && first) new StartWatch(first->canvas());
   return QApplication::exec();

@@ -24,7 +24,7 @@ Windows::Windows(StudioOptions first, QObject* parent)
 
 MainWindow* Windows::make() {
   auto* window = new MainWindow(options_);
-  options_.on_event = {};
+  options_ = {.device = options_.device, .live = options_.live};  // a recording is of one window
   window->setAttribute(Qt::WA_DeleteOnClose);
   if (!windows_.isEmpty()) window->move(windows_.back()->pos() + kStep);
   windows_.push_back(window);
