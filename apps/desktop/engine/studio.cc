@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <utility>
 
-#include "felt/haptics/safety_limits.h"
 #include "felt/tools/tool.h"
 
 namespace felt::desktop {
@@ -77,9 +77,10 @@ void Studio::start_loop() {
   Device& device = device_->device();
   ServoOptions options;
   options.period_ns = device.capabilities().period_ns;
-  options.limits = limits_for(device.capabilities());
+  options.limits = limits_for(device.capabilities(), force_limit_n_);
   clock_start_ns_ = now_ns();
   servo_ = std::make_unique<Servo>(device, options);
+  servo_->set_strength(strength_);
   hand_.reset();
   if (HandInput* hand = device_->hand()) {
     hand_ = std::make_unique<PointerHand>(*hand, device_->hand_options());
@@ -242,6 +243,24 @@ void Studio::take(PenSample& sample) {
   if (const Result<void> taken = session_->sample(sample); !taken) {
     Q_EMIT refused(text_of(taken.error()));
   }
+}
+
+void Studio::set_strength(double share) {
+  if (std::isnan(share)) return;
+  share = std::clamp(share, 0.0, 1.0);
+  servo_->set_strength(share);
+  if (std::exchange(strength_, share) != share) Q_EMIT strength_changed(share);
+}
+
+void Studio::set_force_limit(double newton) {
+  if (std::isnan(newton)) return;
+  newton = std::clamp(newton, 0.0, SafetyLimits{}.peak_force_n);
+  if (std::exchange(force_limit_n_, newton) == newton) return;
+  const bool were_on = forces_on_;
+  stop_loop();
+  start_loop();
+  set_forces(were_on);
+  tell();
 }
 
 void Studio::drain() {

@@ -13,6 +13,7 @@
 #include "desktop/engine/pen_device.h"
 #include "felt/devices/simulated/pointer_hand.h"
 #include "felt/document/sheet_page.h"
+#include "felt/haptics/safety_limits.h"
 #include "felt/rt/realtime_thread.h"
 #include "felt/rt/servo.h"
 #include "felt/session/session.h"
@@ -106,6 +107,14 @@ class Studio : public QObject {
   /// Forces on or off. They are on from the start where no motors move a person's hand.
   void set_forces(bool on);
   [[nodiscard]] bool forces_are_on() const noexcept { return forces_on_; }
+  /// Master strength of all forces, 0..1: what the models ask for times this. Kept when the device
+  /// changes.
+  void set_strength(double share);
+  [[nodiscard]] double strength() const noexcept { return strength_; }
+  /// The most that a person wants to feel, 0..SafetyLimits::peak_force_n, in N. A new limit ends
+  /// the loop and begins another, from no force.
+  void set_force_limit(double newton);
+  [[nodiscard]] double force_limit() const noexcept { return force_limit_n_; }
   /// The newest tick.
   [[nodiscard]] const TickReport& tick() noexcept { return servo_->latest(); }
   [[nodiscard]] Servo& servo() noexcept { return *servo_; }
@@ -129,6 +138,7 @@ class Studio : public QObject {
   void modified_changed(bool modified);
   void device_changed();
   void forces_changed(bool on);
+  void strength_changed(double share);
   /// A sentence for the status line.
   void refused(const QString& why);
   /// Every tick's report that the edit side saw, in order; not all ticks: for plots.
@@ -163,6 +173,8 @@ class Studio : public QObject {
   int borrowed_ = 0;
   bool is_modified_ = false;
   bool forces_on_ = false;
+  double strength_ = 1.0;
+  double force_limit_n_ = SafetyLimits{}.peak_force_n;
   bool in_turn_ = false;
   bool has_news_ = false;
   // What the signals told last.

@@ -25,6 +25,7 @@ const TickReport& Servo::step(std::int64_t now_ns) noexcept FELT_NONBLOCKING {
   last_tick_ns_ = now_ns;
   stats_.tick(now_ns, interval_ns - period_ns, period_ns);
   report_.dt_s = chain_.begin(now_ns);
+  follow_strength();
   sense_and_act(now_ns);
   report_.safety = chain_.report();
   hand_over();
@@ -66,7 +67,7 @@ void Servo::sense_and_act(std::int64_t now_ns) noexcept {
   }
   report_.sample = *sample;
   report_.sample_ok = chain_.admit(*sample);
-  if (report_.sample_ok) report_.asked = evaluate(*sample);
+  if (report_.sample_ok) report_.asked = report_.strength * evaluate(*sample);
   report_.sent = chain_.limit(report_.asked, *sample);
   if (!device_.write(report_.sent)) {
     chain_.device_failed();
@@ -88,6 +89,12 @@ void Servo::hand_over_between() noexcept {
     if (!sample) return;
     if (is_finite(*sample)) hand_over(*sample);
   }
+}
+
+void Servo::follow_strength() noexcept {
+  const double asked = strength_asked_.load(std::memory_order_relaxed);
+  const double step = report_.dt_s / kStrengthRampS;
+  report_.strength = std::clamp(asked, report_.strength - step, report_.strength + step);
 }
 
 void Servo::take_model() noexcept {

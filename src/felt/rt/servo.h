@@ -20,9 +20,10 @@ struct TickReport {
   PenSample sample;        ///< as read; the last good one where reading failed
   bool sample_ok = false;  ///< it was read, and the safety chain believes it
   double dt_s = 0.0;
-  Force asked;       ///< sum of the model's terms after the cross-fade
-  Force sent;        ///< after the safety chain
-  ForceTerms terms;  ///< of the current model, before the cross-fade
+  Force asked;            ///< sum of the model's terms after the cross-fade, times the strength
+  Force sent;             ///< after the safety chain
+  ForceTerms terms;       ///< of the current model, before the cross-fade and without the strength
+  double strength = 1.0;  ///< master strength on this tick, 0..1 (Servo::set_strength)
   SafetyReport safety;
 };
 
@@ -57,6 +58,7 @@ class Servo {
   static constexpr std::size_t kRingSamples = 16384;  ///< 16 s at 1 kHz
   using Ring = SpscRing<PenSample, kRingSamples>;
   static constexpr int kMostBetween = 32;  ///< samples between two ticks (Device::between)
+  static constexpr double kStrengthRampS = 0.050;  ///< from none to all
 
   /// The device must outlive the servo. Forces are off until arm().
   Servo(Device& device, const ServoOptions& options);
@@ -78,6 +80,10 @@ class Servo {
   /// The user's force-off key. Any thread; takes effect on the next tick, and is never lost: an
   /// arm() after it engages from zero.
   void disarm() noexcept;
+  /// Master strength: how much of what the models ask for is asked of the device, 0..1 (clamped;
+  /// NaN is ignored). From the next tick on the loop goes there evenly, kStrengthRampS for all of
+  /// the way, so that the force stays continuous. 1 at first. Any thread.
+  void set_strength(double share) noexcept;
   /// Samples in order, all of them that are believed, for the session and for the saver. A device
   /// without forces is always believed (a mouse may jump), as long as it says finite numbers.
   [[nodiscard]] Ring& for_edit() noexcept FELT_NOT_HAPTIC { return edit_ring_; }
@@ -95,6 +101,7 @@ class Servo {
 
   void take_orders() noexcept FELT_HAPTIC;
   void take_model() noexcept FELT_HAPTIC;
+  void follow_strength() noexcept FELT_HAPTIC;
   Force evaluate(const PenSample& sample) noexcept FELT_HAPTIC;
   Force force_of(const ForceModel& model, const PenSample& sample, const StiffnessScale& scale,
                  ForceMemory& memory) const noexcept FELT_HAPTIC;
@@ -112,6 +119,8 @@ class Servo {
   std::atomic<std::int64_t> heartbeat_ns_{kNever};
   std::atomic<bool> arm_asked_{false};
   std::atomic<bool> disarm_asked_{false};
+  std::atomic<double> strength_asked_{1.0};
+  static_assert(std::atomic<double>::is_always_lock_free);
 
   // The haptic thread's own.
   SafetyChain chain_;

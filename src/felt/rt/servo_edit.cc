@@ -41,6 +41,11 @@ void Servo::disarm() noexcept {
   disarm_asked_.store(true, std::memory_order_release);
 }
 
+void Servo::set_strength(double share) noexcept {
+  if (std::isnan(share)) return;
+  strength_asked_.store(std::clamp(share, 0.0, 1.0), std::memory_order_relaxed);
+}
+
 const TickReport& Servo::latest() noexcept {
   reports_.update();
   return reports_.get();

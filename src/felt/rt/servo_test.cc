@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <memory>
@@ -350,6 +351,67 @@ TEST(Servo, R50_FadesTakeTheirTimeAtEveryPeriod) {
     EXPECT_NEAR(loop.run(half).asked.x, 0.5, 0.11) << period_ns;
     EXPECT_DOUBLE_EQ(loop.run(half + 2).asked.x, 1.0) << period_ns;
   }
+}
+
+TEST(Servo, AtFullStrengthNothingIsChanged) {
+  Loop plain, told;
+  told.servo->set_strength(1.0);
+  told.servo->set_strength(std::nan(""));
+  for (Loop* loop : {&plain, &told}) {
+    loop->servo->publish(model_of(Constant{{0.1, -0.07, 1.0 / 3.0}, {}}, 3));
+    loop->servo->arm();
+  }
+  for (int i = 0; i < 1000; ++i) {
+    const TickReport &a = plain.run(1), &b = told.run(1);
+    ASSERT_EQ(a.asked, (Force{0.1, -0.07, 1.0 / 3.0}));
+    ASSERT_EQ(a.sent, b.sent);
+    ASSERT_EQ(b.strength, 1.0);
+  }
+}
+
+// Whenever and however the strength is changed, at any period: within 0..1, evenly towards what was
+// asked last, never faster than the ramp, and the force in step with it.
+RC_GTEST_PROP(Servo, StrengthIsBoundedContinuousAndMonotone, ()) {
+  ServoOptions options;
+  options.period_ns = *rc::gen::element<std::int64_t>(200'000, 250'000, kMs, 4 * kMs);
+  Loop loop(options);
+  const Force force{0.4, -0.3, 0.2};
+  loop.servo->publish(model_of(Constant{force, {}}));
+  double last = loop.run(5).strength;
+  double target = 1.0;
+  RC_ASSERT(last == 1.0);
+  const double step = 1e-9 * double(options.period_ns) / Servo::kStrengthRampS;
+  for (int change = 0; change < 8; ++change) {
+    const double share = *rc::gen::element(0.0, 0.25, 0.5, 1.0, -3.0, 7.0, std::nan(""),
+                                           std::numeric_limits<double>::infinity());
+    loop.servo->set_strength(share);
+    if (!std::isnan(share)) target = std::clamp(share, 0.0, 1.0);
+    for (int i = *rc::gen::inRange(0, 300); i > 0; --i) {
+      const TickReport& tick = loop.run(1);
+      RC_ASSERT(tick.strength >= 0.0 && tick.strength <= 1.0);
+      RC_ASSERT(std::abs(tick.strength - last) <= step * (1.0 + 1e-9));
+      RC_ASSERT(std::abs(target - tick.strength) <= std::abs(target - last));
+      RC_ASSERT(tick.strength == target || tick.strength != last);
+      RC_ASSERT(tick.asked == tick.strength * force);
+      last = tick.strength;
+    }
+  }
+}
+
+TEST(Servo, AtStrengthZeroTheDeviceGetsNoForceWhileTheModelGoesOn) {
+  Loop loop;
+  loop.servo->publish(model_of(Remembering{0.001}));
+  loop.engage();
+  ASSERT_GT(norm(loop.run(200).sent), 0.1);
+  loop.servo->set_strength(0.0);
+  loop.run(51);
+  for (int i = 0; i < 50; ++i) {
+    const TickReport& tick = loop.run(1);
+    ASSERT_EQ(tick.asked, Force{});
+    ASSERT_EQ(loop.device.force, Force{});
+  }
+  loop.servo->set_strength(1.0);
+  EXPECT_GT(norm(loop.run(60).asked), 0.3);  // the bristle was drawn on meanwhile
 }
 
 TEST(Servo, StoppingTakesTheForceOffTheDeviceAndItCanGoOnLater) {
