@@ -1,20 +1,60 @@
 #pragma once
 
+#include <QBoxLayout>
+#include <QLabel>
+#include <QTableWidget>
+#include <QTimer>
+#include <QToolButton>
 #include <QWidget>
 
 #include "desktop/engine/studio.h"
+#include "desktop/feel/force_graph.h"
+#include "desktop/feel/force_history.h"
 
 namespace felt::desktop {
 
-/// What the pen feels: each term of the force over time, the sum, the limits, the loop's rate.
+/// What the pen feels: a plot of each term of the force, their sum and what is sent; the same as a
+/// table, which is its legend; what the safety chain does, in words; how the loop keeps its time.
+/// Repaints at most 30 times a second, and only while it is seen and something happens.
 class ForcePanel : public QWidget {
   Q_OBJECT
 
  public:
   explicit ForcePanel(Studio& studio, QWidget* parent = nullptr);
 
+  /// The plot stands still; the history goes on.
+  void set_paused(bool paused);
+  [[nodiscard]] bool is_paused() const { return pause_->isChecked(); }
+  [[nodiscard]] const ForceHistory& history() const noexcept { return history_; }
+
+ protected:
+  void resizeEvent(QResizeEvent* event) override;
+  void showEvent(QShowEvent* event) override;
+  void hideEvent(QHideEvent* event) override;
+  void changeEvent(QEvent* event) override;
+
  private:
+  void take(const TickReport& tick);
+  void use_device();
+  void tell();
+  void tell_table();
+  void tell_state();
+  void tell_loop();
+
   Studio& studio_;
+  ForceHistory history_;
+  ForceHistory held_;  // what a paused plot shows
+  QBoxLayout* layout_;
+  ForceGraph* graph_;
+  QTableWidget* table_;
+  QLabel* icon_;
+  QLabel* state_;
+  QLabel* detail_;
+  QLabel* loop_;
+  QToolButton* pause_;
+  QTimer frame_;  // single shot: the next repaint
+  QTimer words_;
+  bool has_motors_ = false;
 };
 
 }  // namespace felt::desktop

@@ -1,3 +1,5 @@
+#include <mutex>
+#include <optional>
 #include <vector>
 
 #include "felt/haptics/drawing_feel.h"
@@ -5,23 +7,26 @@
 namespace felt {
 namespace {
 
-std::vector<HeightField> make_all() {
-  std::vector<HeightField> fields;
-  std::uint32_t seed = 1;
-  for (const SurfaceMaterial& surface : surface_materials()) {
-    fields.emplace_back(HeightFieldSpec{
-        .wavelength_mm = surface.grain_mm, .rms_um = surface.grain_um, .seed = seed++});
-  }
-  return fields;
-}
+/// Made when first asked for, by whichever thread comes first; others wait for it.
+struct Relief {
+  std::once_flag once;
+  std::optional<HeightField> field;
+};
 
 }  // namespace
 
 const HeightField* surface_grain(const SurfaceMaterial& surface) {
-  static const std::vector<HeightField> fields = make_all();
+  static std::vector<Relief> reliefs(surface_materials().size());
   const SurfaceMaterial* known = find_surface(surface.id);
   if (known == nullptr || !(known->grain_um > 0.0)) return nullptr;
-  return &fields[static_cast<std::size_t>(known - surface_materials().data())];
+  const auto index = static_cast<std::size_t>(known - surface_materials().data());
+  Relief& relief = reliefs[index];
+  std::call_once(relief.once, [&] {
+    relief.field.emplace(HeightFieldSpec{.wavelength_mm = known->grain_mm,
+                                         .rms_um = known->grain_um,
+                                         .seed = static_cast<std::uint32_t>(index + 1)});
+  });
+  return &*relief.field;
 }
 
 }  // namespace felt

@@ -358,7 +358,7 @@ TEST(Servo, AtFullStrengthNothingIsChanged) {
   told.servo->set_strength(1.0);
   told.servo->set_strength(std::nan(""));
   for (Loop* loop : {&plain, &told}) {
-    loop->servo->publish(model_of(Constant{{0.1, -0.07, 1.0 / 3.0}, {}}, 3));
+    loop->servo->publish(model_of(Constant{{0.1, -0.07, 1.0 / 3.0}, {}}));
     loop->servo->arm();
   }
   for (int i = 0; i < 1000; ++i) {

@@ -1,0 +1,149 @@
+#include "desktop/feel/feel_actions.h"
+
+#include <QActionGroup>
+#include <QApplication>
+#include <QKeyEvent>
+#include <QSignalBlocker>
+#include <QWidget>
+
+#include "desktop/engine/settings.h"
+#include "desktop/feel/material_words.h"
+#include "desktop/feel/safety_words.h"
+#include "desktop/feel/settings_keys.h"
+
+namespace felt::desktop {
+namespace {
+
+constexpr double kStrengthStep = 0.1;
+/// A release that was not seen (another program took the focus) counts as one after this.
+constexpr int kForgetDownMs = 300;
+
+QString material_of(const Studio& studio) {
+  const std::string_view id = studio.session().sheet().material().id;
+  return QString::fromUtf8(id.data(), qsizetype(id.size()));
+}
+
+void restore(Studio& studio) {
+  const Settings& settings = Settings::the();
+  studio.set_strength(settings.number(feel_keys::kStrength, feel_keys::kStrengthDefault));
+  studio.set_force_limit(settings.number(feel_keys::kForceLimit, feel_keys::kForceLimitDefault));
+  const QString material = settings.text(feel_keys::kMaterial);
+  if (find_surface(material.toStdString()) && material != material_of(studio)) {
+    studio.apply(SetOption{"sheet.material", OptionValue(material.toStdString())});
+  }
+}
+
+void add_switch(Actions& actions, Studio& studio) {
+  QAction* forces = actions.add_switch(
+      QStringLiteral("feel.forces"), QCoreApplication::translate("FeelActions", "&Forces"), {},
+      QCoreApplication::translate("FeelActions", "Let the pen be pushed, or not"),
+      studio.forces_are_on(), [&studio](bool on) { studio.set_forces(on); });
+  QObject::connect(&studio, &Studio::forces_changed, forces, [forces](bool on) {
+    const QSignalBlocker quiet(forces);
+    forces->setChecked(on);
+  });
+  actions.add(QStringLiteral("feel.forces_off"),
+              QCoreApplication::translate("FeelActions", "Forces &off now (Esc twice)"), {},
+              QCoreApplication::translate("FeelActions", "No force, at once"),
+              [&studio] { studio.set_forces(false); });
+}
+
+void add_strength(Actions& actions, Studio& studio) {
+  actions.add(QStringLiteral("feel.stronger"),
+              QCoreApplication::translate("FeelActions", "&Stronger forces"), {},
+              QCoreApplication::translate("FeelActions", "All forces 10 % stronger"),
+              [&studio] { choose_strength(studio, studio.strength() + kStrengthStep); });
+  actions.add(QStringLiteral("feel.weaker"),
+              QCoreApplication::translate("FeelActions", "&Weaker forces"), {},
+              QCoreApplication::translate("FeelActions", "All forces 10 % weaker"),
+              [&studio] { choose_strength(studio, studio.strength() - kStrengthStep); });
+}
+
+void add_materials(Actions& actions, Studio& studio, QWidget* window) {
+  auto* group = new QActionGroup(window);
+  for (const SurfaceMaterial& material : surface_materials()) {
+    const QString id = QString::fromUtf8(material.id.data(), qsizetype(material.id.size()));
+    QAction* action = actions.add_switch(QStringLiteral("feel.") + id, material_label(material), {},
+                                         material_words(material), id == material_of(studio),
+                                         [&studio, id](bool on) {
+                                           if (on) choose_material(studio, id);
+                                         });
+    group->addAction(action);
+    QObject::connect(&studio, &Studio::option_changed, action, [action, id, &studio] {
+      if (id != material_of(studio) || action->isChecked()) return;
+      action->setChecked(true);  // the material is it already, so choosing changes nothing
+    });
+  }
+}
+
+/// A fault that only a person can end is told, and takes the switch along.
+void watch_faults(Studio& studio, QWidget* window) {
+  QObject::connect(&studio, &Studio::ticked, window, [&studio](const TickReport& tick) {
+    if (tick.safety.state != SafetyState::kLatched || !studio.forces_are_on()) return;
+    studio.set_forces(false);
+    const SafetyWords words = words_for(tick.safety, true, true);
+    Q_EMIT studio.refused(words.state + QStringLiteral(". ") + words.detail);
+  });
+}
+
+}  // namespace
+
+void add_feel_actions(Actions& actions, Studio& studio, QWidget* window) {
+  restore(studio);
+  add_switch(actions, studio);
+  add_strength(actions, studio);
+  add_materials(actions, studio, window);
+  watch_faults(studio, window);
+  auto* escape = new DoubleEscape(window);
+  QObject::connect(escape, &DoubleEscape::pressed_twice, &studio, [&studio] {
+    if (!studio.forces_are_on()) return;
+    studio.set_forces(false);
+    Q_EMIT studio.refused(QCoreApplication::translate(
+        "FeelActions", "Forces are off. The panel Feel switches them on again."));
+  });
+}
+
+void choose_material(Studio& studio, const QString& id) {
+  if (id == material_of(studio)) return;
+  if (!studio.apply(SetOption{"sheet.material", OptionValue(id.toStdString())})) return;
+  Settings::the().set(feel_keys::kMaterial, id);
+}
+
+void choose_strength(Studio& studio, double share) {
+  studio.set_strength(share);
+  Settings::the().set(feel_keys::kStrength, studio.strength());
+}
+
+DoubleEscape::DoubleEscape(QObject* parent) : QObject(parent) {
+  qApp->installEventFilter(this);
+}
+
+bool DoubleEscape::eventFilter(QObject* watched, QEvent* event) {
+  static_cast<void>(watched);
+  const QEvent::Type type = event->type();
+  if (type == QEvent::KeyPress || type == QEvent::ShortcutOverride || type == QEvent::KeyRelease) {
+    const auto* key = static_cast<const QKeyEvent*>(event);
+    if (key->key() == Qt::Key_Escape && !key->isAutoRepeat()) {
+      if (type == QEvent::KeyRelease) {
+        is_down_ = false;
+      } else {
+        press();
+      }
+    }
+  }
+  return false;  // the key is everybody's
+}
+
+/// One press is seen several times: as the question whether it is a shortcut, as itself, by the
+/// window and by the widget in it.
+void DoubleEscape::press() {
+  if (is_down_ && since_.isValid() && since_.elapsed() < kForgetDownMs) return;
+  is_down_ = true;
+  const bool twice = since_.isValid() && since_.elapsed() <= kWithinMs;
+  since_.start();
+  if (!twice) return;
+  since_.invalidate();
+  Q_EMIT pressed_twice();
+}
+
+}  // namespace felt::desktop

@@ -1,0 +1,131 @@
+#include "desktop/feel/feel_icons.h"
+
+#include <QPainter>
+#include <QPainterPath>
+#include <algorithm>
+#include <cmath>
+
+#include "felt/haptics/drawing_feel.h"
+#include "felt/render/grain.h"
+
+namespace felt::desktop {
+namespace {
+
+constexpr double kPxPerMm = 96.0 / 25.4;  // device-independent pixels: 1/96 inch each
+
+QPixmap blank(QSize size, qreal dpr) {
+  QPixmap pixmap(size * dpr);
+  pixmap.setDevicePixelRatio(dpr);
+  pixmap.fill(Qt::transparent);
+  return pixmap;
+}
+
+// All signs are drawn in a square of 16 units.
+void draw_check(QPainter& painter) {
+  painter.drawEllipse(QRectF(1.5, 1.5, 13, 13));
+  painter.drawPolyline(QPolygonF{{4.7, 8.3}, {7.2, 10.9}, {11.4, 5.5}});
+}
+
+void draw_off(QPainter& painter) {
+  painter.drawEllipse(QRectF(1.5, 1.5, 13, 13));
+  painter.drawLine(QPointF(3.7, 12.3), QPointF(12.3, 3.7));
+}
+
+void draw_eye(QPainter& painter) {
+  QPainterPath lid(QPointF(1.2, 8));
+  lid.quadTo(8, 0.6, 14.8, 8);
+  lid.quadTo(8, 15.4, 1.2, 8);
+  painter.drawPath(lid);
+  painter.setBrush(painter.pen().color());
+  painter.drawEllipse(QPointF(8, 8), 1.9, 1.9);
+}
+
+void draw_dots(QPainter& painter) {
+  painter.drawEllipse(QRectF(1.5, 1.5, 13, 13));
+  painter.setBrush(painter.pen().color());
+  for (const double x : {4.8, 8.0, 11.2}) painter.drawEllipse(QPointF(x, 8), 0.6, 0.6);
+}
+
+void draw_mark_in(QPainter& painter) {
+  painter.drawLine(QPointF(8, 6.2), QPointF(8, 9.4));
+  painter.setBrush(painter.pen().color());
+  painter.drawEllipse(QPointF(8, 12), 0.35, 0.35);
+}
+
+void draw_triangle(QPainter& painter) {
+  painter.drawPolygon(QPolygonF{{8, 1.8}, {15, 14.2}, {1, 14.2}});
+  draw_mark_in(painter);
+}
+
+void draw_stop(QPainter& painter) {
+  painter.setBrush(painter.pen().color());
+  painter.drawPolygon(
+      QPolygonF{{5, 1}, {11, 1}, {15, 5}, {15, 11}, {11, 15}, {5, 15}, {1, 11}, {1, 5}});
+  painter.setPen(Qt::NoPen);
+  painter.setCompositionMode(QPainter::CompositionMode_Clear);
+  painter.drawRect(QRectF(4, 6.8, 8, 2.4));
+}
+
+}  // namespace
+
+QPixmap level_icon(FeelLevel level, const QPalette& palette, int size, qreal dpr) {
+  QPixmap pixmap = blank({size, size}, dpr);
+  QPainter painter(&pixmap);
+  painter.setRenderHint(QPainter::Antialiasing);
+  painter.scale(size / 16.0, size / 16.0);
+  painter.setPen(
+      QPen(palette.color(QPalette::WindowText), 1.4, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+  switch (level) {
+    case FeelLevel::kShown:
+      draw_eye(painter);
+      break;
+    case FeelLevel::kOff:
+      draw_off(painter);
+      break;
+    case FeelLevel::kWaiting:
+      draw_dots(painter);
+      break;
+    case FeelLevel::kOn:
+      draw_check(painter);
+      break;
+    case FeelLevel::kLimited:
+      draw_triangle(painter);
+      break;
+    case FeelLevel::kStopped:
+      draw_stop(painter);
+      break;
+  }
+  return pixmap;
+}
+
+QPixmap material_swatch(const SurfaceMaterial& material, const QPalette& palette, QSize size,
+                        qreal dpr) {
+  const Grain grain(surface_grain(material));
+  const QSize pixels = size * dpr;
+  QImage image(pixels, QImage::Format_ARGB32_Premultiplied);
+  image.setDevicePixelRatio(dpr);
+  image.fill(palette.color(QPalette::Base));
+  const QColor ink = palette.color(QPalette::Text), paper = palette.color(QPalette::Base);
+  const double mm = 1.0 / (kPxPerMm * dpr);
+  for (int y = 0; y < pixels.height(); ++y) {
+    auto* row = reinterpret_cast<QRgb*>(image.scanLine(y));
+    const double across = std::abs(2.0 * (y + 0.5) / pixels.height() - 1.0);
+    for (int x = 0; x < pixels.width(); ++x) {
+      const double along = (x + 0.5) / pixels.width();
+      // A broad stroke: bare above and below, fading in from the left.
+      const double within = std::clamp((0.72 - across) * pixels.height() / 4.0, 0.0, 1.0);
+      const double pressure = 0.05 + 0.75 * along;
+      const double seen = 0.85 * within *
+                          grain.alpha({mm * x, mm * y}, pressure, grain.is_smooth() ? 0.0 : 1.0) *
+                          (grain.is_smooth() ? pressure : 1.0);
+      const auto mix = [&](int from, int to) {
+        return static_cast<int>(from + seen * (to - from));
+      };
+      row[x] = qRgb(mix(paper.red(), ink.red()), mix(paper.green(), ink.green()),
+                    mix(paper.blue(), ink.blue()));
+    }
+  }
+  return QPixmap::fromImage(image);
+}
+
+}  // namespace felt::desktop

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <QIcon>
+#include <QPalette>
+
+#include "desktop/feel/safety_words.h"
+#include "felt/haptics/material.h"
+
+namespace felt::desktop {
+
+/// A sign for a state, told by its shape: a check mark, a ring, an eye, dots, a triangle, a stop
+/// sign. In the colour of the text.
+QPixmap level_icon(FeelLevel level, const QPalette& palette, int size, qreal dpr);
+
+/// How a material looks under chalk that is pressed on harder from left to right: the very relief
+/// that the hand feels (felt/render/grain.h), in life size.
+QPixmap material_swatch(const SurfaceMaterial& material, const QPalette& palette, QSize size,
+                        qreal dpr);
+
+}  // namespace felt::desktop

@@ -1,0 +1,160 @@
+#include "desktop/feel/feel_panel.h"
+
+#include <gtest/gtest.h>
+
+#include <QAbstractButton>
+#include <QLabel>
+#include <QMainWindow>
+#include <QTest>
+
+#include "desktop/engine/settings.h"
+#include "desktop/feel/feel_actions.h"
+#include "desktop/feel/settings_keys.h"
+
+namespace felt::desktop {
+namespace {
+
+StudioOptions by_hand(const QString& device) {
+  StudioOptions options;
+  options.device = device;
+  options.live = false;
+  return options;
+}
+
+struct Window : QMainWindow {
+  explicit Window(const QString& device = QStringLiteral("simulated:touch"))
+      : studio(by_hand(device), this), actions(this) {
+    add_feel_actions(actions, studio, this);
+    panel = new FeelPanel(studio, this);
+    setCentralWidget(panel);
+    show();
+  }
+
+  Studio studio;
+  Actions actions;
+  FeelPanel* panel = nullptr;
+};
+
+void forget_settings() {
+  for (const char* key : {feel_keys::kStrength, feel_keys::kForceLimit, feel_keys::kMaterial}) {
+    Settings::the().set(QString::fromLatin1(key), {});
+  }
+}
+
+TEST(FeelPanel, EscapeTwiceSwitchesForcesOffAndOnlyThePanelSwitchesThemOn) {
+  forget_settings();
+  Window window;
+  ASSERT_TRUE(window.studio.forces_are_on());
+  QTest::keyClick(&window, Qt::Key_Escape);
+  EXPECT_TRUE(window.studio.forces_are_on());
+  QTest::keyClick(&window, Qt::Key_Escape);
+  EXPECT_FALSE(window.studio.forces_are_on());
+  for (int i = 0; i < 4; ++i) QTest::keyClick(&window, Qt::Key_Escape);
+  EXPECT_FALSE(window.studio.forces_are_on());
+  window.actions.find(QStringLiteral("feel.forces"))->trigger();
+  EXPECT_TRUE(window.studio.forces_are_on());
+}
+
+TEST(FeelPanel, EscapesThatAreFarApartAreOthers) {
+  forget_settings();
+  Window window;
+  QTest::keyClick(&window, Qt::Key_Escape);
+  QTest::qWait(DoubleEscape::kWithinMs + 100);
+  QTest::keyClick(&window, Qt::Key_Escape);
+  EXPECT_TRUE(window.studio.forces_are_on());
+}
+
+TEST(FeelPanel, HoldingEscapeIsOnePress) {
+  forget_settings();
+  Window window;
+  QTest::keyPress(&window, Qt::Key_Escape);
+  for (int i = 0; i < 20; ++i) {
+    QKeyEvent again(QEvent::KeyPress, Qt::Key_Escape, Qt::NoModifier, QString(), true);
+    QCoreApplication::sendEvent(&window, &again);
+  }
+  EXPECT_TRUE(window.studio.forces_are_on());
+  QTest::keyRelease(&window, Qt::Key_Escape);
+}
+
+TEST(FeelPanel, StrengthIsKeptAndReachesTheLoop) {
+  forget_settings();
+  {
+    Window window;
+    auto* slider = window.panel->findChild<QSlider*>();
+    ASSERT_NE(slider, nullptr);
+    slider->setValue(40);
+    EXPECT_DOUBLE_EQ(window.studio.strength(), 0.4);
+    EXPECT_EQ(window.panel->findChild<QSpinBox*>()->value(), 40);
+    window.studio.advance(100'000'000);
+    EXPECT_DOUBLE_EQ(window.studio.tick().strength, 0.4);
+    // Another device has it too.
+    ASSERT_TRUE(window.studio.use_device(QStringLiteral("simulated:omega")));
+    window.studio.advance(100'000'000);
+    EXPECT_DOUBLE_EQ(window.studio.tick().strength, 0.4);
+  }
+  Window next;
+  EXPECT_DOUBLE_EQ(next.studio.strength(), 0.4);
+  EXPECT_EQ(next.panel->findChild<QSlider*>()->value(), 40);
+  next.actions.find(QStringLiteral("feel.stronger"))->trigger();
+  EXPECT_NEAR(next.studio.strength(), 0.5, 1e-12);
+  forget_settings();
+}
+
+TEST(FeelPanel, AMaterialIsChosenByButtonActionOrEventAndAllAgree) {
+  forget_settings();
+  Window window;
+  const auto chosen = [&] { return window.studio.session().sheet().material().id; };
+  QAbstractButton* glass = nullptr;
+  for (auto* button : window.panel->findChildren<QAbstractButton*>()) {
+    if (button->text() == QStringLiteral("Glass")) glass = button;
+  }
+  ASSERT_NE(glass, nullptr);
+  glass->click();
+  EXPECT_EQ(chosen(), "glass");
+  EXPECT_TRUE(window.actions.find(QStringLiteral("feel.glass"))->isChecked());
+  EXPECT_EQ(Settings::the().text(feel_keys::kMaterial), QStringLiteral("glass"));
+  window.actions.find(QStringLiteral("feel.felt"))->trigger();
+  EXPECT_EQ(chosen(), "felt");
+  EXPECT_FALSE(glass->isChecked());
+  window.studio.apply(SetOption{"sheet.material", OptionValue(std::string("glass"))});
+  EXPECT_TRUE(glass->isChecked());
+  EXPECT_TRUE(window.actions.find(QStringLiteral("feel.glass"))->isChecked());
+  forget_settings();
+}
+
+TEST(FeelPanel, EveryControlHasANameForThoseWhoDoNotSee) {
+  forget_settings();
+  Window window;
+  for (const QWidget* widget : window.panel->findChildren<QWidget*>()) {
+    if (widget->focusPolicy() == Qt::NoFocus || !widget->isVisible()) continue;
+    if (widget->objectName() == QStringLiteral("qt_spinbox_lineedit")) continue;
+    const auto* button = qobject_cast<const QAbstractButton*>(widget);
+    EXPECT_TRUE(!widget->accessibleName().isEmpty() || (button && !button->text().isEmpty()))
+        << widget->metaObject()->className();
+  }
+}
+
+TEST(FeelPanel, APenWithoutMotorsIsSaidToBeOne) {
+  forget_settings();
+  Window window(QStringLiteral("tablet"));
+  window.studio.advance(50'000'000);
+  bool said = false;
+  for (const auto* label : window.panel->findChildren<QLabel*>()) {
+    said = said || label->text().contains(QStringLiteral("no motors"));
+  }
+  EXPECT_TRUE(said);
+}
+
+TEST(Studio, AForceLimitOfAPersonBoundsWhatIsSent) {
+  Studio studio(by_hand(QStringLiteral("simulated:omega")));
+  studio.set_force_limit(0.5);
+  EXPECT_DOUBLE_EQ(studio.servo().options().limits.peak_force_n, 0.5);
+  EXPECT_TRUE(studio.forces_are_on());
+  studio.set_force_limit(99.0);
+  EXPECT_DOUBLE_EQ(studio.servo().options().limits.peak_force_n, 3.0);
+  studio.set_force_limit(std::nan(""));
+  EXPECT_DOUBLE_EQ(studio.force_limit(), 3.0);
+}
+
+}  // namespace
+}  // namespace felt::desktop

@@ -1,0 +1,150 @@
+#include "desktop/feel/safety_words.h"
+
+#include <QCoreApplication>
+#include <QStringList>
+#include <array>
+#include <cstring>
+
+namespace felt::desktop {
+namespace {
+
+/// What holds the force back at present.
+QString limits_in_words(std::uint32_t limited_by) {
+  struct Stage {
+    SafetyStage bit;
+    const char* words;
+  };
+  static constexpr std::array<Stage, 5> kStages{{
+      {kLimitedByPeak, QT_TRANSLATE_NOOP("SafetyWords", "the force limit")},
+      {kLimitedByContinuous, QT_TRANSLATE_NOOP("SafetyWords", "what the motors stand for good")},
+      {kLimitedBySpeed, QT_TRANSLATE_NOOP("SafetyWords", "the speed of the pen")},
+      {kLimitedByRise, QT_TRANSLATE_NOOP("SafetyWords", "how fast a force may rise")},
+      {kLimitedByBudget, QT_TRANSLATE_NOOP("SafetyWords", "how stiff the device can be")},
+  }};
+  QStringList words;
+  for (const Stage& stage : kStages) {
+    if (limited_by & stage.bit)
+      words.push_back(QCoreApplication::translate("SafetyWords", stage.words));
+  }
+  return words.isEmpty() ? QString()
+                         : QCoreApplication::translate("SafetyWords", "Held back by %1.")
+                               .arg(words.join(QCoreApplication::translate("SafetyWords", ", ")));
+}
+
+SafetyWords active(const SafetyReport& safety) {
+  const QString limits = limits_in_words(safety.limited_by);
+  return {limits.isEmpty() ? FeelLevel::kOn : FeelLevel::kLimited,
+          QCoreApplication::translate("SafetyWords", "Forces are on"), limits};
+}
+
+SafetyWords latched(const SafetyReport& safety) {
+  const QString why = words_for(safety.fault);
+  const QString state =
+      why.isEmpty()
+          ? QCoreApplication::translate("SafetyWords", "Forces were stopped")
+          : QCoreApplication::translate("SafetyWords", "Forces were stopped: %1").arg(why);
+  if (safety.fault == SafetyFault::kDeviceError) {
+    return {FeelLevel::kStopped, state,
+            QCoreApplication::translate(
+                "SafetyWords",
+                "Check the cable and the power of the device, then switch the forces on again.")};
+  }
+  return {FeelLevel::kStopped, state,
+          QCoreApplication::translate(
+              "SafetyWords",
+              "Drawing goes on as before. Lift the pen and switch the forces on again.")};
+}
+
+}  // namespace
+
+QString words_for(SafetyFault fault) {
+  switch (fault) {
+    case SafetyFault::kNone:
+      return {};
+    case SafetyFault::kLateTick:
+      return QCoreApplication::translate("SafetyWords", "the computer was too busy");
+    case SafetyFault::kTooFast:
+      return QCoreApplication::translate("SafetyWords", "the pen was too fast");
+    case SafetyFault::kEditSilent:
+      return QCoreApplication::translate("SafetyWords", "the program was too busy");
+    case SafetyFault::kVeryLateTick:
+      return QCoreApplication::translate("SafetyWords", "the computer stood still for a moment");
+    case SafetyFault::kNotFinite:
+      return QCoreApplication::translate("SafetyWords", "a force made no sense");
+    case SafetyFault::kDeviceError:
+      return QCoreApplication::translate("SafetyWords", "the device does not answer");
+    case SafetyFault::kPositionJump:
+      return QCoreApplication::translate("SafetyWords", "the pen seemed to jump");
+    case SafetyFault::kTooManyFaults:
+      return QCoreApplication::translate("SafetyWords", "they had to fall too often");
+    case SafetyFault::kSelfTest:
+      return QCoreApplication::translate("SafetyWords", "the self-test failed");
+  }
+  return {};
+}
+
+SafetyWords words_for(const SafetyReport& safety, bool has_motors, bool wanted) {
+  if (!has_motors) {
+    if (!wanted)
+      return {FeelLevel::kOff, QCoreApplication::translate("SafetyWords", "Forces are off"),
+              QCoreApplication::translate("SafetyWords", "They are not shown either.")};
+    return {FeelLevel::kShown,
+            QCoreApplication::translate("SafetyWords", "Shown, not felt: this pen has no motors"),
+            QCoreApplication::translate("SafetyWords",
+                                        "The plot shows what a device would be asked for.")};
+  }
+  switch (safety.state) {
+    case SafetyState::kOff:
+      return {FeelLevel::kOff, QCoreApplication::translate("SafetyWords", "Forces are off"), {}};
+    case SafetyState::kWaiting:
+      return {FeelLevel::kWaiting, QCoreApplication::translate("SafetyWords", "Ready"),
+              QCoreApplication::translate("SafetyWords",
+                                          "Lift the pen for a moment: forces then begin.")};
+    case SafetyState::kEngaging:
+      return {FeelLevel::kWaiting,
+              QCoreApplication::translate("SafetyWords", "Forces are coming up"),
+              {}};
+    case SafetyState::kActive:
+      return active(safety);
+    case SafetyState::kSilent:
+      return {FeelLevel::kLimited,
+              QCoreApplication::translate("SafetyWords", "The program is busy"),
+              QCoreApplication::translate("SafetyWords", "The pen only feels a brake.")};
+    case SafetyState::kFalling:
+      return {FeelLevel::kLimited,
+              QCoreApplication::translate("SafetyWords", "Forces give way: %1")
+                  .arg(words_for(safety.fault)),
+              QCoreApplication::translate("SafetyWords", "They come back by themselves.")};
+    case SafetyState::kLatched:
+      return latched(safety);
+  }
+  return {};
+}
+
+QString term_label(const char* name) {
+  struct Label {
+    const char* name;
+    const char* label;
+  };
+  static constexpr std::array<Label, 12> kLabels{{
+      {"asked", QT_TRANSLATE_NOOP("SafetyWords", "Sum, asked")},
+      {"sent", QT_TRANSLATE_NOOP("SafetyWords", "Sent to the pen")},
+      {"plane", QT_TRANSLATE_NOOP("SafetyWords", "Sheet")},
+      {"friction", QT_TRANSLATE_NOOP("SafetyWords", "Friction")},
+      {"texture", QT_TRANSLATE_NOOP("SafetyWords", "Grain")},
+      {"edit", QT_TRANSLATE_NOOP("SafetyWords", "Curve")},
+      {"snap", QT_TRANSLATE_NOOP("SafetyWords", "Snap")},
+      {"tether", QT_TRANSLATE_NOOP("SafetyWords", "Tether")},
+      {"stabiliser", QT_TRANSLATE_NOOP("SafetyWords", "Stabiliser")},
+      {"stop", QT_TRANSLATE_NOOP("SafetyWords", "Stop")},
+      {"damping", QT_TRANSLATE_NOOP("SafetyWords", "Damping")},
+      {"other", QT_TRANSLATE_NOOP("SafetyWords", "Other")},
+  }};
+  for (const Label& label : kLabels) {
+    if (std::strcmp(label.name, name) == 0)
+      return QCoreApplication::translate("SafetyWords", label.label);
+  }
+  return QString::fromUtf8(name);
+}
+
+}  // namespace felt::desktop

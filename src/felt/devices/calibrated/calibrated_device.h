@@ -1,0 +1,33 @@
+#pragma once
+
+#include <string_view>
+
+#include "felt/devices/calibrated/plane_calibration.h"
+#include "felt/rt/device.h"
+
+namespace felt {
+
+/// A device whose frame is not that of the sheet: places and velocities are mapped in, forces
+/// mapped out by the inverse turn, so that whatever the plane's tilt, +z lifts the pen off it.
+/// Pressure, buttons, times and faults pass as they are. Real-time safe as the device within is.
+class CalibratedDevice final : public Device {
+ public:
+  /// `device` must outlive this.
+  CalibratedDevice(Device& device, const PlaneCalibration& calibration) noexcept;
+
+  [[nodiscard]] std::string_view name() const noexcept override { return device_.name(); }
+  /// Of the device; its workspace as it lies in the sheet's frame.
+  [[nodiscard]] const Capabilities& capabilities() const noexcept override { return capabilities_; }
+  tl::expected<PenSample, DeviceFault> read(std::int64_t now_ns) noexcept override;
+  tl::expected<void, DeviceFault> write(const Force& force) noexcept override;
+  void stop() noexcept override { device_.stop(); }
+
+  [[nodiscard]] const PlaneCalibration& calibration() const noexcept { return calibration_; }
+
+ private:
+  Device& device_;
+  PlaneCalibration calibration_;
+  Capabilities capabilities_;
+};
+
+}  // namespace felt
