@@ -7,11 +7,20 @@ CalibratedDevice::CalibratedDevice(Device& device, const PlaneCalibration& calib
       calibration_(calibration),
       capabilities_(calibration.to_sheet(device.capabilities())) {}
 
+void CalibratedDevice::map(PenSample& sample) const noexcept {
+  sample.position = calibration_.to_sheet(sample.position);
+  sample.velocity = calibration_.turn_to_sheet(sample.velocity);
+}
+
 tl::expected<PenSample, DeviceFault> CalibratedDevice::read(std::int64_t now_ns) noexcept {
   tl::expected<PenSample, DeviceFault> sample = device_.read(now_ns);
-  if (!sample) return sample;
-  sample->position = calibration_.to_sheet(sample->position);
-  sample->velocity = calibration_.turn_to_sheet(sample->velocity);
+  if (sample) map(*sample);
+  return sample;
+}
+
+std::optional<PenSample> CalibratedDevice::between() noexcept {
+  std::optional<PenSample> sample = device_.between();
+  if (sample) map(*sample);
   return sample;
 }
 

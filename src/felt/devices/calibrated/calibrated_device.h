@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string_view>
 
 #include "felt/devices/calibrated/plane_calibration.h"
@@ -19,12 +20,15 @@ class CalibratedDevice final : public Device {
   /// Of the device; its workspace as it lies in the sheet's frame.
   [[nodiscard]] const Capabilities& capabilities() const noexcept override { return capabilities_; }
   tl::expected<PenSample, DeviceFault> read(std::int64_t now_ns) noexcept override;
+  std::optional<PenSample> between() noexcept override;
   tl::expected<void, DeviceFault> write(const Force& force) noexcept override;
   void stop() noexcept override { device_.stop(); }
 
   [[nodiscard]] const PlaneCalibration& calibration() const noexcept { return calibration_; }
 
  private:
+  void map(PenSample& sample) const noexcept;
+
   Device& device_;
   PlaneCalibration calibration_;
   Capabilities capabilities_;

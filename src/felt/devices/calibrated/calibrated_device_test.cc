@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <optional>
+#include <utility>
 
 #include "felt/rt/scripted_device.h"
 
@@ -33,6 +35,35 @@ TEST(CalibratedDevice, MapsPlacesInAndForcesOut) {
   ASSERT_TRUE(device.write(force).has_value());
   EXPECT_NEAR(work_mj(inner.force, inner.sample.velocity), work_mj(force, sample.velocity), 1e-12);
   EXPECT_GT(inner.force.z, 0.0);
+}
+
+// A pen that was somewhere between two ticks, in its own frame.
+class BetweenTicks final : public Device {
+ public:
+  [[nodiscard]] std::string_view name() const noexcept override { return "between"; }
+  [[nodiscard]] const Capabilities& capabilities() const noexcept override { return none_; }
+  tl::expected<PenSample, DeviceFault> read(std::int64_t) noexcept override { return PenSample{}; }
+  std::optional<PenSample> between() noexcept override { return std::exchange(waits, {}); }
+  tl::expected<void, DeviceFault> write(const Force&) noexcept override { return {}; }
+  void stop() noexcept override {}
+
+  std::optional<PenSample> waits;
+
+ private:
+  Capabilities none_;
+};
+
+TEST(CalibratedDevice, WhatWasBetweenTwoTicksIsMappedToo) {
+  BetweenTicks inner;
+  const PlaneCalibration map = leaning();
+  CalibratedDevice device(inner, map);
+  EXPECT_FALSE(device.between().has_value());
+  inner.waits = PenSample{3, map.to_device(Vec3{7, 8, 9}), {}, 0.5, 1};
+  const std::optional<PenSample> told = device.between();
+  ASSERT_TRUE(told.has_value());
+  EXPECT_EQ(told->time_ns, 3);
+  EXPECT_NEAR(norm(told->position - Vec3{7, 8, 9}), 0.0, 1e-12);
+  EXPECT_FALSE(device.between().has_value());
 }
 
 TEST(CalibratedDevice, FaultsAndStopsPassThrough) {
