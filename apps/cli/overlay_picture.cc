@@ -11,6 +11,7 @@
 #include "felt/render/plot.h"
 #include "felt/render/plot_canvas.h"
 #include "felt/render/raster.h"
+#include "felt/tools/overlay_look.h"
 
 namespace felt::cli {
 namespace {
@@ -32,16 +33,6 @@ Rgba pale(Rgba color, double share) {
     return static_cast<std::uint8_t>(std::lround(255.0 + share * (c - 255.0)));
   };
   return {mixed(color.r), mixed(color.g), mixed(color.b), 255};
-}
-
-/// Lines of it are dashed: what is only a bound or a hint.
-bool is_dashed(Role role) {
-  return role == Role::kReach || role == Role::kGuide || role == Role::kTether ||
-         role == Role::kSelected;
-}
-
-double line_width(Role role) {
-  return role == Role::kVector ? 2.4 : role == Role::kSnap || role == Role::kCut ? 1.9 : 1.3;
 }
 
 /// Letters that the font has: plain ASCII.
@@ -114,8 +105,8 @@ class OverlayPen {
     return !(std::abs(p.x) < far_units_ && std::abs(p.y) < far_units_);
   }
   [[nodiscard]] static PlotPen pen_of(Role role) {
-    const bool dashed = is_dashed(role);
-    return {line_width(role), role_color(role), dashed ? 4.0 : 0.0, dashed ? 3.6 : 0.0};
+    const RoleLook look = look_of(role);
+    return {look.width, plot_color(look.color), look.dashed ? 4.0 : 0.0, look.dashed ? 3.6 : 0.0};
   }
   void polyline(const std::vector<Vec>& points, const PlotPen& pen) {
     if (std::none_of(points.begin(), points.end(), [this](Vec p) { return is_far(p); })) {
@@ -225,25 +216,7 @@ Rect bounds_of(const SessionView& view) {
 }
 
 Rgba role_color(Overlay::Role role) noexcept {
-  switch (role) {
-    case Role::kSnap:
-    case Role::kSelected:
-      return plot_color(0);  // blue
-    case Role::kTether:
-    case Role::kCut:
-      return plot_color(1);  // vermillion
-    case Role::kReach:
-      return plot_color(2);  // bluish green
-    case Role::kHandle:
-      return plot_color(3);  // reddish purple
-    case Role::kVector:
-      return plot_color(4);  // orange
-    case Role::kSpan:
-      return plot_color(5);  // sky blue
-    case Role::kGuide:
-      break;
-  }
-  return plot_color(6);  // grey
+  return plot_color(look_of(role).color);
 }
 
 Result<Image> draw_view(const SessionView& view, const PictureOptions& options, double scale) {

@@ -1,64 +1,144 @@
 #include "desktop/canvas/canvas.h"
 
-#include <QPaintEvent>
+#include <QLocale>
 #include <QPainter>
-#include <QPainterPath>
+#include <QPixmap>
+#include <algorithm>
+#include <cmath>
+
+#include "desktop/canvas/canvas_shown.h"
+#include "desktop/canvas/settings_keys.h"
+#include "desktop/canvas/tool_hints.h"
+#include "desktop/engine/settings.h"
+#include "felt/haptics/drawing_feel.h"
 
 namespace felt::desktop {
+namespace {
 
-Canvas::Canvas(Studio& studio, QWidget* parent) : QWidget(parent), studio_(studio) {
+constexpr int kPlaceMs = 40;     // between two `place_changed`
+constexpr double kDearMs = 1.0;  // a refresh and its paint that take less may follow at once
+constexpr double kMostPaceMs = 33;
+constexpr double kFeltN = 0.02;  // a force that is meant to be felt
+
+/// A cross with an open middle, dark on a light rim: seen on every paper, and exact.
+QCursor make_pen_cursor() {
+  constexpr int kSize = 19, kMiddle = kSize / 2, kOpen = 3;
+  QPixmap picture(kSize, kSize);
+  picture.fill(Qt::transparent);
+  QPainter painter(&picture);
+  for (const auto& [color, width] :
+       {std::pair{QColor(255, 255, 255, 200), 3}, {QColor(20, 20, 24), 1}}) {
+    painter.setPen(QPen(color, width, Qt::SolidLine, Qt::FlatCap));
+    for (const QPoint way : {QPoint(1, 0), {-1, 0}, {0, 1}, {0, -1}}) {
+      painter.drawLine(QPoint(kMiddle, kMiddle) + way * kOpen,
+                       QPoint(kMiddle, kMiddle) + way * (kMiddle - 1));
+    }
+  }
+  painter.end();
+  return QCursor(picture, kMiddle, kMiddle);
+}
+
+double number(const Session& session, const char* option) {
+  const Result<OptionValue> value = session.option(option);
+  const double* found = value ? std::get_if<double>(&*value) : nullptr;
+  return found ? *found : 0.0;
+}
+
+}  // namespace
+
+Canvas::Canvas(Studio& studio, QWidget* parent)
+    : QWidget(parent),
+      studio_(studio),
+      shown_(std::make_unique<Shown>()),
+      pen_cursor_(make_pen_cursor()) {
   setAccessibleName(tr("Sheet"));
   setAccessibleDescription(tr("The sheet to draw on"));
   setFocusPolicy(Qt::StrongFocus);
   setMouseTracking(true);
+  setContextMenuPolicy(Qt::PreventContextMenu);
   setAttribute(Qt::WA_OpaquePaintEvent);
   setAttribute(Qt::WA_AcceptTouchEvents);
   setMinimumSize(200, 150);
+  setCursor(pen_cursor_);
+  shown_->place.setSingleShot(true);
+  shown_->place.setInterval(kPlaceMs);
+  connect(&shown_->place, &QTimer::timeout, this, &Canvas::place_changed);
+  pace_.setSingleShot(true);
+  pace_.setTimerType(Qt::PreciseTimer);
+  connect(&pace_, &QTimer::timeout, this, &Canvas::flush);
+  clock_.start();
   ink_.set_document(studio.session().document());
-  connect(&studio, &Studio::edited, &ink_, &InkView::apply);
-  connect(&studio, &Studio::opened, this,
-          [this] { ink_.set_document(studio_.session().document()); });
-  connect(&studio, &Studio::shown, this, &Canvas::refresh);
-  connect(&studio, &Studio::page_changed, this, QOverload<>::of(&QWidget::update));
-  connect(&ink_, &InkView::changed, this, QOverload<>::of(&QWidget::update));
+  listen();
+  take_look();
+  take_grain();
 }
 
-void Canvas::refresh() {
-  ink_.show(studio_.session().preview());
-  update();
+Canvas::~Canvas() = default;
+
+void Canvas::listen() {
+  connect(&studio_, &Studio::edited, this, &Canvas::on_edit);
+  connect(&studio_, &Studio::opened, this, [this] {
+    ink_.set_document(studio_.session().document());
+    take_grain();
+    fit_page();
+  });
+  connect(&studio_, &Studio::shown, this, &Canvas::refresh_soon);
+  connect(&studio_, &Studio::page_changed, this, [this] {
+    take_look();
+    if (keeps_page_fitted_) fit_page();
+    lay_out();
+  });
+  connect(&studio_, &Studio::tool_changed, this, &Canvas::hint_changed);
+  connect(&studio_, &Studio::option_changed, this, [this](const QString& id) {
+    if (id.endsWith(QLatin1String(".material"))) take_grain();
+  });
+  connect(&Settings::the(), &Settings::changed, this, [this](const QString& key) {
+    if (!key.startsWith(QLatin1String("canvas/"))) return;
+    take_grain();
+    refresh_soon();
+  });
+  connect(&ink_, &InkView::changed, this, &Canvas::on_ink);
 }
 
-void Canvas::set_view(const CanvasView& view) {
+// --- The view
+
+void Canvas::take_view(const CanvasView& view) {
   const QSizeF size = view_.size();
   view_ = view;
   view_.set_size(size);
-  ink_.set_view(view_, devicePixelRatioF());
-  update();
+  lay_out();
   Q_EMIT view_changed();
 }
 
+void Canvas::set_view(const CanvasView& view) {
+  keeps_page_fitted_ = false;
+  take_view(view);
+}
+
 void Canvas::fit_page() {
+  keeps_page_fitted_ = true;
   CanvasView view = view_;
   view.fit(studio_.page().area());
-  set_view(view);
+  take_view(view);
 }
 
 void Canvas::fit_selection() {
+  const Rect box = studio_.session().selection().bounds(studio_.session().document());
+  if (box.empty()) return fit_page();
   CanvasView view = view_;
-  view.fit(studio_.session().selection().bounds(studio_.session().document()));
+  view.fit(box);
   set_view(view);
 }
 
 void Canvas::fit_ink() {
-  CanvasView view = view_;
-  Rect all = studio_.page().area();
-  for (const Layer& layer : studio_.session().document().layers()) {
-    for (const StrokeId id : layer.strokes) {
-      const Rect box = studio_.session().document().find(id)->bounds();
-      all.extend(Point{box.x0, box.y0});
-      all.extend(Point{box.x1, box.y1});
-    }
+  Rect all;
+  const Document& document = studio_.session().document();
+  for (const Layer& layer : document.layers()) {
+    if (!layer.visible) continue;
+    for (const StrokeId id : layer.strokes) all.extend(document.find(id)->bounds());
   }
+  if (all.empty()) return fit_page();
+  CanvasView view = view_;
   view.fit(all);
   set_view(view);
 }
@@ -69,47 +149,221 @@ double Canvas::zoom() const {
 
 void Canvas::set_zoom(double zoom) {
   CanvasView view = view_;
-  view.set_scale(zoom * logicalDpiX() / 25.4);
+  view.zoom(zoom / this->zoom(), anchor());
   set_view(view);
+}
+
+QPointF Canvas::anchor() const {
+  if (underMouse()) return mapFromGlobal(QCursor::pos());
+  return {0.5 * width(), 0.5 * height()};
 }
 
 void Canvas::set_outline_mode(bool on) {
   ink_.set_outline_mode(on);
-}
-
-void Canvas::set_pen_visible(bool visible) {
-  pen_visible_ = visible;
+  shown_->wet.set_outline_mode(on);
   update();
 }
 
-void Canvas::resizeEvent(QResizeEvent*) {
-  view_.set_size(size());
-  if (!was_fitted_) view_.fit(studio_.page().area());
-  was_fitted_ = true;
-  ink_.set_view(view_, devicePixelRatioF());
+/// Everything is in another place: made anew, painted anew.
+void Canvas::lay_out() {
+  dpr_ = devicePixelRatioF();
+  ink_.set_view(view_, dpr_);
+  const DeviceView view{view_, dpr_};
+  shown_->wet.set_view(view);
+  shown_->bands.set_view(view);
+  refresh_soon();
+  update();
 }
 
-void Canvas::paintEvent(QPaintEvent* event) {
-  studio_.turn();
-  QPainter painter(this);
-  painter.fillRect(event->rect(), palette().color(QPalette::Mid));
-  painter.setRenderHint(QPainter::Antialiasing);
-  painter.save();
-  painter.setTransform(view_.transform(), true);
-  const SheetPage& page = studio_.page();
-  painter.fillRect(QRectF(0, 0, page.width_mm, page.height_mm),
-                   QColor(page.paper.r, page.paper.g, page.paper.b, page.paper.a));
-  painter.restore();
-  ink_.paint(painter, event->rect());
-  studio_.session().draw(overlay_);
-  painter.setTransform(view_.transform(), true);
-  painter.setPen(QPen(Qt::black, 0.5, Qt::SolidLine, Qt::RoundCap));
-  for (const auto& segment : overlay_.ink) {
-    const auto& p = segment.curve.p;
-    QPainterPath path(QPointF(p[0].x, p[0].y));
-    path.cubicTo(p[1].x, p[1].y, p[2].x, p[2].y, p[3].x, p[3].y);
-    painter.drawPath(path);
+void Canvas::take_look() {
+  shown_->desk.set_page(studio_.page());
+  shown_->desk.set_palette(palette());
+  shown_->look = MarkLook(shown_->desk.paper());
+  update();
+}
+
+void Canvas::take_grain() {
+  const bool on = Settings::the().flag(canvas_keys::kGrain, canvas_keys::kGrainDefault);
+  const Session& session = studio_.session();
+  const Grain grain(on ? surface_grain(session.sheet().material()) : nullptr);
+  const Result<OptionValue> value = session.option("pencil.material");
+  const std::string* material = value ? std::get_if<std::string>(&*value) : nullptr;
+  ink_.set_grain(grain);
+  shown_->wet.set_grain(grain, material ? grain_share(*material) : 0.0);
+  update();
+}
+
+// --- What the studio has
+
+void Canvas::refresh_soon() {
+  is_stale_ = true;
+  if (!pace_.isActive()) flush();
+}
+
+void Canvas::flush() {
+  pace_.stop();
+  if (!is_stale_) return;
+  const double begin_ms = static_cast<double>(clock_.nsecsElapsed()) * 1e-6;
+  refresh();
+  const double cost_ms = static_cast<double>(clock_.nsecsElapsed()) * 1e-6 - begin_ms + paint_ms_;
+  // The pen is drained between two pictures, whatever these take.
+  if (studio_.loop() && cost_ms > kDearMs) {
+    pace_.start(static_cast<int>(std::min(2.0 * cost_ms, kMostPaceMs)));
   }
+}
+
+void Canvas::refresh() {
+  is_stale_ = false;
+  Shown& s = *shown_;
+  const Session& session = studio_.session();
+  ink_.show(session.preview());
+  session.draw(s.overlay);
+  QRegion dirty(s.bands.update(s.overlay.spans));
+  dirty += s.wet.update(s.overlay.ink, s.overlay.ink_color);
+  list_marks();
+  add_difference(s.marks, s.next, dirty);
+  s.marks.swap(s.next);
+  pressure_seen_ = pressure_seen_ || (studio_.pen().is_known && tablet_in_hand_);
+  if (s.shows_first_minute != shows_first_minute()) {
+    s.shows_first_minute = !s.shows_first_minute;
+    take_status();
+  }
+  if (!dirty.isEmpty()) update(dirty);
+  if (!s.place.isActive()) s.place.start();
+}
+
+void Canvas::list_marks() {
+  Shown& s = *shown_;
+  s.next.clear();
+  list_overlay(s.overlay, view_, font(), s.next);
+  const PenState& pen = studio_.pen();
+  if (pen_visible_ && pen.is_known) list_pen(pen_mark(pen), s.next);
+}
+
+void Canvas::on_edit(const Edit& edit) {
+  Shown& s = *shown_;
+  ink_.apply(edit);
+  // The ink that was wet is in the document; until it is in the tiles too, it dries.
+  if (!s.wet.is_empty() && !ink_.is_up_to_date()) s.wet.dry();
+}
+
+void Canvas::on_ink(const QRect& part) {
+  part.isEmpty() ? update() : update(part);
+  if (shown_->wet.is_drying() && ink_.is_up_to_date()) update(shown_->wet.let_go());
+}
+
+// --- The pen
+
+void Canvas::set_pen_visible(bool visible) {
+  if (pen_visible_ == visible) return;
+  pen_visible_ = visible;
+  refresh_soon();
+}
+
+void Canvas::set_tablet_in_hand(bool tablet) {
+  tablet_in_hand_ = tablet;
+  if (!tablet || pressure_seen_) return;
+  pressure_seen_ = true;
+  take_status();
+}
+
+void Canvas::set_pen_status(const QString& status) {
+  pen_status_ = status;
+  take_status();
+}
+
+PenMark Canvas::pen_mark(const PenState& pen) {
+  Shown& s = *shown_;
+  const bool has_force = studio_.device().device().capabilities().has_force();
+  const Force force = !studio_.forces_are_on() ? Force{} : has_force ? pen.sent : pen.asked;
+  const Point stylus{pen.sample.position.x, pen.sample.position.y};
+  Point nib = stylus;
+  const double pull_n = std::hypot(force.x, force.y);
+  if (has_force && studio_.device().hand()) {
+    using Use = PseudoCursor::Use;
+    const Use use = tablet_in_hand_ && !s.wet.is_empty()        ? Use::kTabletInk
+                    : in_contact(pen.sample) || pull_n > kFeltN ? Use::kFeeling
+                                                                : Use::kInAir;
+    PseudoCursorOptions options;
+    options.on =
+        Settings::the().flag(canvas_keys::kPseudoHaptics, canvas_keys::kPseudoHapticsDefault);
+    s.cursor.set_options(options);
+    const std::int64_t now_ns = studio_.now_ns();
+    nib = s.cursor.update(pen.hand, stylus, use, 1e-9 * static_cast<double>(now_ns - s.cursor_ns));
+    s.cursor_ns = now_ns;
+  }
+  PenMark mark{view_.to_px(pen.hand), view_.to_px(nib)};
+  if (!has_force) mark.hand = mark.nib;
+  mark.radius = nib_radius_px(pull_n);
+  if (Settings::the().flag(canvas_keys::kForceArrow, canvas_keys::kForceArrowDefault)) {
+    const QPointF to = view_.to_px(nib + Vec{force.x, force.y});
+    mark.force_n = (to - mark.nib) / view_.px_per_mm();
+    mark.out_n = force.z;
+  }
+  return mark;
+}
+
+/// Of the dot that the pencil would make; smaller where something attracts it. None while ink
+/// flows, which shows it itself, and with tools that show what they reach.
+double Canvas::nib_radius_px(double pull_n) const {
+  const Session& session = studio_.session();
+  const Shown& s = *shown_;
+  if (session.tool().info().id != "pencil" || !s.wet.is_empty()) return 0.0;
+  const double least = number(session, "pencil.min_width_mm");
+  const double most = std::max(least, number(session, "pencil.max_width_mm"));
+  const double pressure = number(session, "pencil.mouse_pressure");
+  const double gamma = std::max(0.1, number(session, "pencil.gamma"));
+  const double width = least + (most - least) * std::pow(pressure, gamma);
+  const bool attracts = std::any_of(s.overlay.rings.begin(), s.overlay.rings.end(),
+                                    [](const auto& r) { return r.role == Overlay::Role::kSnap; });
+  const double shrunk = attracts ? 1.0 - 0.35 * std::min(1.0, pull_n) : 1.0;
+  return std::max(2.5, 0.5 * width * view_.px_per_mm() * shrunk);
+}
+
+// --- Texts
+
+QString Canvas::hint() const {
+  const ToolInfo& info = studio_.session().tool().info();
+  return tool_hint(info.id, info.help);
+}
+
+QString Canvas::place_text() const {
+  const PenState& pen = studio_.pen();
+  if (!pen_visible_ || !pen.is_known) return {};
+  const QLocale locale;
+  return tr("%1, %2 mm")
+      .arg(locale.toString(pen.hand.x, 'f', 1), locale.toString(pen.hand.y, 'f', 1));
+}
+
+QString Canvas::view_text() const {
+  QStringList parts{tr("%1 %").arg(qRound(100.0 * zoom()))};
+  const int angle = qRound(view_.angle_deg());
+  if (angle != 0) parts << tr("%1°").arg(angle);
+  if (view_.is_mirrored()) parts << tr("mirrored");
+  return parts.join(QStringLiteral(", "));
+}
+
+bool Canvas::shows_first_minute() const {
+  const Session& session = studio_.session();
+  return session.document().stroke_count() == 0 && !session.gesture_in_work() &&
+         shown_->overlay.ink.empty() && !shown_->wet.is_drying();
+}
+
+void Canvas::take_status() {
+  Shown& s = *shown_;
+  QString status = pen_status_;
+  if (status.isEmpty()) {
+    status = pressure_seen_ ? tr("Pressure is seen.")
+                            : tr("No pressure seen yet: a mouse draws by its speed.");
+  }
+  char pull_key = 'a';
+  for (const auto& tool : studio_.session().tools()) {
+    if (tool->info().id == "pull" && tool->info().shortcut) pull_key = tool->info().shortcut;
+  }
+  s.first_minute.set_text(pull_key, status);
+  setAccessibleDescription(s.shows_first_minute ? s.first_minute.spoken()
+                                                : tr("The sheet to draw on"));
+  update(s.first_minute.area(size(), font()));
 }
 
 }  // namespace felt::desktop

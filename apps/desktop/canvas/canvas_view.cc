@@ -2,8 +2,22 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace felt::desktop {
+namespace {
+
+/// Turned clockwise; quarters exactly.
+Vec turned(Vec v, double degrees) {
+  if (degrees == 0.0) return v;
+  if (std::abs(degrees) == 180.0) return -v;
+  if (degrees == 90.0) return {-v.y, v.x};
+  if (degrees == -90.0) return {v.y, -v.x};
+  const double a = degrees * std::numbers::pi / 180.0;
+  return {v.x * std::cos(a) - v.y * std::sin(a), v.x * std::sin(a) + v.y * std::cos(a)};
+}
+
+}  // namespace
 
 QTransform CanvasView::transform() const {
   QTransform m;
@@ -15,17 +29,24 @@ QTransform CanvasView::transform() const {
 }
 
 Point CanvasView::to_mm(QPointF px) const {
-  const QPointF mm = transform().inverted().map(px);
-  return {mm.x(), mm.y()};
+  Vec v{(px.x() - size_.width() / 2) / px_per_mm_, (px.y() - size_.height() / 2) / px_per_mm_};
+  if (mirrored_) v.x = -v.x;
+  return center_ + turned(v, mirrored_ ? angle_deg_ : -angle_deg_);
 }
 
 QPointF CanvasView::to_px(Point mm) const {
-  return transform().map(QPointF(mm.x, mm.y));
+  Vec v = turned(mm - center_, mirrored_ ? -angle_deg_ : angle_deg_);
+  if (mirrored_) v.x = -v.x;
+  return {size_.width() / 2 + px_per_mm_ * v.x, size_.height() / 2 + px_per_mm_ * v.y};
 }
 
 Rect CanvasView::visible_mm() const {
-  const QRectF all = transform().inverted().mapRect(QRectF({0, 0}, size_));
-  return {all.left(), all.top(), all.right(), all.bottom()};
+  Rect all;
+  for (const QPointF corner : {QPointF(0, 0), QPointF(size_.width(), 0), QPointF(0, size_.height()),
+                               QPointF(size_.width(), size_.height())}) {
+    all.extend(to_mm(corner));
+  }
+  return all;
 }
 
 void CanvasView::pan(QPointF px) {
@@ -33,6 +54,7 @@ void CanvasView::pan(QPointF px) {
 }
 
 void CanvasView::zoom(double factor, QPointF at) {
+  if (!(factor > 0.0)) return;
   const Point fixed = to_mm(at);
   set_scale(px_per_mm_ * factor);
   pan(at - to_px(fixed));
@@ -45,11 +67,12 @@ void CanvasView::turn(double degrees, QPointF at) {
 }
 
 void CanvasView::set_angle(double degrees) {
-  angle_deg_ = std::remainder(degrees, 360.0);
+  if (std::isfinite(degrees)) angle_deg_ = std::remainder(degrees, 360.0);
 }
 
 void CanvasView::mirror() {
   mirrored_ = !mirrored_;
+  set_angle(-angle_deg_);  // what leans to the left now leans to the right
 }
 
 void CanvasView::fit(const Rect& mm, double margin_px) {
@@ -64,7 +87,7 @@ void CanvasView::fit(const Rect& mm, double margin_px) {
 }
 
 void CanvasView::set_scale(double px_per_mm) {
-  px_per_mm_ = std::clamp(px_per_mm, kLeastPxPerMm, kMostPxPerMm);
+  if (px_per_mm > 0.0) px_per_mm_ = std::clamp(px_per_mm, kLeastPxPerMm, kMostPxPerMm);
 }
 
 }  // namespace felt::desktop

@@ -22,7 +22,7 @@ class CanvasView {
   /// From mm to widget pixels: mirror, turn, scale.
   [[nodiscard]] QTransform transform() const;
   [[nodiscard]] double px_per_mm() const noexcept { return px_per_mm_; }
-  /// Clockwise, -180..180.
+  /// Clockwise as it is seen, -180..180; the sheet is mirrored first.
   [[nodiscard]] double angle_deg() const noexcept { return angle_deg_; }
   [[nodiscard]] bool is_mirrored() const noexcept { return mirrored_; }
   /// Around all of the sheet that the widget shows.
@@ -31,11 +31,12 @@ class CanvasView {
   void set_size(QSizeF px) { size_ = px; }
   [[nodiscard]] QSizeF size() const noexcept { return size_; }
   void pan(QPointF px);
-  /// What is under `at` stays there.
+  /// What is under `at` stays there. Factors that are not positive do nothing.
   void zoom(double factor, QPointF at);
   void turn(double degrees, QPointF at);
   void set_angle(double degrees);
-  /// Left and right change places in the middle of the widget.
+  /// What is seen is mirrored about the middle of the widget: left and right change places, and a
+  /// sheet that leant to one side leans to the other.
   void mirror();
   /// All of it is seen, with a margin, as turned as it is.
   void fit(const Rect& mm, double margin_px = 24.0);

@@ -18,10 +18,14 @@ constexpr double kAtEdge = 0.55;
 
 }  // namespace
 
-void PressureMap::make(const Stroke& stroke, const View& view, PixelRect area) {
+void PressureMap::begin(PixelRect area) {
   area_ = area;
   values_.assign(static_cast<std::size_t>(area.width()) * static_cast<std::size_t>(area.height()),
                  0.0F);
+}
+
+void PressureMap::make(const Stroke& stroke, const View& view, PixelRect area) {
+  begin(area);
   const Rect near = view.area_mm({area.x0 - 2.0, area.y0 - 2.0}, {area.x1 + 2.0, area.y1 + 2.0});
   for (int i = 0; i < stroke.segment_count(); ++i) {
     const Cubic c = stroke.segment(i);

@@ -17,6 +17,10 @@ class PressureMap {
  public:
   /// Of this stroke, for the pixels of `area`.
   void make(const Stroke& stroke, const View& view, PixelRect area);
+  /// The same by hand: of nothing yet, for the pixels of `area` ...
+  void begin(PixelRect area);
+  /// ... and then each place where the tip has been, a quarter of its radius apart at most.
+  void press(Vec center_px, double radius_px, double pressure);
   /// 0..1 for a pixel of the area; 0 where the tip has not been.
   [[nodiscard]] float at(int x, int y) const noexcept {
     return values_[static_cast<std::size_t>(y - area_.y0) *
@@ -25,8 +29,6 @@ class PressureMap {
   }
 
  private:
-  void press(Vec center_px, double radius_px, double pressure);
-
   PixelRect area_;
   std::vector<float> values_;
 };

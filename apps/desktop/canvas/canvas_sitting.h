@@ -1,0 +1,80 @@
+#pragma once
+
+#include <QCoreApplication>
+#include <QImage>
+#include <QPixmap>
+#include <QScreen>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "desktop/canvas/canvas.h"
+
+namespace felt::desktop {
+
+/// Somebody who draws on a canvas, for tests and pictures: a hand that moves, and a clock that goes
+/// on by as much as its moves take.
+class Sitting {
+ public:
+  explicit Sitting(QSize size = {640, 480}, const QString& device = QStringLiteral("tablet"))
+      : studio({device, false}), canvas(studio) {
+    canvas.resize(size);
+    canvas.show();
+    settle();
+  }
+
+  void tool(const std::string& id) { studio.apply(SelectTool{id}); }
+  void option(const std::string& id, OptionValue value) {
+    studio.apply(SetOption{id, std::move(value)});
+  }
+  /// One event of the pointer, 8 ms after the last one.
+  void move(Point to, bool down, std::optional<double> pressure = {}, std::uint32_t buttons = 0) {
+    studio.point({studio.now_ns(), to, down, pressure, buttons});
+    studio.advance(8'000'000);
+    at = to;
+  }
+  /// Goes there in a straight line, 2 mm an event.
+  void go(Point to, bool down, std::optional<double> pressure = {}, std::uint32_t buttons = 0) {
+    const Point from = at;
+    const double steps = std::max(1.0, std::ceil(distance(from, to) / 2.0));
+    for (double i = 1; i <= steps; ++i) move(lerp(from, to, i / steps), down, pressure, buttons);
+  }
+  void touch(std::optional<double> pressure = {}, std::uint32_t buttons = 0) {
+    move(at, true, pressure, buttons);
+  }
+  void lift() {
+    for (int i = 0; i < 6; ++i) move(at, false);
+  }
+  /// A line through these places.
+  void draw(const std::vector<Point>& way, std::optional<double> pressure = {}) {
+    go(way.front(), false);
+    touch(pressure);
+    for (const Point& p : way) go(p, true, pressure);
+    lift();
+  }
+
+  /// Until everything that was asked for is painted.
+  void settle() {
+    canvas.ink().finish();
+    for (int i = 0; i < 3; ++i) QCoreApplication::processEvents();
+  }
+  /// What the window shows.
+  QImage seen() {
+    settle();
+    return canvas.screen()
+        ->grabWindow(canvas.winId())
+        .toImage()
+        .convertToFormat(QImage::Format_RGB32);
+  }
+  /// What it would show if all of it were painted anew.
+  QImage anew() {
+    settle();
+    return canvas.grab().toImage().convertToFormat(QImage::Format_RGB32);
+  }
+
+  Studio studio;
+  Canvas canvas;
+  Point at{20, 20};
+};
+
+}  // namespace felt::desktop

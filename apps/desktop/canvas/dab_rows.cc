@@ -1,0 +1,117 @@
+#include "desktop/canvas/dab_rows.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "felt/render/raster.h"
+#include "felt/stroke/flatten.h"
+
+namespace felt::desktop {
+namespace {
+
+/// A row that is cut this far outside of a part does not show it inside.
+constexpr double kSeamPx = 2.0;
+/// Beyond that nothing can be seen, and numbers get coarse.
+constexpr double kFarPx = 1e7;
+
+bool is_near(const Cubic& c) {
+  return std::all_of(c.p.begin(), c.p.end(),
+                     [](Point p) { return std::abs(p.x) < kFarPx && std::abs(p.y) < kFarPx; });
+}
+
+}  // namespace
+
+PixelRect DeviceView::pixels_of(const QRectF& part) const {
+  const auto down = [](double px) { return static_cast<int>(std::floor(px + 1e-6)); };
+  const auto up = [](double px) { return static_cast<int>(std::ceil(px - 1e-6)); };
+  return {down(part.left() * dpr), down(part.top() * dpr), up(part.right() * dpr),
+          up(part.bottom() * dpr)};
+}
+
+QRect DeviceView::part_of(const Rect& px) const {
+  if (px.empty()) return {};
+  const QRectF all(0, 0, view.size().width(), view.size().height());
+  return QRectF(QPointF(px.x0 / dpr, px.y0 / dpr), QPointF(px.x1 / dpr, px.y1 / dpr))
+      .adjusted(-1, -1, 1, 1)
+      .intersected(all)
+      .toAlignedRect();
+}
+
+void DabRows::clear() {
+  dabs_.clear();
+  pieces_.clear();
+}
+
+void DabRows::add(const Overlay::InkSegment& segment, double least_px) {
+  Cubic c;
+  for (std::size_t k = 0; k < 4; ++k) c.p[k] = view_.to_px(segment.curve.p[k]);
+  const double half = 0.5 * view_.px_per_mm();
+  const double r0 = std::max(half * std::max(segment.start_width_mm, kMinWidthMm), 0.5 * least_px);
+  const double r1 = std::max(half * std::max(segment.end_width_mm, kMinWidthMm), 0.5 * least_px);
+  Piece piece;
+  piece.begins_row =
+      pieces_.empty() || pieces_.back().box.empty() || distance(dabs_.back().center, c.p[0]) > 1e-3;
+  if (!is_near(c)) {  // keeps its number, and nothing is seen of it
+    piece.first = dabs_.size();
+    piece.begins_row = true;
+    dabs_.push_back({c.p[0], 0.0});
+    pieces_.push_back(piece);
+    return;
+  }
+  if (piece.begins_row) dabs_.push_back({c.p[0], r0});
+  piece.first = dabs_.size() - 1;
+  const int steps = flatten_steps(c, 1.0, 0.5 * kRasterTolerancePx);
+  for (int i = 1; i <= steps; ++i) {
+    const double t = static_cast<double>(i) / steps;
+    dabs_.push_back({evaluate(c, t), r0 + t * (r1 - r0)});
+  }
+  for (std::size_t k = piece.first; k < dabs_.size(); ++k) {
+    const Point p = dabs_[k].center;
+    piece.box.extend(Rect{p.x, p.y, p.x, p.y}.inflated(dabs_[k].radius_mm));
+  }
+  pieces_.push_back(piece);
+}
+
+void DabRows::keep(std::size_t n) {
+  if (n >= pieces_.size()) return;
+  dabs_.resize(pieces_[n].first + (pieces_[n].begins_row ? 0 : 1));
+  pieces_.resize(n);
+}
+
+Rect DabRows::bounds(std::size_t from) const {
+  Rect all;
+  for (std::size_t i = from; i < pieces_.size(); ++i) all.extend(pieces_[i].box);
+  return all;
+}
+
+bool DabRows::touches(const Piece& piece, const PixelRect& part) const noexcept {
+  return piece.box.intersects(
+      {part.x0 - kSeamPx, part.y0 - kSeamPx, part.x1 + kSeamPx, part.y1 + kSeamPx});
+}
+
+std::size_t DabRows::end_of(std::size_t piece) const noexcept {
+  if (piece + 1 == pieces_.size()) return dabs_.size();
+  return pieces_[piece + 1].first + (pieces_[piece + 1].begins_row ? 0 : 1);
+}
+
+void DabRows::trace(const PixelRect& part, StrokeOutliner& outliner, Outline& out) const {
+  for (std::size_t i = 0; i < pieces_.size();) {
+    if (!touches(pieces_[i], part)) {
+      ++i;
+      continue;
+    }
+    std::size_t last = i;
+    while (last + 1 < pieces_.size() && !pieces_[last + 1].begins_row &&
+           touches(pieces_[last + 1], part)) {
+      ++last;
+    }
+    const std::size_t from = pieces_[i].first;
+    const Outline& outline = outliner.trace(std::span(dabs_).subspan(from, end_of(last) - from),
+                                            false, kRasterTolerancePx);
+    for (std::size_t end : outline.ends) out.ends.push_back(out.points.size() + end);
+    out.points.insert(out.points.end(), outline.points.begin(), outline.points.end());
+    i = last + 1;
+  }
+}
+
+}  // namespace felt::desktop

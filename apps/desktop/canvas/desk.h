@@ -1,0 +1,32 @@
+#pragma once
+
+#include <QColor>
+#include <QPainter>
+#include <QPalette>
+#include <QRect>
+
+#include "desktop/canvas/canvas_view.h"
+#include "felt/document/sheet_page.h"
+
+namespace felt::desktop {
+
+/// What lies below everything: the desk in a colour of the theme, a soft shadow, the paper in its
+/// own colour. Paper stays paper in a dark theme.
+class Desk {
+ public:
+  void set_page(const SheetPage& page) { page_ = page; }
+  void set_palette(const QPalette& palette);
+  [[nodiscard]] QColor color() const noexcept { return color_; }
+  /// Opaque: what ink is seen on. A sheet without paper is shown white.
+  [[nodiscard]] QColor paper() const;
+  void paint(QPainter& painter, const QRect& part, const CanvasView& view) const;
+
+ private:
+  void paint_edge(QPainter& painter, const QPolygonF& sheet) const;
+
+  SheetPage page_;
+  QColor color_{Qt::gray};
+  bool is_dark_ = false;
+};
+
+}  // namespace felt::desktop

@@ -1,0 +1,83 @@
+#pragma once
+
+#include <QColor>
+#include <QFont>
+#include <QPainter>
+#include <QPolygonF>
+#include <QRect>
+#include <QString>
+#include <cstdint>
+#include <vector>
+
+#include "desktop/canvas/canvas_view.h"
+#include "felt/tools/overlay.h"
+
+namespace felt::desktop {
+
+/// Something that is drawn over the ink, in pixels of the widget. Two equal ones look alike, so
+/// what is to be painted again is where two lists differ.
+struct Mark {
+  enum class Kind : std::uint8_t {
+    kLines,   ///< joined lines
+    kArrow,   ///< from points[0] to points[1]
+    kRing,    ///< points[0], size: radius
+    kDot,     ///< points[0]
+    kLabel,   ///< text in the plate points[0] to points[1]
+    kNib,     ///< where ink would begin: points[0], size: radius
+    kHand,    ///< from the hand to the nib that forces hold back
+    kForce,   ///< an arrow at the nib
+    kNormal,  ///< a bar for the force out of the sheet: points[0], size: height
+  };
+  Kind kind = Kind::kLines;
+  Overlay::Role role = Overlay::Role::kGuide;
+  QPolygonF points = {};
+  double size = 0.0;
+  double phase = 0.0;  ///< length of the line before this part of it, for its dashes
+  QString text = {};
+  QRect box = {};  ///< around all that is painted
+
+  friend bool operator==(const Mark&, const Mark&) = default;
+};
+
+using Marks = std::vector<Mark>;
+
+/// Where the pen is and what it feels, as marks show it. Pixels of the widget.
+struct PenMark {
+  QPointF hand;         ///< where mouse or tablet are
+  QPointF nib;          ///< where it is shown
+  double radius = 0.0;  ///< of the dot that it would draw; 0: no ring around the nib
+  QPointF force_n{};    ///< in the sheet, as it is seen; 0: no arrow
+  double out_n = 0.0;   ///< out of the sheet; likewise
+};
+
+/// Adds what a tool shows but wet ink and bands; what lies outside of the widget is left out.
+void list_overlay(const Overlay& overlay, const CanvasView& view, const QFont& font, Marks& marks);
+/// Adds nib, hand and force.
+void list_pen(const PenMark& pen, Marks& marks);
+/// Adds around everything of which two lists differ; few rectangles.
+void add_difference(const Marks& before, const Marks& after, QRegion& region);
+
+/// The colours of marks on paper: the palette that any colour vision tells apart, lighter on dark
+/// paper, with a halo that keeps every mark apart from the ink below.
+class MarkLook {
+ public:
+  explicit MarkLook(QColor paper);
+  [[nodiscard]] QColor color(Overlay::Role role) const;
+  /// Opaque, on the paper.
+  [[nodiscard]] QColor band(Overlay::Role role) const;
+  [[nodiscard]] QColor force() const;
+  [[nodiscard]] QColor halo() const noexcept { return halo_; }
+  [[nodiscard]] QColor plate() const noexcept { return plate_; }
+  [[nodiscard]] QColor text() const noexcept { return text_; }
+  [[nodiscard]] bool is_on_dark() const noexcept { return on_dark_; }
+
+ private:
+  [[nodiscard]] QColor seen(std::size_t palette_index) const;
+
+  QColor paper_, halo_, plate_, text_;
+  bool on_dark_ = false;
+};
+
+void paint_mark(QPainter& painter, const Mark& mark, const MarkLook& look, const QFont& font);
+
+}  // namespace felt::desktop

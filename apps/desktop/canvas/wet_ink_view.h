@@ -1,0 +1,106 @@
+#pragma once
+
+#include <QImage>
+#include <QPainter>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "desktop/canvas/dab_rows.h"
+#include "felt/render/grain.h"
+#include "felt/render/pressure_map.h"
+#include "felt/render/raster.h"
+
+namespace felt::desktop {
+
+/// Fills outlines into parts of a painter as the library fills dry ink: same rasteriser, same
+/// pixels. Keeps its buffers.
+class InkBrush {
+ public:
+  /// What of the rows lies in `part`, pixels of the widget, in one colour that covers each place
+  /// once. The painter's transform must be that of the widget.
+  void paint(QPainter& painter, const QRectF& part, const DeviceView& view, const DabRows& rows,
+             Rgba color);
+  /// The same of ink of which the relief of the sheet lets so much through (grain_share).
+  void paint(QPainter& painter, const QRectF& part, const DeviceView& view, const DabRows& rows,
+             Rgba color, const Grain& grain, double share);
+
+ private:
+  /// The pixels of the part that the rows may ink, clear; none: nothing is to be done.
+  PixelRect prepare(const QRectF& part, const DeviceView& view, const DabRows& rows);
+  void fill(const PixelRect& pixels, Rgba color);
+  void press(const DabRows& rows, const DeviceView& view, const PixelRect& pixels);
+
+  Rasterizer rasterizer_;
+  StrokeOutliner outliner_;
+  Outline outline_;
+  PressureMap pressure_;
+  QImage image_;
+};
+
+/// Ink while it is drawn: what the tool shows as Overlay::ink, sample by sample. It looks as the
+/// stroke will that comes of it: same edges, same colour with alpha, same grain. Only what a
+/// sample adds is traced and painted; what came before stays as it is.
+///
+/// When the stroke is in the document, its picture may take a worker a moment: until then the ink
+/// is *drying*, that is, still shown from here.
+class WetInkView {
+ public:
+  void set_view(const DeviceView& view);
+  /// `material` of the strokes that are drawn now.
+  void set_grain(const Grain& grain, double share);
+  /// Hair-thin.
+  void set_outline_mode(bool on);
+
+  /// Takes what the tool shows now. Returns around what looks otherwise than before, in pixels of
+  /// the widget.
+  QRect update(std::span<const Overlay::InkSegment> ink, Rgba color);
+  /// What is wet is in the document now, and goes when let_go() is called.
+  void dry();
+  [[nodiscard]] bool is_drying() const noexcept { return !drying_.empty(); }
+  QRect let_go();
+  [[nodiscard]] bool is_empty() const noexcept { return wet_.segments.empty(); }
+  /// At the pen's end of what is wet, mm.
+  [[nodiscard]] double width_mm() const noexcept;
+
+  void paint(QPainter& painter, const QRect& part, InkBrush& brush) const;
+
+ private:
+  struct Row {
+    std::vector<Overlay::InkSegment> segments;
+    DabRows dabs;
+    Rgba color;
+    double share = 0.0;
+  };
+  void add(Row& row, const Overlay::InkSegment& segment) const;
+
+  DeviceView view_;
+  Grain grain_;
+  double share_ = 0.0;
+  bool outline_mode_ = false;
+  Row wet_;
+  std::vector<Row> drying_;
+};
+
+/// Marked spans as bands below the ink, a little broader than it.
+class BandView {
+ public:
+  void set_view(const DeviceView& view);
+  /// As WetInkView::update().
+  QRect update(std::span<const Overlay::Span> spans);
+  /// `color_of(role)` is opaque: pieces of a band overlap.
+  template <class ColorOf>
+  void paint(QPainter& painter, const QRect& part, InkBrush& brush, ColorOf color_of) const {
+    for (const auto& [role, rows] : bands_) brush.paint(painter, part, view_, rows, color_of(role));
+  }
+
+ private:
+  DabRows& rows_of(Overlay::Role role);
+  void add(const Overlay::Span& span);
+
+  DeviceView view_;
+  std::vector<Overlay::Span> spans_;
+  std::vector<std::pair<Overlay::Role, DabRows>> bands_;
+};
+
+}  // namespace felt::desktop

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <cstddef>
+
+#include "felt/tools/overlay.h"
+
+namespace felt {
+
+/// How a role is shown, alike on the canvas and in pictures.
+struct RoleLook {
+  std::size_t color = 6;  ///< of the palette that any colour vision tells apart (plot_color)
+  bool dashed = false;    ///< what is only a bound or a hint
+  double width = 1.3;     ///< of its lines, in units of a picture or device-independent pixels
+};
+
+constexpr RoleLook look_of(Overlay::Role role) noexcept {
+  using Role = Overlay::Role;
+  switch (role) {
+    case Role::kReach:
+      return {2, true, 1.3};  // bluish green
+    case Role::kSnap:
+      return {0, false, 1.9};  // blue
+    case Role::kTether:
+      return {1, true, 1.3};  // vermillion
+    case Role::kGuide:
+      return {6, true, 1.3};  // grey
+    case Role::kSpan:
+      return {5, false, 1.3};  // sky blue
+    case Role::kVector:
+      return {4, false, 2.4};  // orange
+    case Role::kSelected:
+      return {0, true, 1.3};  // blue
+    case Role::kHandle:
+      return {3, false, 1.3};  // reddish purple
+    case Role::kCut:
+      return {1, false, 1.9};  // vermillion
+  }
+  return {};
+}
+
+}  // namespace felt
