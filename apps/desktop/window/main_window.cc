@@ -6,6 +6,7 @@
 #include <QKeyEvent>
 #include <QMenuBar>
 
+#include "desktop/canvas/view_actions.h"
 #include "desktop/engine/settings.h"
 #include "desktop/feel/feel_panel.h"
 #include "desktop/feel/force_panel.h"
@@ -42,6 +43,7 @@ MainWindow::MainWindow(StudioOptions options, QWidget* parent)
   setCentralWidget(canvas_);
   new PenInput(*canvas_);
   add_edit_actions(*actions_, *studio_);
+  add_view_actions(*actions_, *canvas_);
   auto* help = new HelpActions(*actions_, this);
   connect(help, &HelpActions::wants_drawing, this, &MainWindow::wants_drawing);
   connect(help, &HelpActions::wants_sheet, this, [this] {

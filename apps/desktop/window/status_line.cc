@@ -1,6 +1,5 @@
 #include "desktop/window/status_line.h"
 
-#include <QCoreApplication>
 #include <QLocale>
 #include <cmath>
 
@@ -28,7 +27,7 @@ StatusLine::StatusLine(Studio& studio, Canvas& canvas, QWidget* parent)
   angle_ = field(tr("Turn of the view"), QStringLiteral("-888\u00b0"));
   device_ = field(tr("Device"), QString());
   saved_ = field(tr("State of the file"), QString());
-  connect(&studio, &Studio::tool_changed, this, &StatusLine::show_tool);
+  connect(&canvas, &Canvas::hint_changed, this, &StatusLine::show_tool);
   connect(&studio, &Studio::shown, this, &StatusLine::show_pen);
   connect(&studio, &Studio::device_changed, this, &StatusLine::show_device);
   connect(&studio, &Studio::forces_changed, this, &StatusLine::show_device);
@@ -58,8 +57,7 @@ QLabel* StatusLine::field(const QString& name, const QString& widest) {
 }
 
 void StatusLine::show_tool() {
-  const ToolInfo& info = studio_.session().tool().info();
-  hint_text_ = QCoreApplication::translate("tools", info.help.data());
+  hint_text_ = canvas_.hint();
   elide_hint();
 }
 
