@@ -18,6 +18,8 @@ namespace {
 constexpr int kPlaceMs = 40;     // between two `place_changed`
 constexpr double kDearMs = 1.0;  // a refresh and its paint that take less may follow at once
 constexpr double kMostPaceMs = 33;
+constexpr int kLongSegments = 400;  // a stroke of more is not at once in the picture of the ink
+constexpr int kDryMs = 8;
 constexpr double kFeltN = 0.02;  // a force that is meant to be felt
 
 /// A cross with an open middle, dark on a light rim: seen on every paper, and exact.
@@ -168,7 +170,7 @@ void Canvas::set_outline_mode(bool on) {
 void Canvas::lay_out() {
   dpr_ = devicePixelRatioF();
   ink_.set_view(view_, dpr_);
-  const DeviceView view{view_, dpr_};
+  const DeviceView view{view_, dpr_, ink_.transform().map(QPointF(0, 0)) - view_.to_px({0, 0})};
   shown_->wet.set_view(view);
   shown_->bands.set_view(view);
   refresh_soon();
@@ -223,7 +225,10 @@ void Canvas::refresh() {
   list_marks();
   add_difference(s.marks, s.next, dirty);
   s.marks.swap(s.next);
-  pressure_seen_ = pressure_seen_ || (studio_.pen().is_known && tablet_in_hand_);
+  if (!pressure_seen_ && tablet_in_hand_ && in_contact(studio_.pen().sample)) {
+    pressure_seen_ = true;
+    take_status();
+  }
   if (s.shows_first_minute != shows_first_minute()) {
     s.shows_first_minute = !s.shows_first_minute;
     take_status();
@@ -243,13 +248,28 @@ void Canvas::list_marks() {
 void Canvas::on_edit(const Edit& edit) {
   Shown& s = *shown_;
   ink_.apply(edit);
-  // The ink that was wet is in the document; until it is in the tiles too, it dries.
-  if (!s.wet.is_empty() && !ink_.is_up_to_date()) s.wet.dry();
+  // The ink that was wet is in the document. Of strokes that take the tiles a while, it stays
+  // until they have them: it dries.
+  const auto is_long = [](const StrokeChange& change) {
+    return change.after && change.after->segment_count() > kLongSegments;
+  };
+  if (s.wet.is_empty() || std::none_of(edit.changes.begin(), edit.changes.end(), is_long)) return;
+  s.wet.dry();
+  let_dry();
+}
+
+void Canvas::let_dry() {
+  if (!shown_->wet.is_drying()) return;
+  if (ink_.is_up_to_date()) {
+    update(shown_->wet.let_go());
+  } else {
+    QTimer::singleShot(kDryMs, this, &Canvas::let_dry);
+  }
 }
 
 void Canvas::on_ink(const QRect& part) {
-  part.isEmpty() ? update() : update(part);
-  if (shown_->wet.is_drying() && ink_.is_up_to_date()) update(shown_->wet.let_go());
+  const QRegion dirty = QRegion(part) - painting_;
+  if (!dirty.isEmpty()) update(dirty);
 }
 
 // --- The pen
@@ -262,9 +282,6 @@ void Canvas::set_pen_visible(bool visible) {
 
 void Canvas::set_tablet_in_hand(bool tablet) {
   tablet_in_hand_ = tablet;
-  if (!tablet || pressure_seen_) return;
-  pressure_seen_ = true;
-  take_status();
 }
 
 void Canvas::set_pen_status(const QString& status) {

@@ -2,6 +2,7 @@
 
 #include <QCursor>
 #include <QElapsedTimer>
+#include <QRegion>
 #include <QTimer>
 #include <QWidget>
 #include <memory>
@@ -84,6 +85,7 @@ class Canvas : public QWidget {
   void refresh();
   void on_edit(const Edit& edit);
   void on_ink(const QRect& part);
+  void let_dry();
   void list_marks();
   PenMark pen_mark(const PenState& pen);
   [[nodiscard]] double nib_radius_px(double pull_n) const;
@@ -101,6 +103,7 @@ class Canvas : public QWidget {
   QString pen_status_;
   QTimer pace_;  // until the next refresh, where they are dear
   QElapsedTimer clock_;
+  QRegion painting_;       // this is being painted
   double paint_ms_ = 0.0;  // the last one
   double dpr_ = 0.0;       // that the pictures are made for
   bool is_stale_ = true;   // the studio has news

@@ -67,6 +67,9 @@ void Canvas::paintEvent(QPaintEvent* event) {
   if (is_stale_ && !pace_.isActive()) flush();
   QPainter painter(this);
   painter.setRenderHint(QPainter::Antialiasing);
+  painting_ = event->region();
+  ink_.paint(painter, {});  // takes what the worker has done meanwhile, of this part too
+  painting_ = {};
   paint_ground(painter, event->region());
   paint_marks(painter, event->region());
   if (focus_by_key_) {

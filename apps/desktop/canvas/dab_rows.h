@@ -13,17 +13,20 @@
 
 namespace felt::desktop {
 
-/// From the sheet to device pixels: `px` is a widget's pixels times `scale`.
+/// From the sheet to device pixels.
 struct DeviceView {
   CanvasView view;
   double dpr = 1.0;
+  QPointF shift;  ///< of the picture, in pixels of the widget: less than one of the device
 
   [[nodiscard]] double px_per_mm() const noexcept { return view.px_per_mm() * dpr; }
   [[nodiscard]] Point to_px(Point mm) const {
     const QPointF px = view.to_px(mm);
-    return {px.x() * dpr, px.y() * dpr};
+    return {(px.x() + shift.x()) * dpr, (px.y() + shift.y()) * dpr};
   }
-  [[nodiscard]] Point to_mm(Point px) const { return view.to_mm({px.x / dpr, px.y / dpr}); }
+  [[nodiscard]] Point to_mm(Point px) const {
+    return view.to_mm({px.x / dpr - shift.x(), px.y / dpr - shift.y()});
+  }
   /// The device pixels that a part of the widget touches.
   [[nodiscard]] PixelRect pixels_of(const QRectF& part) const;
   /// The widget's pixels that these touch.
