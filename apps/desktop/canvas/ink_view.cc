@@ -84,6 +84,11 @@ struct InkView::State {
     return {device.left() + left, device.top() + top, device.right() + 1 + left,
             device.bottom() + 1 + top};
   }
+  /// What the widget shows.
+  [[nodiscard]] PlaneRect seen() const {
+    return plane_rect(QRect(0, 0, static_cast<int>(std::ceil(view.size().width() * dpr)),
+                            static_cast<int>(std::ceil(view.size().height() * dpr))));
+  }
   [[nodiscard]] QRect on_widget(const PlaneRect& px) const;
   void copy_tiles(QPainter& painter, const Plane& plane, const QRect& device, QRegion& missing);
   void paint_others(QPainter& painter, const QRegion& missing);
@@ -134,9 +139,7 @@ void InkView::State::choose_plane() {
 
 void InkView::State::ask() {
   choose_plane();
-  const QRect all(0, 0, static_cast<int>(std::ceil(view.size().width() * dpr)),
-                  static_cast<int>(std::ceil(view.size().height() * dpr)));
-  worker.look(planes.back().spec, plane_rect(all));
+  worker.look(planes.back().spec, seen());
 }
 
 QRect InkView::State::on_widget(const PlaneRect& px) const {
@@ -231,6 +234,19 @@ bool InkView::is_up_to_date() const {
   return state_->worker.stage() >= InkWorker::Stage::kComplete;
 }
 
+int InkView::missing_tiles() const {
+  const State& s = *state_;
+  if (s.planes.empty()) return 0;
+  const TileRange range = TileRange::of(s.seen());
+  int missing = 0;
+  for (std::int64_t y = range.first.y; y <= range.last.y; ++y) {
+    for (std::int64_t x = range.first.x; x <= range.last.x; ++x) {
+      missing += s.planes.back().tiles.count({y, x}) == 0 ? 1 : 0;
+    }
+  }
+  return missing;
+}
+
 void InkView::finish() {
   state_->worker.wait(InkWorker::Stage::kComplete);
   take_news();
@@ -239,8 +255,7 @@ void InkView::finish() {
 /// Takes the worker's tiles over and says which parts of the widget they change.
 void InkView::take_news() {
   State& s = *state_;
-  const PlaneRect seen = s.plane_rect(QRect(0, 0, static_cast<int>(s.view.size().width() * s.dpr),
-                                            static_cast<int>(s.view.size().height() * s.dpr)));
+  const PlaneRect seen = s.seen();
   for (TileNews& news : s.worker.take_news()) {
     const auto plane =
         std::find_if(s.planes.begin(), s.planes.end(),

@@ -47,6 +47,8 @@ class InkView : public QObject {
   [[nodiscard]] QTransform transform() const;
   /// Paints the ink of this part of the widget over what the painter has.
   void paint(QPainter& painter, const QRect& part);
+  /// Tiles of the view that are not there yet; others stand in for them.
+  [[nodiscard]] int missing_tiles() const;
   /// All tiles of the view are as they should be.
   [[nodiscard]] bool is_up_to_date() const;
   /// Waits for that; for tests and pictures.

@@ -1,0 +1,319 @@
+// What an edit, a preview, a pan and a cold page cost on screen, with 10^5 strokes (README.md).
+#include <QApplication>
+#include <QImage>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <fstream>
+#include <string>
+#include <string_view>
+#include <thread>
+#include <vector>
+
+#include "desktop/canvas/ink_desk.h"
+#include "desktop/canvas/ink_view.h"
+#include "felt/document/edit_builder.h"
+#include "ink.h"
+#include "table.h"
+
+namespace felt::bench {
+namespace {
+
+using desktop::CanvasView;
+using desktop::InkDesk;
+using desktop::InkView;
+using desktop::TileNews;
+
+constexpr QSize kWindow(1920, 1080);
+constexpr double kScreenPxPerMm = 96.0 / 25.4;  // life size
+
+struct Arguments {
+  std::size_t strokes = 100'000;
+  int edits = 300;
+  bool json = false;
+};
+
+double resident_mib() {
+  std::ifstream statm("/proc/self/statm");
+  double size = 0, resident = 0;
+  statm >> size >> resident;
+  return resident * 4096.0 / (1 << 20);
+}
+
+CanvasView view_at(Point place, double px_per_mm) {
+  CanvasView view;
+  view.set_size(kWindow);
+  view.set_scale(px_per_mm);
+  view.center_on(place);
+  return view;
+}
+
+/// One edit at a time in the middle of a view, and back again.
+class Edits {
+ public:
+  explicit Edits(Ink& ink) : ink_(ink) {}
+
+  struct One {
+    Edit edit;
+    Point place;
+  };
+  One add() {
+    const StrokePtr like = any();
+    EditBuilder builder(ink_.document());
+    builder.add({1}, Ink::moved(*like, {ink_.uniform(-3, 3), ink_.uniform(-3, 3)}));
+    return {std::move(builder).build("Draw"), like->position(0.0)};
+  }
+  One erase() {
+    const StrokeId id = ink_.any();
+    EditBuilder builder(ink_.document());
+    builder.remove(id);
+    const Point place = ink_.document().find(id)->position(0.0);
+    return {std::move(builder).build("Erase"), place};
+  }
+  One pull(double mm) {
+    for (;;) {
+      const StrokeId id = ink_.any();
+      const StrokePtr before = ink_.document().find(id);
+      const int joint = static_cast<int>(ink_.uniform(0, before->segment_count() + 1));
+      const StrokePtr after = Ink::pulled(*before, joint, {mm, 0.5 * mm});
+      if (!after) continue;
+      EditBuilder builder(ink_.document());
+      builder.replace(id, after);
+      return {std::move(builder).build("Pull"), after->position(joint)};
+    }
+  }
+
+ private:
+  StrokePtr any() { return ink_.document().find(ink_.any()); }
+  Ink& ink_;
+};
+
+/// A desk that shows a window's view, driven by hand.
+class Window {
+ public:
+  explicit Window(const Document& document) { desk_.open(document); }
+
+  void look(Point place) {
+    desk_.forget(plane_);
+    const double w = kWindow.width(), h = kWindow.height();
+    const View view{{place.x - 0.5 * w / kScreenPxPerMm, place.y - 0.5 * h / kScreenPxPerMm},
+                    kScreenPxPerMm};
+    desk_.look({++plane_, view, {}}, {0, 0, kWindow.width(), kWindow.height()});
+    while (desk_.plan() != InkDesk::Need::kNone) work();
+  }
+  /// Follows and mends; CPU.
+  template <class What>
+  double time(What what) {
+    const double start = thread_cpu_us();
+    what(desk_);
+    while (desk_.plan() == InkDesk::Need::kRepair) work();
+    return thread_cpu_us() - start;
+  }
+
+ private:
+  void work() {
+    news_.clear();
+    desk_.work(
+        0, [] { return false; }, news_);
+  }
+  InkDesk desk_;
+  std::uint64_t plane_ = 0;
+  std::vector<TileNews> news_;
+};
+
+void edit_rows(const std::string& title, Ink& ink, int count, const Table& table) {
+  table.heading("CPU of the worker, us: " + title);
+  Window window(ink.document());
+  Edits edits(ink);
+  std::vector<double> add, pull, erase, back, first, sample;
+  const auto run = [&](const Edits::One& one, std::vector<double>& times) {
+    window.look(one.place);
+    times.push_back(window.time([&](InkDesk& desk) { desk.apply(one.edit); }));
+    back.push_back(window.time([&](InkDesk& desk) { desk.apply(one.edit.inverse()); }));
+  };
+  for (int i = 0; i < count; ++i) {
+    run(edits.add(), add);
+    run(edits.erase(), erase);
+    run(edits.pull(ink.uniform(-5, 5)), pull);
+  }
+  for (int i = 0; i < count / 6; ++i) {
+    const Edits::One one = edits.pull(0.1);
+    window.look(one.place);
+    const StrokeChange& c = one.edit.changes[0];
+    const int joint = static_cast<int>(ink.uniform(0, c.before->segment_count() + 1));
+    for (int k = 1; k <= 40; ++k) {
+      Edit shown = one.edit;
+      const StrokePtr after = Ink::pulled(*c.before, joint, {0.2 * k, 0.1 * k});
+      if (!after) break;
+      shown.changes[0].after = after;
+      const double us = window.time([&](InkDesk& desk) { desk.show(shown); });
+      (k == 1 ? first : sample).push_back(us);
+    }
+    window.time([](InkDesk& desk) { desk.show(std::nullopt); });
+  }
+  table.times("edit: add", std::move(add));
+  table.times("edit: pull", std::move(pull));
+  table.times("edit: erase", std::move(erase));
+  table.times("edit: any of these, undone", std::move(back));
+  table.times("preview: first sample of a pull", std::move(first));
+  table.times("preview: each further one", std::move(sample));
+}
+
+void screen_rows(Ink& ink, const Arguments& args, const Table& table) {
+  table.heading("CPU of all threads, us: from an edit until the window has copied it");
+  InkView view;
+  view.set_document(ink.document());
+  Edits edits(ink);
+  QImage screen(kWindow, QImage::Format_RGB32);
+  screen.fill(Qt::white);
+  std::vector<QRect> changed;
+  QObject::connect(&view, &InkView::changed, [&](const QRect& part) { changed.push_back(part); });
+  std::vector<double> cpu, wall;
+  for (int i = 0; i < args.edits; ++i) {
+    const Edits::One one = i % 3 == 0   ? edits.add()
+                           : i % 3 == 1 ? edits.erase()
+                                        : edits.pull(ink.uniform(-5, 5));
+    view.set_view(view_at(one.place, kScreenPxPerMm), 1.0);
+    view.finish();
+    // The ring around the view is no part of the edit.
+    for (double busy = 1e9; busy > 200.0;) {
+      const double start = process_cpu_us();
+      std::this_thread::sleep_for(std::chrono::milliseconds(10));
+      busy = process_cpu_us() - start;
+    }
+    changed.clear();
+    const double cpu_start = process_cpu_us(), start = wall_us();
+    view.apply(one.edit);
+    view.finish();
+    QPainter painter(&screen);
+    for (const QRect& part : changed) view.paint(painter, part);
+    cpu.push_back(process_cpu_us() - cpu_start);
+    wall.push_back(wall_us() - start);
+    view.apply(one.edit.inverse());
+  }
+  table.times("edit on screen: CPU", std::move(cpu));
+  table.times("edit on screen: wall clock", std::move(wall));
+}
+
+void pan_rows(Ink& ink, const Table& table) {
+  table.heading("CPU of the window's thread, us: a frame of 1920 x 1080 while panning");
+  const Rect all = ink.area();
+  for (const double px_per_frame : {8.0, 40.0}) {
+    InkView ink_view;
+    ink_view.set_document(ink.document());
+    CanvasView view = view_at({0.3 * (all.x0 + all.x1), 0.5 * (all.y0 + all.y1)}, kScreenPxPerMm);
+    ink_view.set_view(view, 1.0);
+    ink_view.finish();
+    std::this_thread::sleep_for(std::chrono::milliseconds(300));
+    QImage screen(kWindow, QImage::Format_RGB32);
+    std::vector<double> us;
+    int waited = 0;
+    const double start = wall_us();
+    for (int frame = 0; frame < 240; ++frame) {
+      const double before = thread_cpu_us();
+      view.pan({-px_per_frame, -0.25 * px_per_frame});
+      ink_view.set_view(view, 1.0);
+      screen.fill(Qt::white);
+      QPainter painter(&screen);
+      ink_view.paint(painter, screen.rect());
+      painter.end();
+      us.push_back(thread_cpu_us() - before);
+      if (ink_view.missing_tiles() > 0) ++waited;
+      QCoreApplication::processEvents();
+      const double next = start + (frame + 1) * 1e6 / 60.0;
+      if (next > wall_us()) {
+        std::this_thread::sleep_for(std::chrono::microseconds(static_cast<int>(next - wall_us())));
+      }
+    }
+    const double fps = 240e6 / (wall_us() - start);
+    const std::string name =
+        "pan: " + std::to_string(static_cast<int>(px_per_frame * 60)) + " px/s";
+    double sum = 0;
+    for (const double u : us) sum += u;
+    table.times(name, us);
+    table.number(name + ", frames with a tile missing", waited, "of 240");
+    table.number(name + ", frames a second, paced to 60", fps, "1/s");
+    table.number(name + ", frames a second of CPU", 240e6 / sum, "1/s");
+  }
+}
+
+/// A window full of strokes that nothing is there of yet.
+void page_row(const std::string& what, const Ink& ink, const CanvasView& at, const Table& table) {
+  std::vector<double> wall, cpu;
+  for (int i = 0; i < 7; ++i) {
+    InkView view;
+    view.set_document(ink.document());
+    view.finish();  // the strokes are taken over
+    const double start = wall_us(), cpu_start = process_cpu_us();
+    view.set_view(at, 1.0);
+    view.finish();
+    wall.push_back(wall_us() - start);
+    cpu.push_back(process_cpu_us() - cpu_start);
+  }
+  table.times(what + ": wall clock", std::move(wall));
+  table.times(what + ": CPU of all threads", std::move(cpu));
+}
+
+void page_rows(const Ink& dense, const CanvasView& on_dense, const Table& table) {
+  table.heading("us: a cold page, 10,000 strokes in the window");
+  const Ink ink(10'000);
+  CanvasView on_all = view_at({0, 0}, 1.0);
+  on_all.fit(ink.area(), 0.0);
+  page_row("cold page, seen from afar", ink, on_all, table);
+  page_row("cold page, sheet over sheet", dense, on_dense, table);
+}
+
+double memory_of_view(const Ink& ink) {
+  const Rect all = ink.area();
+  const double before = resident_mib();
+  InkView view;
+  view.set_document(ink.document());
+  view.set_view(view_at({0.5 * (all.x0 + all.x1), 0.5 * (all.y0 + all.y1)}, kScreenPxPerMm), 1.0);
+  view.finish();
+  std::this_thread::sleep_for(std::chrono::milliseconds(200));
+  return resident_mib() - before;
+}
+
+int run(const Arguments& args) {
+  const Table table(args.json);
+  const double start = wall_us();
+  Ink ink(args.strokes);
+  const Rect all = ink.area();
+  const double a4 = all.width() * all.height() / (297.0 * 210.0);
+  table.number("strokes", static_cast<double>(ink.document().stroke_count()), "");
+  table.number("strokes an A4 sheet", static_cast<double>(args.strokes) / a4, "");
+  table.number("time to make them", 1e-6 * (wall_us() - start), "s");
+  table.number("memory of a view, with its tiles", memory_of_view(ink), "MiB");
+  edit_rows("edits and samples of previews", ink, args.edits, table);
+  screen_rows(ink, args, table);
+  pan_rows(ink, table);
+  const Rect page{0, 0, kWindow.width() / kScreenPxPerMm, kWindow.height() / kScreenPxPerMm};
+  Ink dense(10'000, page);
+  page_rows(dense, view_at({0.5 * page.x1, 0.5 * page.y1}, kScreenPxPerMm), table);
+  edit_rows("the same where 10,000 strokes lie on one window", dense, args.edits / 4, table);
+  return 0;
+}
+
+}  // namespace
+}  // namespace felt::bench
+
+int main(int argc, char** argv) {
+  if (!std::getenv("QT_QPA_PLATFORM")) setenv("QT_QPA_PLATFORM", "offscreen", 1);
+  const QApplication application(argc, argv);
+  felt::bench::Arguments args;
+  for (int i = 1; i < argc; ++i) {
+    const std::string_view word = argv[i];
+    const bool has_value = i + 1 < argc;
+    if (word == "--json") {
+      args.json = true;
+    } else if (word == "--strokes" && has_value) {
+      args.strokes = static_cast<std::size_t>(std::max(std::atoi(argv[++i]), 100));
+    } else if (word == "--edits" && has_value) {
+      args.edits = std::max(std::atoi(argv[++i]), 6);
+    } else {
+      std::fprintf(stderr, "usage: bench_canvas [--strokes N] [--edits N] [--json]\n");
+      return 2;
+    }
+  }
+  return felt::bench::run(args);
+}
