@@ -83,7 +83,7 @@ void Studio::start_loop() {
   servo_->set_strength(strength_);
   hand_.reset();
   if (HandInput* hand = device_->hand()) {
-    hand_ = std::make_unique<PointerHand>(*hand, device_->hand_options());
+    hand_ = std::make_unique<PointerHand>(*hand, device_->hand_options(), mouse_pressure_);
   }
   publish();
   if (options_.live) {
@@ -191,6 +191,11 @@ void Studio::point(const PointerEvent& event) {
   of_loop.time_ns -= clock_start_ns_;
   if (hand_) hand_->point(of_loop);
   set_pace();
+}
+
+void Studio::set_mouse_pressure(MousePressure mouse) {
+  mouse_pressure_ = mouse;
+  if (hand_) hand_->set_mouse(mouse);
 }
 
 std::int64_t Studio::now_ns() const noexcept {

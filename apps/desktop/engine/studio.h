@@ -91,6 +91,8 @@ class Studio : public QObject {
   /// events that come late or several at once are played in their own spacing, a few milliseconds
   /// later. Each of them is a sample where the device is exactly what the hand does.
   void point(const PointerEvent& event);
+  /// How hard a hand presses that senses no pressure.
+  void set_mouse_pressure(MousePressure mouse);
   /// The loop's clock.
   [[nodiscard]] std::int64_t now_ns() const noexcept;
   /// Feeds all samples that wait into the session and shows what came of it. The canvas calls it
@@ -160,6 +162,7 @@ class Studio : public QObject {
   std::unique_ptr<Servo> servo_;
   std::unique_ptr<RealtimeThread> thread_;
   std::unique_ptr<PointerHand> hand_;
+  MousePressure mouse_pressure_ = MousePressure::kConstant;
   std::unique_ptr<Session> session_;
   SheetPage page_;
   PenState pen_;

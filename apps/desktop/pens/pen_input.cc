@@ -1,50 +1,217 @@
 #include "desktop/pens/pen_input.h"
 
+#include <QApplication>
 #include <QMouseEvent>
 #include <QTabletEvent>
+#include <QTouchEvent>
 #include <QWheelEvent>
-#include <cmath>
+
+#include "desktop/engine/settings.h"
 
 namespace felt::desktop {
+namespace {
 
-PenInput::PenInput(Canvas& canvas) : QObject(&canvas), canvas_(canvas) {
-  canvas.installEventFilter(this);
+/// Of a pen or a finger, made by the system for programs that know mice only.
+bool is_made_up(const QMouseEvent& event) {
+  if (event.source() != Qt::MouseEventNotSynthesized) return true;
+  const QPointingDevice* device = event.pointingDevice();
+  return device && (device->type() == QInputDevice::DeviceType::Stylus ||
+                    device->type() == QInputDevice::DeviceType::TouchScreen);
 }
 
-void PenInput::point(QPointF px, bool touching, std::optional<double> pressure,
-                     std::uint32_t buttons) {
-  Studio& studio = canvas_.studio();
-  studio.point({studio.now_ns(), canvas_.view().to_mm(px), touching, pressure, buttons});
+/// A canvas that says what is known of the pen.
+template <class Sheet>
+void say(Sheet& sheet, const QString& status) {
+  if constexpr (requires { sheet.set_pen_status(status); }) sheet.set_pen_status(status);
+}
+template <class Sheet>
+void lead_by_tablet(Sheet& sheet, bool tablet) {
+  if constexpr (requires { sheet.set_tablet_in_hand(tablet); }) sheet.set_tablet_in_hand(tablet);
+}
+
+bool is_touchpad(const QTouchEvent& event) {
+  return event.device() && event.device()->type() == QInputDevice::DeviceType::TouchPad;
+}
+
+}  // namespace
+
+PenInput::PenInput(Canvas& canvas)
+    : QObject(&canvas),
+      canvas_(canvas),
+      hand_(canvas),
+      drag_(canvas),
+      tablet_(canvas, hand_, drag_, settings_),
+      touch_(canvas, hand_, settings_),
+      mouse_(canvas, hand_, drag_, settings_),
+      keys_(canvas, hand_) {
+  canvas.setTabletTracking(true);
+  canvas.installEventFilter(this);
+  qApp->installEventFilter(this);  // a tablet's pen comes near and leaves by the application
+  connect(&tablet_, &TabletInput::came, &touch_, &TouchInput::cancel);
+  connect(&tablet_, &TabletInput::pressure_seen_changed, this, &PenInput::say_pressure);
+  connect(&keys_, &KeyboardPen::said, &canvas,
+          [this](const QString& text) { canvas_.setAccessibleDescription(text); });
+  connect(&Settings::the(), &Settings::changed, this, [this](const QString& key) {
+    if (key.startsWith(QStringLiteral("pens/"))) load_settings();
+  });
+  load_settings();
+}
+
+void PenInput::load_settings() {
+  settings_ = PenSettings::load();
+  canvas_.studio().set_mouse_pressure(settings_.mouse);
+  say_pressure();
+}
+
+void PenInput::say_pressure() {
+  if (!settings_.pressure_on) return say(canvas_, tr("Pressure is switched off."));
+  switch (tablet_.pressure_seen()) {
+    case TabletInput::Pressure::kSeen:
+      return say(canvas_, tr("Your pen's pressure is seen."));
+    case TabletInput::Pressure::kNone:
+      return say(canvas_, tr("Your pen senses no pressure."));
+    case TabletInput::Pressure::kNotSeen:
+      return say(canvas_, QString());
+  }
 }
 
 bool PenInput::eventFilter(QObject* watched, QEvent* event) {
+  if (event->type() == QEvent::TabletLeaveProximity && watched == qApp) {
+    tablet_.leave();
+    return false;
+  }
   if (watched != &canvas_) return false;
   switch (event->type()) {
+    case QEvent::ShortcutOverride:
+    case QEvent::KeyPress:
+    case QEvent::KeyRelease:
+      return take_keys(event);
+    case QEvent::FocusOut:
+    case QEvent::WindowDeactivate:
+    case QEvent::Hide:
+      let_go();
+      return false;
+    case QEvent::Leave:
+      // While a button is held the mouse is ours wherever it goes, and this does not come.
+      if (hand_.is_down(PenHand::Source::kMouse)) let_go();
+      canvas_.set_pen_visible(hand_.is_down());
+      return false;
+    case QEvent::Enter:
+      canvas_.set_pen_visible(true);
+      return false;
+    default:
+      return take_pointer(event);
+  }
+}
+
+bool PenInput::take_pointer(QEvent* event) {
+  switch (event->type()) {
     case QEvent::MouseButtonPress:
+    case QEvent::MouseButtonDblClick:
     case QEvent::MouseButtonRelease:
     case QEvent::MouseMove: {
-      const auto* mouse = static_cast<QMouseEvent*>(event);
-      point(mouse->position(), mouse->buttons().testFlag(Qt::LeftButton), std::nullopt, 0);
-      return true;
+      const auto& mouse = static_cast<QMouseEvent&>(*event);
+      if (is_made_up(mouse)) return true;
+      hand_.set_keys(mouse.modifiers());
+      lead_by_tablet(canvas_, false);
+      mouse_.take(mouse);
+      // A press gives the focus, which the widget itself does.
+      return event->type() != QEvent::MouseButtonPress;
     }
     case QEvent::TabletPress:
     case QEvent::TabletRelease:
     case QEvent::TabletMove: {
-      auto* tablet = static_cast<QTabletEvent*>(event);
-      point(tablet->position(), tablet->pressure() > 0.0, tablet->pressure(), 0);
-      tablet->accept();
+      const auto& tablet = static_cast<QTabletEvent&>(*event);
+      if (event->type() == QEvent::TabletPress) canvas_.setFocus(Qt::MouseFocusReason);
+      canvas_.set_pen_visible(true);
+      hand_.set_keys(tablet.modifiers());
+      lead_by_tablet(canvas_, true);
+      tablet_.take(tablet);
+      event->accept();
       return true;
     }
-    case QEvent::Wheel: {
-      const auto* wheel = static_cast<QWheelEvent*>(event);
-      CanvasView view = canvas_.view();
-      view.zoom(std::exp2(wheel->angleDelta().y() / 480.0), wheel->position());
-      canvas_.set_view(view);
+    case QEvent::TouchBegin:
+    case QEvent::TouchUpdate:
+    case QEvent::TouchEnd:
+    case QEvent::TouchCancel: {
+      const auto& touch = static_cast<QTouchEvent&>(*event);
+      if (is_touchpad(touch)) return false;
+      touch_.take(touch, tablet_.is_near());
+      event->accept();
       return true;
     }
+    case QEvent::Wheel:
+      mouse_.take(static_cast<QWheelEvent&>(*event));
+      return true;
+    case QEvent::NativeGesture:
+      return mouse_.take(static_cast<QNativeGestureEvent&>(*event));
     default:
       return false;
   }
+}
+
+bool PenInput::take_keys(QEvent* event) {
+  auto& key = static_cast<QKeyEvent&>(*event);
+  if (event->type() == QEvent::ShortcutOverride) {
+    // No shortcut may take the keys of the pen while the sheet has the focus.
+    const bool ours = key.key() == Qt::Key_Space || keys_.wants(key);
+    if (ours) event->accept();
+    return ours;
+  }
+  return event->type() == QEvent::KeyPress ? press_key(key) : release_key(key);
+}
+
+bool PenInput::press_key(QKeyEvent& event) {
+  if (event.key() == Qt::Key_Space) {
+    space_ = true;
+    offer_drag(event.modifiers());
+    return true;
+  }
+  if (keys_.press(event)) return true;
+  // The event itself still says what was held before it.
+  Qt::KeyboardModifiers held = event.modifiers();
+  if (event.key() == Qt::Key_Shift) held |= Qt::ShiftModifier;
+  if (event.key() == Qt::Key_Control) held |= Qt::ControlModifier;
+  use_modifiers(held);
+  return false;
+}
+
+void PenInput::use_modifiers(Qt::KeyboardModifiers held) {
+  if (space_) offer_drag(held);
+  // Of the pen that keys lead, Shift makes small steps.
+  if (hand_.is_down(PenHand::Source::kKeys)) held &= ~Qt::KeyboardModifiers(Qt::ShiftModifier);
+  hand_.set_keys(held);
+}
+
+bool PenInput::release_key(QKeyEvent& event) {
+  if (event.key() == Qt::Key_Space) {
+    if (event.isAutoRepeat()) return true;
+    space_ = false;
+    drag_.offer({});
+    return true;
+  }
+  keys_.release(event);
+  Qt::KeyboardModifiers held = event.modifiers();
+  if (event.key() == Qt::Key_Shift) held &= ~Qt::KeyboardModifiers(Qt::ShiftModifier);
+  if (event.key() == Qt::Key_Control) held &= ~Qt::KeyboardModifiers(Qt::ControlModifier);
+  use_modifiers(held);
+  return false;
+}
+
+void PenInput::offer_drag(Qt::KeyboardModifiers keys) {
+  if (keys.testFlag(Qt::ControlModifier)) return drag_.offer(ViewDrag::Kind::kZoom);
+  drag_.offer(keys.testFlag(Qt::ShiftModifier) ? ViewDrag::Kind::kTurn : ViewDrag::Kind::kPan);
+}
+
+/// Nobody will tell what is released now.
+void PenInput::let_go() {
+  hand_.lift();
+  tablet_.let_go();
+  mouse_.let_go();
+  hand_.release_all();
+  hand_.set_keys(Qt::NoModifier);
+  space_ = false;
+  drag_.offer({});
 }
 
 }  // namespace felt::desktop

@@ -3,11 +3,21 @@
 #include <QObject>
 
 #include "desktop/canvas/canvas.h"
+#include "desktop/pens/keyboard_pen.h"
+#include "desktop/pens/mouse_input.h"
+#include "desktop/pens/pen_hand.h"
+#include "desktop/pens/pen_settings.h"
+#include "desktop/pens/tablet_input.h"
+#include "desktop/pens/touch_input.h"
+#include "desktop/pens/view_drag.h"
 
 namespace felt::desktop {
 
 /// Mouse, tablet, touch and keys over a canvas, as a hand: an event filter that turns them into
 /// Studio::point(), and into panning, zooming and turning of the view. The canvas must outlive it.
+///
+/// Space and a drag move the view, with Ctrl zoom it, with Shift turn it. However the input ends
+/// (the window is left, a release is lost, the pen goes out of reach), the pen is lifted then.
 class PenInput : public QObject {
   Q_OBJECT
 
@@ -16,10 +26,29 @@ class PenInput : public QObject {
 
   bool eventFilter(QObject* watched, QEvent* event) override;
 
+  [[nodiscard]] PenHand& hand() noexcept { return hand_; }
+  [[nodiscard]] TabletInput& tablet() noexcept { return tablet_; }
+
  private:
-  void point(QPointF px, bool touching, std::optional<double> pressure, std::uint32_t buttons);
+  bool take_pointer(QEvent* event);
+  bool take_keys(QEvent* event);
+  bool press_key(QKeyEvent& event);
+  bool release_key(QKeyEvent& event);
+  void use_modifiers(Qt::KeyboardModifiers held);
+  void offer_drag(Qt::KeyboardModifiers keys);
+  void let_go();
+  void load_settings();
+  void say_pressure();
 
   Canvas& canvas_;
+  PenSettings settings_;
+  PenHand hand_;
+  ViewDrag drag_;
+  TabletInput tablet_;
+  TouchInput touch_;
+  MouseInput mouse_;
+  KeyboardPen keys_;
+  bool space_ = false;
 };
 
 }  // namespace felt::desktop

@@ -39,6 +39,8 @@ class PointerHand {
 
   /// Takes the next event. One whose place is not finite is ignored.
   void point(const PointerEvent& event) noexcept;
+  /// From the next event on.
+  void set_mouse(MousePressure mouse) noexcept { mouse_ = mouse; }
   /// The pressure that the last event stood for; 0 in the air.
   [[nodiscard]] double pressure() const noexcept { return pressure_; }
 

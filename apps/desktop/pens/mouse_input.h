@@ -1,0 +1,48 @@
+#pragma once
+
+#include <QMouseEvent>
+#include <QNativeGestureEvent>
+#include <QObject>
+#include <QWheelEvent>
+
+#include "desktop/pens/device_clock.h"
+#include "desktop/pens/pen_hand.h"
+#include "desktop/pens/pen_settings.h"
+#include "desktop/pens/view_drag.h"
+
+namespace felt::desktop {
+
+/// The mouse as the hand: the left button is the pen's tip, the middle one moves the view, the
+/// right one may draw with a borrowed tool; the wheel zooms at the pointer. What it is given must
+/// outlive it.
+///
+///   wheel                  zoom           Shift + wheel          move sideways
+///   Ctrl + wheel           zoom, finely   Ctrl + Shift + wheel   turn
+///   touchpad, two fingers  move           pinch, turn            zoom, turn
+class MouseInput : public QObject {
+  Q_OBJECT
+
+ public:
+  MouseInput(Canvas& canvas, PenHand& hand, ViewDrag& drag, const PenSettings& settings);
+
+  /// Press, double click, move and release.
+  void take(const QMouseEvent& event);
+  void take(const QWheelEvent& event);
+  /// False: no gesture of ours.
+  bool take(const QNativeGestureEvent& event);
+  /// The window is no longer in use: no button is held.
+  void let_go();
+
+ private:
+  [[nodiscard]] bool drags(const QMouseEvent& event);
+
+  Canvas& canvas_;
+  PenHand& hand_;
+  ViewDrag& drag_;
+  const PenSettings& settings_;
+  DeviceClock clock_;
+  Qt::MouseButton dragging_ = Qt::NoButton;    // the button that moves the view
+  ButtonRole right_held_ = ButtonRole::kNone;  // what the right one does now
+};
+
+}  // namespace felt::desktop

@@ -1,0 +1,146 @@
+#include "desktop/pens/pen_hand.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "felt/haptics/pen_sample.h"
+#include "felt/tools/tool.h"
+
+namespace felt::desktop {
+namespace {
+
+/// A lift is in the samples by then at the latest where no body has to follow: what the hand says
+/// is played up to 15 ms late (AimTrack).
+constexpr std::int64_t kLiftSeenNs = 20'000'000;
+
+std::uint32_t bit_of(ButtonRole role) {
+  return 1U << static_cast<unsigned>(role);
+}
+
+const char* tool_of(ButtonRole role) {
+  switch (role) {
+    case ButtonRole::kEraser:
+      return "eraser";
+    case ButtonRole::kPull:
+      return "pull";
+    case ButtonRole::kLasso:
+      return "lasso";
+    default:
+      return nullptr;
+  }
+}
+
+std::uint32_t modifier_of(ButtonRole role) {
+  if (role == ButtonRole::kFirstModifier) return kFirstModifier;
+  return role == ButtonRole::kSecondModifier ? kSecondModifier : 0;
+}
+
+}  // namespace
+
+PenHand::PenHand(Canvas& canvas) : canvas_(canvas), studio_(canvas.studio()) {
+  connect(&studio_, &Studio::shown, this, &PenHand::settle);
+}
+
+bool PenHand::point(Source source, QPointF px, std::int64_t time_ns, bool touching,
+                    std::optional<double> pressure) {
+  return point_mm(source, canvas_.view().to_mm(px), time_ns, touching, pressure);
+}
+
+bool PenHand::point_mm(Source source, Point mm, std::int64_t time_ns, bool touching,
+                       std::optional<double> pressure) {
+  if (down_ && source != source_) {
+    if (source_ == Source::kTablet || (!touching && source != Source::kTablet)) return false;
+    lift();
+  }
+  source_ = source;
+  place_ = mm;
+  is_known_ = true;
+  pressure_ = pressure;
+  if (touching && !down_) give_back(true);
+  const bool changes = std::exchange(down_, touching) != touching;
+  if (changes && !touching) lifted_ns_ = std::max(time_ns, studio_.now_ns());
+  send(time_ns);
+  if (changes) Q_EMIT down_changed(touching);
+  return true;
+}
+
+Point PenHand::place_mm() const {
+  if (is_known_) return place_;
+  const QSizeF size = canvas_.view().size();
+  return canvas_.view().to_mm({size.width() / 2, size.height() / 2});
+}
+
+void PenHand::lift() {
+  if (down_) point_mm(source_, place_, studio_.now_ns(), false, pressure_);
+}
+
+void PenHand::cancel() {
+  studio_.apply(CancelEvent{});
+  lift();
+}
+
+void PenHand::send(std::int64_t time_ns) {
+  studio_.point({time_ns, place_, down_, down_ ? pressure_ : std::nullopt, buttons()});
+}
+
+/// A modifier counts while the pen rests, too.
+void PenHand::send_buttons(std::uint32_t before) {
+  if (is_known_ && buttons() != before) send(studio_.now_ns());
+}
+
+void PenHand::press(ButtonRole role) {
+  if (const std::uint32_t modifier = modifier_of(role)) {
+    const std::uint32_t before = buttons();
+    held_ |= modifier;
+    return send_buttons(before);
+  }
+  if (role == ButtonRole::kUndo) studio_.apply(UndoEvent{});
+  const char* tool = tool_of(role);
+  if (!tool || (borrowing_ & bit_of(role))) return;
+  give_back(true);
+  borrowing_ |= bit_of(role);
+  studio_.borrow_tool(QString::fromLatin1(tool));
+}
+
+void PenHand::release(ButtonRole role) {
+  if (const std::uint32_t modifier = modifier_of(role)) {
+    const std::uint32_t before = buttons();
+    held_ &= ~modifier;
+    return send_buttons(before);
+  }
+  if (!(borrowing_ & bit_of(role))) return;
+  borrowing_ &= ~bit_of(role);
+  ++owed_;
+  settle();
+}
+
+void PenHand::release_all() {
+  for (const ButtonRole role : button_roles()) release(role);
+}
+
+void PenHand::set_keys(Qt::KeyboardModifiers keys) {
+  const std::uint32_t before = buttons();
+  keys_ = (keys.testFlag(Qt::ShiftModifier) ? kFirstModifier : 0) |
+          (keys.testFlag(Qt::ControlModifier) ? kSecondModifier : 0);
+  send_buttons(before);
+}
+
+void PenHand::set_locked(std::uint32_t bits) {
+  const std::uint32_t before = buttons();
+  locked_ = bits;
+  send_buttons(before);
+}
+
+void PenHand::give_back(bool at_once) {
+  const PenState& pen = studio_.pen();
+  const bool seen = !down_ && !in_contact(pen.sample) &&
+                    (!pen.is_known || pen.sample.time_ns >= lifted_ns_ + kLiftSeenNs);
+  if (!at_once && !seen) return;
+  for (int n = std::exchange(owed_, 0); n > 0; --n) studio_.give_back_tool();
+}
+
+void PenHand::settle() {
+  if (owed_ > 0) give_back(false);
+}
+
+}  // namespace felt::desktop

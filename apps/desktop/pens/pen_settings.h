@@ -1,0 +1,33 @@
+#pragma once
+
+#include <QString>
+#include <array>
+#include <cstdint>
+
+#include "desktop/pens/button_role.h"
+#include "desktop/pens/pressure_curve.h"
+#include "felt/devices/simulated/pointer_hand.h"
+
+namespace felt::desktop {
+
+/// What one finger does on the canvas.
+enum class TouchMode : std::uint8_t { kPan, kDraw, kOff };
+
+/// What the settings say of pens, in a form that is quick to ask for every event. A value; load()
+/// again when a setting of pens/ changed.
+struct PenSettings {
+  bool pressure_on = true;
+  PressureCurve curve;
+  MousePressure mouse = MousePressure::kConstant;
+  ButtonRole lower = ButtonRole::kEraser;
+  ButtonRole upper = ButtonRole::kPan;
+  ButtonRole right = ButtonRole::kEraser;
+  TouchMode touch = TouchMode::kPan;
+
+  static PenSettings load();
+};
+
+/// "pan", "draw", "off": as the settings keep it.
+QString name_of(TouchMode mode);
+
+}  // namespace felt::desktop

@@ -1,0 +1,87 @@
+#include "desktop/pens/touch_input.h"
+
+#include <cmath>
+#include <numbers>
+
+namespace felt::desktop {
+namespace {
+
+constexpr double kLeastSpreadPx = 20.0;  // of two fingers that turn and zoom
+
+QList<QEventPoint> fingers_down(const QTouchEvent& event) {
+  QList<QEventPoint> down;
+  for (const QEventPoint& point : event.points()) {
+    if (point.state() != QEventPoint::Released) down.push_back(point);
+  }
+  return down;
+}
+
+}  // namespace
+
+TouchInput::TouchInput(Canvas& canvas, PenHand& hand, const PenSettings& settings)
+    : canvas_(canvas), hand_(hand), settings_(settings) {}
+
+void TouchInput::cancel() {
+  if (use_ == Use::kDraw && hand_.is_down(PenHand::Source::kFinger)) hand_.cancel();
+  use_ = Use::kNothing;
+  is_palm_ = true;
+}
+
+void TouchInput::take(const QTouchEvent& event, bool pen_is_near) {
+  if (event.type() == QEvent::TouchBegin) {
+    is_palm_ = pen_is_near || settings_.touch == TouchMode::kOff;
+    use_ = Use::kNothing;
+    ids_.clear();
+  }
+  if (event.type() == QEvent::TouchCancel) return cancel();
+  if (is_palm_) return;
+  const QList<QEventPoint> down = fingers_down(event);
+  if (down.size() > 1 && use_ == Use::kDraw) {
+    hand_.cancel();  // the first of two fingers drew nothing that was meant
+    use_ = Use::kNothing;
+  }
+  const bool draws = settings_.touch == TouchMode::kDraw && down.size() == 1 && use_ != Use::kView;
+  if (draws) use_ = Use::kDraw;
+  if (use_ == Use::kDraw) {
+    if (!event.points().isEmpty()) draw(event, event.points().constFirst());
+    return;
+  }
+  if (!down.isEmpty()) use_ = Use::kView;
+  if (use_ == Use::kView) move_view(event);
+}
+
+void TouchInput::draw(const QTouchEvent& event, const QEventPoint& finger) {
+  const std::int64_t time_ns = clock_.time_ns(event.timestamp(), canvas_.studio().now_ns());
+  const bool touching = finger.state() != QEventPoint::Released;
+  hand_.point(PenHand::Source::kFinger, finger.position(), time_ns, touching, std::nullopt);
+}
+
+void TouchInput::move_view(const QTouchEvent& event) {
+  const QList<QEventPoint> down = fingers_down(event);
+  QList<int> ids;
+  QPointF middle, first;
+  for (const QEventPoint& point : down) {
+    ids.push_back(point.id());
+    middle += point.position() / double(down.size());
+  }
+  if (down.size() > 1) first = down[1].position() - down[0].position();
+  // Where fingers come and go, the view stays; it goes on from how they lie then.
+  if (ids == ids_ && !ids.isEmpty()) {
+    CanvasView view = canvas_.view();
+    view.pan(middle - middle_);
+    const double before_px = std::hypot(first_.x(), first_.y());
+    const double now_px = std::hypot(first.x(), first.y());
+    if (before_px > kLeastSpreadPx && now_px > kLeastSpreadPx) {
+      view.zoom(now_px / before_px, middle);
+      const double cross = first_.x() * first.y() - first_.y() * first.x();
+      const double along = first_.x() * first.x() + first_.y() * first.y();
+      view.turn(std::atan2(cross, along) * 180.0 / std::numbers::pi, middle);
+    }
+    canvas_.set_view(view);
+  }
+  ids_ = ids;
+  middle_ = middle;
+  first_ = first;
+}
+
+}  // namespace felt::desktop
