@@ -72,7 +72,8 @@ bool PressureCurve::touches(double raw) const noexcept {
 
 double PressureCurve::operator()(double raw) const noexcept {
   if (!(raw > threshold_)) return 0.0;
-  const double x = std::min((raw - threshold_) / (1.0 - threshold_), 1.0);
+  if (raw >= 1.0) return 1.0;
+  const double x = (raw - threshold_) / (1.0 - threshold_);
   double low = 0.0, high = 1.0;
   for (int i = 0; i < kHalvings; ++i) {
     const double middle = 0.5 * (low + high);

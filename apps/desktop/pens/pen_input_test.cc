@@ -1,0 +1,473 @@
+#include "desktop/pens/pen_input.h"
+
+#include <gtest/gtest.h>
+
+#include <QApplication>
+#include <QPointingDevice>
+#include <QTest>
+#include <QTouchEvent>
+#include <cmath>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "desktop/engine/settings.h"
+#include "desktop/pens/settings_keys.h"
+#include "felt/io/ndjson_writer.h"
+#include "felt/tools/tool.h"
+
+namespace felt::desktop {
+namespace {
+
+constexpr std::int64_t kMs = 1'000'000;
+
+const QPointingDevice& pen_device(QPointingDevice::PointerType end) {
+  const auto make = [](qint64 id, QPointingDevice::PointerType type) {
+    return new QPointingDevice(
+        QStringLiteral("test pen"), id, QInputDevice::DeviceType::Stylus, type,
+        QInputDevice::Capability::Position | QInputDevice::Capability::Pressure, 1, 3, {},
+        QPointingDeviceUniqueId::fromNumericId(1), qApp);
+  };
+  static const QPointingDevice* pen = make(11, QPointingDevice::PointerType::Pen);
+  static const QPointingDevice* eraser = make(12, QPointingDevice::PointerType::Eraser);
+  return end == QPointingDevice::PointerType::Eraser ? *eraser : *pen;
+}
+
+class PenInputTest : public testing::Test {
+ protected:
+  PenInputTest() : studio_(options()), canvas_(studio_), input_(canvas_) {
+    set_defaults();
+    canvas_.resize(800, 600);
+    canvas_.show();
+    wait(30);
+  }
+  ~PenInputTest() override { set_defaults(); }
+
+  static void set_defaults() {
+    using namespace pen_keys;
+    set(kPressureOn, kPressureOnDefault);
+    set(kThreshold, kThresholdDefault);
+    set(kLowerButton, QString::fromLatin1(kLowerButtonDefault));
+    set(kRightButton, QString::fromLatin1(kRightButtonDefault));
+    set(kTouch, QString::fromLatin1(kTouchDefault));
+  }
+  StudioOptions options() {
+    StudioOptions options;
+    options.live = false;
+    options.on_event = [this](const Event& event) {
+      if (const auto* pen = std::get_if<PenEvent>(&event.what)) samples_.push_back(*pen);
+    };
+    return options;
+  }
+  static void set(const char* key, const QVariant& value) {
+    Settings::the().set(QString::fromLatin1(key), value);
+  }
+  void wait(std::int64_t ms) { studio_.advance(ms * kMs); }
+
+  void tablet(QEvent::Type type, QPointF at, double pressure, Qt::MouseButtons buttons,
+              Qt::MouseButton button = Qt::NoButton,
+              QPointingDevice::PointerType end = QPointingDevice::PointerType::Pen,
+              Qt::KeyboardModifiers keys = Qt::NoModifier) {
+    QTabletEvent event(type, &pen_device(end), at, at, pressure, 0, 0, 0, 0, 0, keys, button,
+                       buttons);
+    event.setTimestamp(1000 + static_cast<quint64>(studio_.now_ns() / kMs));
+    QApplication::sendEvent(&canvas_, &event);
+    EXPECT_TRUE(event.isAccepted()) << "else a mouse event is made of it";
+  }
+  void hover(QPointF at, Qt::MouseButtons buttons = Qt::NoButton,
+             QPointingDevice::PointerType end = QPointingDevice::PointerType::Pen) {
+    tablet(QEvent::TabletMove, at, 0.0, buttons, Qt::NoButton, end);
+    wait(5);
+  }
+  void tablet_line(QPointF from, QPointF to,
+                   QPointingDevice::PointerType end = QPointingDevice::PointerType::Pen,
+                   double pressure = 0.5) {
+    tablet(QEvent::TabletPress, from, pressure, Qt::LeftButton, Qt::LeftButton, end);
+    for (int i = 1; i <= 40; ++i) {
+      wait(5);
+      tablet(QEvent::TabletMove, from + (to - from) * (i / 40.0), pressure, Qt::LeftButton,
+             Qt::NoButton, end);
+    }
+  }
+  void release(QPointF at, QPointingDevice::PointerType end = QPointingDevice::PointerType::Pen) {
+    tablet(QEvent::TabletRelease, at, 0.0, Qt::NoButton, Qt::LeftButton, end);
+    wait(300);
+  }
+  void leave_proximity() {
+    QTabletEvent event(QEvent::TabletLeaveProximity, &pen_device(QPointingDevice::PointerType::Pen),
+                       {}, {}, 0, 0, 0, 0, 0, 0, Qt::NoModifier, Qt::NoButton, Qt::NoButton);
+    QApplication::sendEvent(qApp, &event);
+  }
+  void mouse(QEvent::Type type, QPointF at, Qt::MouseButton button, Qt::MouseButtons buttons,
+             Qt::KeyboardModifiers keys = Qt::NoModifier,
+             Qt::MouseEventSource source = Qt::MouseEventNotSynthesized) {
+    QMouseEvent event(type, at, at, at, button, buttons, keys, source);
+    QApplication::sendEvent(&canvas_, &event);
+  }
+  void mouse_line(QPointF from, QPointF to, Qt::MouseButton button = Qt::LeftButton) {
+    mouse(QEvent::MouseButtonPress, from, button, button);
+    for (int i = 1; i <= 40; ++i) {
+      wait(8);
+      mouse(QEvent::MouseMove, from + (to - from) * (i / 40.0), Qt::NoButton, button);
+    }
+    wait(8);
+    mouse(QEvent::MouseButtonRelease, to, button, Qt::NoButton);
+    wait(300);
+  }
+  void key(QEvent::Type type, int key, Qt::KeyboardModifiers keys = Qt::NoModifier,
+           bool repeats = false) {
+    QKeyEvent event(type, key, keys, QString(), repeats);
+    QApplication::sendEvent(&canvas_, &event);
+    wait(20);
+  }
+  void tap(int which, Qt::KeyboardModifiers keys = Qt::NoModifier) {
+    key(QEvent::KeyPress, which, keys);
+    key(QEvent::KeyRelease, which, keys);
+  }
+
+  [[nodiscard]] std::size_t strokes() const { return studio_.session().document().stroke_count(); }
+  [[nodiscard]] std::string tool() const { return std::string(studio_.session().tool().info().id); }
+  [[nodiscard]] bool is_down() const { return in_contact(studio_.pen().sample); }
+  [[nodiscard]] std::string drawing() const {
+    std::string text;
+    for (const SketchStroke& stroke : studio_.session().sketch()) {
+      append_sketch_line(text, stroke.id, stroke.stroke.data());
+    }
+    return text;
+  }
+
+  std::vector<PenEvent> samples_;
+  Studio studio_;
+  Canvas canvas_;
+  PenInput input_;
+};
+
+TEST_F(PenInputTest, ATabletDraws) {
+  hover({100, 100});
+  tablet_line({100, 100}, {500, 300});
+  EXPECT_TRUE(is_down());
+  release({500, 300});
+  EXPECT_FALSE(is_down());
+  EXPECT_EQ(strokes(), 1u);
+}
+
+// Bunched as a window system does it: each place that was told is a sample, exactly.
+TEST_F(PenInputTest, EveryPlaceIsASample) {
+  hover({100, 100});
+  std::vector<Point> told;
+  tablet(QEvent::TabletPress, {100, 100}, 0.5, Qt::LeftButton, Qt::LeftButton);
+  for (int i = 0; i < 1000; ++i) {
+    const QPointF at(100 + 0.4 * i, 200 + 80 * std::sin(0.02 * i));
+    tablet(QEvent::TabletMove, at, 0.4 + 0.0004 * i, Qt::LeftButton);
+    told.push_back(canvas_.view().to_mm(at));
+    if (i % 7 == 6) wait(7);
+  }
+  wait(100);
+  release({500, 200});
+  auto at = samples_.begin();
+  for (std::size_t i = 0; i < told.size(); ++i) {
+    at = std::find_if(at, samples_.end(), [&](const PenEvent& pen) {
+      return pen.position.x == told[i].x && pen.position.y == told[i].y;
+    });
+    ASSERT_NE(at, samples_.end()) << "place " << i;
+    EXPECT_NEAR(at->pressure.value_or(0.0), 0.4 + 0.0004 * static_cast<double>(i), 1e-9);
+  }
+}
+
+// However a stroke ends, the pen is up then, and the ink is there.
+TEST_F(PenInputTest, NoPenStaysDown) {
+  const std::vector<std::function<void()>> ends = {
+      [this] { leave_proximity(); },
+      [this] {
+        hover({500, 310});
+      },  // a release was lost
+      [this] {
+        QFocusEvent event(QEvent::FocusOut);
+        QApplication::sendEvent(&canvas_, &event);
+      },
+      [this] {
+        QEvent event(QEvent::WindowDeactivate);
+        QApplication::sendEvent(&canvas_, &event);
+      },
+      [this] { canvas_.hide(); },
+  };
+  for (std::size_t i = 0; i < ends.size(); ++i) {
+    const double y = 50.0 + 100.0 * static_cast<double>(i);
+    hover({100, y});
+    tablet_line({100, y}, {500, y + 30});
+    ASSERT_TRUE(is_down()) << i;
+    ends[i]();
+    wait(300);
+    EXPECT_FALSE(is_down()) << i;
+    EXPECT_FALSE(input_.hand().is_down()) << i;
+    EXPECT_EQ(strokes(), i + 1);
+  }
+  canvas_.show();
+  mouse(QEvent::MouseButtonPress, {100, 560}, Qt::LeftButton, Qt::LeftButton);
+  wait(30);
+  ASSERT_TRUE(is_down());
+  mouse(QEvent::MouseMove, {300, 560}, Qt::NoButton, Qt::NoButton);
+  wait(60);
+  EXPECT_FALSE(is_down()) << "a release of the mouse was lost";
+}
+
+TEST_F(PenInputTest, TheEraserEndBorrowsTheEraser) {
+  constexpr auto kEraser = QPointingDevice::PointerType::Eraser;
+  hover({100, 100});
+  tablet_line({100, 100}, {500, 100});
+  release({500, 100});
+  ASSERT_EQ(strokes(), 1u);
+  hover({300, 50}, Qt::NoButton, kEraser);
+  EXPECT_EQ(tool(), "eraser");
+  tablet_line({300, 50}, {300, 150}, kEraser, 0.8);
+  release({300, 150}, kEraser);
+  EXPECT_EQ(tool(), "eraser");
+  EXPECT_EQ(strokes(), 2u) << "it is cut";
+  hover({310, 160});
+  wait(100);
+  EXPECT_EQ(tool(), "pencil");
+  hover({300, 50}, Qt::NoButton, kEraser);
+  leave_proximity();
+  wait(100);
+  EXPECT_EQ(tool(), "pencil");
+}
+
+// The end of the erasing is erasing: what the hand said last is played a moment later.
+TEST_F(PenInputTest, TheRightButtonErasesToItsEnd) {
+  mouse_line({100, 100}, {500, 100});
+  ASSERT_EQ(strokes(), 1u);
+  mouse_line({300, 20}, {300, 180}, Qt::RightButton);
+  EXPECT_EQ(tool(), "pencil");
+  EXPECT_EQ(strokes(), 2u);
+  set(pen_keys::kRightButton, QStringLiteral("none"));
+  mouse_line({200, 20}, {200, 180}, Qt::RightButton);
+  EXPECT_EQ(strokes(), 2u);
+}
+
+TEST_F(PenInputTest, SideButtonsDoWhatTheSettingsSay) {
+  hover({100, 100});
+  hover({100, 100}, Qt::RightButton);
+  EXPECT_EQ(tool(), "eraser");
+  hover({100, 100});
+  wait(100);
+  EXPECT_EQ(tool(), "pencil");
+  set(pen_keys::kLowerButton, QStringLiteral("pull"));
+  hover({100, 100}, Qt::RightButton);
+  EXPECT_EQ(tool(), "pull");
+  hover({100, 100});
+  wait(100);
+  set(pen_keys::kLowerButton, QStringLiteral("undo"));
+  tablet_line({100, 100}, {500, 100});
+  release({500, 100});
+  ASSERT_EQ(strokes(), 1u);
+  hover({100, 100}, Qt::RightButton);
+  EXPECT_EQ(strokes(), 0u);
+  hover({100, 100});
+  set(pen_keys::kLowerButton, QStringLiteral("modifier-2"));
+  hover({100, 100}, Qt::RightButton);
+  wait(50);
+  EXPECT_EQ(studio_.pen().sample.buttons, kSecondModifier);
+  hover({100, 100});
+  wait(50);
+  EXPECT_EQ(studio_.pen().sample.buttons, 0u);
+  const CanvasView before = canvas_.view();
+  hover({100, 100}, Qt::MiddleButton);  // pans
+  hover({140, 90}, Qt::MiddleButton);
+  hover({140, 90});
+  const QPointF moved = canvas_.view().to_px(before.to_mm({100, 100}));
+  EXPECT_NEAR(moved.x(), 140, 1e-6);
+  EXPECT_NEAR(moved.y(), 90, 1e-6);
+}
+
+TEST_F(PenInputTest, ShiftAndCtrlAreTheToolsModifiers) {
+  mouse(QEvent::MouseMove, {100, 100}, Qt::NoButton, Qt::NoButton);
+  wait(50);
+  EXPECT_EQ(studio_.pen().sample.buttons, 0u);
+  key(QEvent::KeyPress, Qt::Key_Shift);
+  wait(50);
+  EXPECT_EQ(studio_.pen().sample.buttons, kFirstModifier) << "while the pen rests, too";
+  key(QEvent::KeyPress, Qt::Key_Control, Qt::ShiftModifier);
+  wait(50);
+  EXPECT_EQ(studio_.pen().sample.buttons, kFirstModifier | kSecondModifier);
+  key(QEvent::KeyRelease, Qt::Key_Shift, Qt::ShiftModifier | Qt::ControlModifier);
+  wait(50);
+  EXPECT_EQ(studio_.pen().sample.buttons, kSecondModifier);
+  QFocusEvent out(QEvent::FocusOut);
+  QApplication::sendEvent(&canvas_, &out);
+  wait(50);
+  EXPECT_EQ(studio_.pen().sample.buttons, 0u);
+}
+
+TEST_F(PenInputTest, MouseEventsMadeOfOthersAreIgnored) {
+  mouse(QEvent::MouseButtonPress, {100, 100}, Qt::LeftButton, Qt::LeftButton, Qt::NoModifier,
+        Qt::MouseEventSynthesizedBySystem);
+  mouse(QEvent::MouseMove, {300, 100}, Qt::NoButton, Qt::LeftButton, Qt::NoModifier,
+        Qt::MouseEventSynthesizedByQt);
+  wait(100);
+  EXPECT_FALSE(is_down());
+}
+
+TEST_F(PenInputTest, PressureCanBeSwitchedOffAndHasAThreshold) {
+  set(pen_keys::kThreshold, 0.2);
+  hover({100, 100});
+  tablet(QEvent::TabletPress, {100, 100}, 0.1, Qt::LeftButton, Qt::LeftButton);
+  wait(50);
+  EXPECT_FALSE(is_down());
+  tablet(QEvent::TabletMove, {110, 100}, 0.6, Qt::LeftButton);
+  wait(50);
+  EXPECT_TRUE(is_down());
+  EXPECT_NEAR(studio_.pen().sample.pressure.value_or(0), 0.5, 1e-6);
+  release({110, 100});
+  set(pen_keys::kPressureOn, false);
+  for (const double raw : {0.3, 0.9}) {
+    tablet(QEvent::TabletPress, {100, 100}, raw, Qt::LeftButton, Qt::LeftButton);
+    wait(50);
+    EXPECT_EQ(studio_.pen().sample.pressure, 0.5);
+    release({100, 100});
+  }
+}
+
+TEST_F(PenInputTest, SpaceAndADragMoveTheView) {
+  const CanvasView before = canvas_.view();
+  key(QEvent::KeyPress, Qt::Key_Space);
+  mouse_line({100, 100}, {180, 130});
+  EXPECT_EQ(strokes(), 0u);
+  const QPointF moved = canvas_.view().to_px(before.to_mm({100, 100}));
+  EXPECT_NEAR(moved.x(), 180, 1e-6);
+  EXPECT_NEAR(moved.y(), 130, 1e-6);
+  key(QEvent::KeyPress, Qt::Key_Control, Qt::NoModifier);
+  mouse_line({400, 300}, {400, 180});
+  EXPECT_NEAR(canvas_.view().px_per_mm() / before.px_per_mm(), 2.0, 1e-6);
+  key(QEvent::KeyRelease, Qt::Key_Control, Qt::ControlModifier);
+  key(QEvent::KeyPress, Qt::Key_Shift);
+  mouse_line({600, 300}, {400, 500});
+  EXPECT_NEAR(canvas_.view().angle_deg(), 90.0, 1e-6);
+  key(QEvent::KeyRelease, Qt::Key_Shift, Qt::ShiftModifier);
+  key(QEvent::KeyRelease, Qt::Key_Space);
+  EXPECT_EQ(strokes(), 0u);
+  mouse_line({400, 300}, {500, 320});
+  EXPECT_EQ(strokes(), 1u);
+}
+
+TEST_F(PenInputTest, TheWheelZoomsAtThePointer) {
+  const auto wheel = [this](QPoint angle, Qt::KeyboardModifiers keys) {
+    QWheelEvent event({200, 150}, {200, 150}, {}, angle, Qt::NoButton, keys, Qt::NoScrollPhase,
+                      false);
+    QApplication::sendEvent(&canvas_, &event);
+  };
+  const CanvasView before = canvas_.view();
+  const Point fixed = before.to_mm({200, 150});
+  wheel({0, 480}, Qt::NoModifier);
+  EXPECT_NEAR(canvas_.view().px_per_mm() / before.px_per_mm(), 2.0, 1e-9);
+  EXPECT_NEAR(canvas_.view().to_px(fixed).x(), 200, 1e-6);
+  wheel({0, -480}, Qt::ControlModifier);
+  EXPECT_NEAR(canvas_.view().px_per_mm() / before.px_per_mm(), std::exp2(0.75), 1e-9);
+  wheel({0, 120}, Qt::ControlModifier | Qt::ShiftModifier);
+  EXPECT_NEAR(canvas_.view().angle_deg(), 5.0, 1e-9);
+}
+
+TEST_F(PenInputTest, TwoFingersMoveAndZoomTheView) {
+  static QPointingDevice* screen = QTest::createTouchDevice();
+  const CanvasView before = canvas_.view();
+  QTest::touchEvent(&canvas_, screen).press(1, {300, 300}).press(2, {400, 300});
+  QTest::touchEvent(&canvas_, screen).move(1, {280, 300}).move(2, {480, 300});
+  QTest::touchEvent(&canvas_, screen).release(1, {280, 300}).release(2, {480, 300});
+  EXPECT_NEAR(canvas_.view().px_per_mm() / before.px_per_mm(), 2.0, 1e-6);
+  const QPointF left = canvas_.view().to_px(before.to_mm({300, 300}));
+  EXPECT_NEAR(left.x(), 280, 1.0);
+  EXPECT_EQ(strokes(), 0u);
+}
+
+TEST_F(PenInputTest, APalmIsNoFinger) {
+  static QPointingDevice* screen = QTest::createTouchDevice();
+  set(pen_keys::kTouch, QStringLiteral("draw"));
+  QTest::touchEvent(&canvas_, screen).press(1, {300, 300});
+  wait(20);
+  QTest::touchEvent(&canvas_, screen).move(1, {350, 300});
+  wait(20);
+  ASSERT_TRUE(is_down());
+  hover({100, 100});  // the pen comes: what the hand did on its way never was
+  wait(60);
+  EXPECT_FALSE(is_down());
+  QTest::touchEvent(&canvas_, screen).move(1, {380, 300});
+  QTest::touchEvent(&canvas_, screen).release(1, {380, 300});
+  QTest::touchEvent(&canvas_, screen).press(1, {300, 300});
+  QTest::touchEvent(&canvas_, screen).move(1, {380, 300});
+  QTest::touchEvent(&canvas_, screen).release(1, {380, 300});
+  wait(300);
+  EXPECT_EQ(strokes(), 0u);
+}
+
+TEST_F(PenInputTest, AFingerDrawsWhereItMay) {
+  static QPointingDevice* screen = QTest::createTouchDevice();
+  const auto drag = [this](int y) {
+    QTest::touchEvent(&canvas_, screen).press(1, {100, y});
+    for (int x = 110; x <= 400; x += 10) {
+      wait(8);
+      QTest::touchEvent(&canvas_, screen).move(1, {x, y});
+    }
+    QTest::touchEvent(&canvas_, screen).release(1, {400, y});
+    wait(300);
+  };
+  const CanvasView before = canvas_.view();
+  set(pen_keys::kTouch, QStringLiteral("off"));
+  drag(100);
+  EXPECT_EQ(strokes(), 0u);
+  EXPECT_EQ(canvas_.view(), before);
+  set(pen_keys::kTouch, QStringLiteral("draw"));
+  drag(200);
+  EXPECT_EQ(strokes(), 1u);
+  EXPECT_EQ(canvas_.view(), before);
+  set(pen_keys::kTouch, QStringLiteral("pan"));
+  drag(300);
+  EXPECT_EQ(strokes(), 1u);
+  EXPECT_NE(canvas_.view(), before);
+}
+
+// Keys alone: a line, an eraser across it, undone; and the same keys make the same line.
+TEST_F(PenInputTest, KeysDrawAndEdit) {
+  const auto draw = [this] {
+    tap(Qt::Key_Return);
+    for (int i = 0; i < 60; ++i) key(QEvent::KeyPress, Qt::Key_Right, Qt::NoModifier, i > 0);
+    key(QEvent::KeyRelease, Qt::Key_Right);
+    tap(Qt::Key_Return);
+    wait(300);
+  };
+  const Point start = input_.hand().place_mm();
+  draw();
+  EXPECT_EQ(strokes(), 1u);
+  const double way_px = (input_.hand().place_mm().x - start.x) * canvas_.view().px_per_mm();
+  EXPECT_GT(way_px, 60 * KeyboardPen::kStepPx) << "faster while it is held";
+  studio_.apply(SelectTool{"eraser"});
+  for (int i = 0; i < 20; ++i) tap(Qt::Key_Left);
+  for (int i = 0; i < 10; ++i) tap(Qt::Key_Up);
+  tap(Qt::Key_Insert);
+  for (int i = 0; i < 20; ++i) tap(Qt::Key_Down);
+  tap(Qt::Key_Insert);
+  wait(300);
+  EXPECT_EQ(strokes(), 2u);
+  studio_.apply(UndoEvent{});
+  EXPECT_EQ(strokes(), 1u);
+  const Point here = input_.hand().place_mm();
+  tap(Qt::Key_Right, Qt::ShiftModifier);
+  EXPECT_NEAR((input_.hand().place_mm().x - here.x) * canvas_.view().px_per_mm(),
+              KeyboardPen::kFineStepPx, 1e-9);
+  studio_.apply(SelectTool{"pencil"});
+  tap(Qt::Key_Enter);
+  for (int i = 0; i < 30; ++i) tap(Qt::Key_Down);
+  tap(Qt::Key_Escape);
+  wait(300);
+  EXPECT_EQ(strokes(), 1u);
+  EXPECT_FALSE(is_down());
+}
+
+TEST_F(PenInputTest, TheViewFollowsTheKeys) {
+  for (int i = 0; i < 200; ++i) key(QEvent::KeyPress, Qt::Key_Down, Qt::NoModifier, i > 0);
+  const QPointF px = canvas_.view().to_px(input_.hand().place_mm());
+  EXPECT_GT(px.y(), 0);
+  EXPECT_LT(px.y(), 600);
+}
+
+}  // namespace
+}  // namespace felt::desktop

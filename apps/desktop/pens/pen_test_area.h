@@ -1,0 +1,50 @@
+#pragma once
+
+#include <QImage>
+#include <QPointF>
+#include <QWidget>
+#include <optional>
+
+#include "desktop/pens/pen_settings.h"
+
+namespace felt::desktop {
+
+/// A piece of paper to try a pen on: what is scribbled there is as wide as the settings make it,
+/// and is no part of any drawing. Mouse and tablet.
+class PenTestArea : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit PenTestArea(QWidget* parent = nullptr);
+
+  void set_settings(const PenSettings& settings) { settings_ = settings; }
+  void clear();
+  [[nodiscard]] QSize sizeHint() const override;
+
+ Q_SIGNALS:
+  /// The pen presses: what the tablet says (none: a mouse), and what becomes of it, 0..1. Both 0:
+  /// it was lifted.
+  void pressed(std::optional<double> raw, double curved);
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
+  void tabletEvent(QTabletEvent* event) override;
+  void mousePressEvent(QMouseEvent* event) override;
+  void mouseMoveEvent(QMouseEvent* event) override;
+  void mouseReleaseEvent(QMouseEvent* event) override;
+
+ private:
+  void point(QPointF at, bool touching, std::optional<double> raw, std::uint64_t stamp_ms);
+  [[nodiscard]] double pressure_of(QPointF at, std::optional<double> raw, std::uint64_t stamp_ms);
+
+  PenSettings settings_;
+  QImage ink_;
+  std::optional<QPointF> last_;
+  double last_width_px_ = 0.0;
+  std::uint64_t last_ms_ = 0;
+  double speed_px_per_ms_ = 0.0;
+  bool is_empty_ = true;
+};
+
+}  // namespace felt::desktop

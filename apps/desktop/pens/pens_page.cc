@@ -1,0 +1,207 @@
+#include "desktop/pens/pens_page.h"
+
+#include <QFormLayout>
+#include <QGridLayout>
+#include <QGroupBox>
+#include <QHBoxLayout>
+#include <QPushButton>
+#include <QVBoxLayout>
+#include <cmath>
+#include <utility>
+
+#include "desktop/engine/settings.h"
+#include "desktop/pens/settings_keys.h"
+
+namespace felt::desktop {
+namespace {
+
+constexpr int kSliderSteps = 100;
+
+QString percent(double part) {
+  return PensPage::tr("%1 %").arg(std::lround(100.0 * part));
+}
+
+void set(const char* key, const QVariant& value) {
+  Settings::the().set(QString::fromLatin1(key), value);
+}
+
+}  // namespace
+
+PensPage::PensPage(QWidget* parent) : QWidget(parent) {
+  auto* layout = new QVBoxLayout(this);
+  layout->addWidget(make_pressure());
+  layout->addWidget(make_buttons());
+  layout->addStretch();
+  connect(&Settings::the(), &Settings::changed, this, [this](const QString& key) {
+    if (key.startsWith(QStringLiteral("pens/"))) load();
+  });
+  load();
+}
+
+QWidget* PensPage::make_pressure() {
+  auto* group = new QGroupBox(tr("Pressure"));
+  auto* layout = new QGridLayout(group);
+  pressure_on_ = new QCheckBox(tr("&Pressing harder draws wider"));
+  pressure_on_->setToolTip(tr("Off: every line has the same width, however hard you press."));
+  connect(pressure_on_, &QCheckBox::toggled, this,
+          [this](bool on) { loads_ ? void() : set(pen_keys::kPressureOn, on); });
+  editor_ = new PressureCurveEditor;
+  connect(editor_, &PressureCurveEditor::edited, this, &PensPage::set_curve);
+  layout->addWidget(pressure_on_, 0, 0, 1, 2);
+  layout->addWidget(editor_, 1, 0, 2, 1);
+  layout->addWidget(make_sliders(), 1, 1);
+  layout->addWidget(make_test(), 2, 1);
+  layout->setColumnStretch(1, 1);
+  layout->setRowStretch(2, 1);
+  return group;
+}
+
+QWidget* PensPage::make_sliders() {
+  auto* box = new QWidget;
+  auto* layout = new QGridLayout(box);
+  layout->setContentsMargins(0, 0, 0, 0);
+  const auto row = [&](int y, const QString& text, const QString& name, int least) {
+    auto* slider = new QSlider(Qt::Horizontal);
+    slider->setRange(least, kSliderSteps);
+    slider->setAccessibleName(name);
+    auto* label = new QLabel(text);
+    label->setBuddy(slider);
+    layout->addWidget(label, y, 0);
+    layout->addWidget(slider, y, 1);
+    return slider;
+  };
+  firmness_ = row(0, tr("&Feel"), tr("Feel, from soft to firm"), -kSliderSteps);
+  firmness_->setToolTip(
+      tr("Soft: a light hand draws wide. Firm: press harder for the same width."));
+  connect(firmness_, &QSlider::valueChanged, this, [this](int value) {
+    if (loads_) return;
+    set_curve(
+        PressureCurve::of_firmness(double(value) / kSliderSteps, editor_->curve().threshold()));
+  });
+  layout->addWidget(new QLabel(tr("soft to firm")), 0, 2);
+  threshold_ = row(1, tr("&Touches from"), tr("Pressure from which the pen touches"), 0);
+  threshold_->setToolTip(tr("For a pen that draws before it is pressed."));
+  connect(threshold_, &QSlider::valueChanged, this, [this](int value) {
+    if (loads_) return;
+    const PressureCurve& curve = editor_->curve();
+    set_curve(
+        {curve.first(), curve.second(), PressureCurve::kMostThreshold * value / kSliderSteps});
+  });
+  threshold_text_ = new QLabel;
+  layout->addWidget(threshold_text_, 1, 2);
+  auto* reset = new QPushButton(tr("&Straight again"));
+  reset->setToolTip(tr("The curve that it came with."));
+  connect(reset, &QPushButton::clicked, this, [this] { set_curve({}); });
+  layout->addWidget(reset, 2, 1, Qt::AlignLeft);
+  layout->setColumnStretch(1, 1);
+  return box;
+}
+
+QWidget* PensPage::make_test() {
+  auto* box = new QWidget;
+  auto* layout = new QGridLayout(box);
+  layout->setContentsMargins(0, 0, 0, 0);
+  area_ = new PenTestArea;
+  bar_ = new QProgressBar;
+  bar_->setRange(0, kSliderSteps);
+  bar_->setTextVisible(false);
+  bar_->setAccessibleName(tr("Pressure after the curve"));
+  numbers_ = new QLabel;
+  numbers_->setMinimumWidth(numbers_->fontMetrics().horizontalAdvance(
+      tr("pen %1, line %2").arg(percent(1.0), percent(1.0)) + QStringLiteral("  ")));
+  auto* wipe = new QPushButton(tr("&Wipe"));
+  wipe->setToolTip(tr("Takes what was scribbled away."));
+  connect(wipe, &QPushButton::clicked, area_, &PenTestArea::clear);
+  connect(area_, &PenTestArea::pressed, this, &PensPage::show_pressure);
+  layout->addWidget(area_, 0, 0, 1, 3);
+  layout->addWidget(bar_, 1, 0);
+  layout->addWidget(numbers_, 1, 1);
+  layout->addWidget(wipe, 1, 2);
+  layout->setColumnStretch(0, 1);
+  layout->setRowStretch(0, 1);
+  show_pressure(0.0, 0.0);
+  return box;
+}
+
+QComboBox* PensPage::make_choice(const char* key, const QString& name) {
+  auto* box = new QComboBox;
+  box->setAccessibleName(name);
+  connect(box, &QComboBox::activated, this, [box, key] { set(key, box->currentData()); });
+  const auto load = [box, key] {
+    const QVariant value = Settings::the().value(QString::fromLatin1(key), box->itemData(0));
+    box->setCurrentIndex(std::max(0, box->findData(value)));
+  };
+  connect(&Settings::the(), &Settings::changed, box, load);
+  return box;
+}
+
+QComboBox* PensPage::make_roles(const char* key, const char* fallback, const QString& name) {
+  QComboBox* box = make_choice(key, name);
+  for (const ButtonRole role : button_roles()) box->addItem(label_of(role), name_of(role));
+  const QString chosen =
+      Settings::the().text(QString::fromLatin1(key), QString::fromLatin1(fallback));
+  box->setCurrentIndex(std::max(0, box->findData(chosen)));
+  return box;
+}
+
+QWidget* PensPage::make_buttons() {
+  using namespace pen_keys;
+  auto* group = new QGroupBox(tr("Buttons, mouse and touch"));
+  auto* form = new QFormLayout(group);
+  form->addRow(tr("Pen, &lower button:"),
+               make_roles(kLowerButton, kLowerButtonDefault, tr("Lower button of the pen")));
+  form->addRow(tr("Pen, &upper button:"),
+               make_roles(kUpperButton, kUpperButtonDefault, tr("Upper button of the pen")));
+  form->addRow(tr("Mouse, &right button:"),
+               make_roles(kRightButton, kRightButtonDefault, tr("Right button of the mouse")));
+  QComboBox* mouse = make_choice(kMousePressure, tr("Width of lines by mouse"));
+  mouse->addItem(tr("The same all along"), QStringLiteral("constant"));
+  mouse->addItem(tr("Thinner when fast"), QStringLiteral("speed"));
+  mouse->setCurrentIndex(std::max(
+      0, mouse->findData(Settings::the().text(QString::fromLatin1(kMousePressure),
+                                              QString::fromLatin1(kMousePressureDefault)))));
+  form->addRow(tr("&Mouse, width of lines:"), mouse);
+  QComboBox* touch = make_choice(kTouch, tr("What one finger does"));
+  touch->addItem(tr("Moves the sheet"), name_of(TouchMode::kPan));
+  touch->addItem(tr("Draws"), name_of(TouchMode::kDraw));
+  touch->addItem(tr("Nothing: touch is off"), name_of(TouchMode::kOff));
+  touch->setCurrentIndex(
+      std::max(0, touch->findData(Settings::the().text(QString::fromLatin1(kTouch),
+                                                       QString::fromLatin1(kTouchDefault)))));
+  touch->setToolTip(
+      tr("Two fingers move, zoom and turn the sheet. While the pen is near, touch is ignored."));
+  form->addRow(tr("One f&inger:"), touch);
+  return group;
+}
+
+/// A copy: the editor's own follows the settings, one by one.
+void PensPage::set_curve(PressureCurve curve) {
+  loads_ = true;
+  curve.store();
+  loads_ = false;
+  load();
+}
+
+void PensPage::load() {
+  if (std::exchange(loads_, true)) return;
+  const PenSettings settings = PenSettings::load();
+  area_->set_settings(settings);
+  pressure_on_->setChecked(settings.pressure_on);
+  editor_->set_curve(settings.curve);
+  editor_->setEnabled(settings.pressure_on);
+  firmness_->setValue(int(std::lround(kSliderSteps * settings.curve.firmness())));
+  firmness_->setEnabled(settings.pressure_on);
+  threshold_->setValue(
+      int(std::lround(kSliderSteps * settings.curve.threshold() / PressureCurve::kMostThreshold)));
+  threshold_text_->setText(percent(settings.curve.threshold()));
+  loads_ = false;
+}
+
+void PensPage::show_pressure(std::optional<double> raw, double curved) {
+  bar_->setValue(int(std::lround(kSliderSteps * curved)));
+  editor_->show_raw(raw.value_or(0.0));
+  numbers_->setText(raw ? tr("pen %1, line %2").arg(percent(*raw), percent(curved))
+                        : tr("mouse, line %1").arg(percent(curved)));
+}
+
+}  // namespace felt::desktop

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QLabel>
+#include <QProgressBar>
+#include <QSlider>
+#include <QWidget>
+#include <functional>
+#include <optional>
+
+#include "desktop/pens/pen_test_area.h"
+#include "desktop/pens/pressure_curve_editor.h"
+
+namespace felt::desktop {
+
+/// The page "Pens" of the preferences: pressure with its curve and a piece of paper to try it on,
+/// what the buttons do, and what fingers do. Every change counts at once.
+class PensPage : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit PensPage(QWidget* parent = nullptr);
+
+ private:
+  QWidget* make_pressure();
+  QWidget* make_sliders();
+  QWidget* make_test();
+  QWidget* make_buttons();
+  QComboBox* make_roles(const char* key, const char* fallback, const QString& name);
+  QComboBox* make_choice(const char* key, const QString& name);
+  void set_curve(PressureCurve curve);
+  void show_pressure(std::optional<double> raw, double curved);
+  void load();
+
+  QCheckBox* pressure_on_;
+  PressureCurveEditor* editor_;
+  QSlider* firmness_;
+  QSlider* threshold_;
+  QLabel* threshold_text_;
+  PenTestArea* area_;
+  QProgressBar* bar_;
+  QLabel* numbers_;
+  bool loads_ = false;
+};
+
+}  // namespace felt::desktop

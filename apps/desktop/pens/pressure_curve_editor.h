@@ -1,0 +1,49 @@
+#pragma once
+
+#include <QWidget>
+#include <optional>
+
+#include "desktop/pens/pressure_curve.h"
+
+namespace felt::desktop {
+
+/// The pressure curve as a picture whose two handles can be dragged, or moved by the arrow keys
+/// (Space takes the other handle). Shows what the pen says now as a dot on the curve.
+class PressureCurveEditor : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit PressureCurveEditor(QWidget* parent = nullptr);
+
+  void set_curve(const PressureCurve& curve);
+  [[nodiscard]] const PressureCurve& curve() const noexcept { return curve_; }
+  /// What the tablet says now, 0..1; 0 hides the dot.
+  void show_raw(double raw);
+  [[nodiscard]] QSize sizeHint() const override;
+  [[nodiscard]] QSize minimumSizeHint() const override;
+
+ Q_SIGNALS:
+  /// By a person.
+  void edited(const felt::desktop::PressureCurve& curve);
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+  void mousePressEvent(QMouseEvent* event) override;
+  void mouseMoveEvent(QMouseEvent* event) override;
+  void mouseReleaseEvent(QMouseEvent* event) override;
+  void keyPressEvent(QKeyEvent* event) override;
+
+ private:
+  [[nodiscard]] QRectF square() const;
+  [[nodiscard]] QPointF to_px(QPointF unit) const;
+  [[nodiscard]] QPointF to_unit(QPointF px) const;
+  [[nodiscard]] QPointF handle(int which) const;
+  void move_handle(int which, QPointF to);
+
+  PressureCurve curve_;
+  double raw_ = 0.0;
+  int chosen_ = 0;  // of the two handles
+  bool drags_ = false;
+};
+
+}  // namespace felt::desktop
