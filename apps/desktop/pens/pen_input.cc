@@ -19,16 +19,6 @@ bool is_made_up(const QMouseEvent& event) {
                     device->type() == QInputDevice::DeviceType::TouchScreen);
 }
 
-/// A canvas that says what is known of the pen.
-template <class Sheet>
-void say(Sheet& sheet, const QString& status) {
-  if constexpr (requires { sheet.set_pen_status(status); }) sheet.set_pen_status(status);
-}
-template <class Sheet>
-void lead_by_tablet(Sheet& sheet, bool tablet) {
-  if constexpr (requires { sheet.set_tablet_in_hand(tablet); }) sheet.set_tablet_in_hand(tablet);
-}
-
 bool is_touchpad(const QTouchEvent& event) {
   return event.device() && event.device()->type() == QInputDevice::DeviceType::TouchPad;
 }
@@ -64,14 +54,14 @@ void PenInput::load_settings() {
 }
 
 void PenInput::say_pressure() {
-  if (!settings_.pressure_on) return say(canvas_, tr("Pressure is switched off."));
+  if (!settings_.pressure_on) return canvas_.set_pen_status(tr("Pressure is switched off."));
   switch (tablet_.pressure_seen()) {
     case TabletInput::Pressure::kSeen:
-      return say(canvas_, tr("Your pen's pressure is seen."));
+      return canvas_.set_pen_status(tr("Your pen's pressure is seen."));
     case TabletInput::Pressure::kNone:
-      return say(canvas_, tr("Your pen senses no pressure."));
+      return canvas_.set_pen_status(tr("Your pen senses no pressure."));
     case TabletInput::Pressure::kNotSeen:
-      return say(canvas_, QString());
+      return canvas_.set_pen_status({});
   }
 }
 
@@ -113,7 +103,7 @@ bool PenInput::take_pointer(QEvent* event) {
       const auto& mouse = static_cast<QMouseEvent&>(*event);
       if (is_made_up(mouse)) return true;
       hand_.set_keys(mouse.modifiers());
-      lead_by_tablet(canvas_, false);
+      canvas_.set_tablet_in_hand(false);
       mouse_.take(mouse);
       // A press gives the focus, which the widget itself does.
       return event->type() != QEvent::MouseButtonPress;
@@ -125,7 +115,7 @@ bool PenInput::take_pointer(QEvent* event) {
       if (event->type() == QEvent::TabletPress) canvas_.setFocus(Qt::MouseFocusReason);
       canvas_.set_pen_visible(true);
       hand_.set_keys(tablet.modifiers());
-      lead_by_tablet(canvas_, true);
+      canvas_.set_tablet_in_hand(true);
       tablet_.take(tablet);
       event->accept();
       return true;

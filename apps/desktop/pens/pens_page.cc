@@ -70,7 +70,7 @@ QWidget* PensPage::make_sliders() {
     layout->addWidget(slider, y, 1);
     return slider;
   };
-  firmness_ = row(0, tr("&Feel"), tr("Feel, from soft to firm"), -kSliderSteps);
+  firmness_ = row(0, tr("&Soft"), tr("Feel, from soft to firm"), -kSliderSteps);
   firmness_->setToolTip(
       tr("Soft: a light hand draws wide. Firm: press harder for the same width."));
   connect(firmness_, &QSlider::valueChanged, this, [this](int value) {
@@ -78,7 +78,7 @@ QWidget* PensPage::make_sliders() {
     set_curve(
         PressureCurve::of_firmness(double(value) / kSliderSteps, editor_->curve().threshold()));
   });
-  layout->addWidget(new QLabel(tr("soft to firm")), 0, 2);
+  layout->addWidget(new QLabel(tr("Firm")), 0, 2);
   threshold_ = row(1, tr("&Touches from"), tr("Pressure from which the pen touches"), 0);
   threshold_->setToolTip(tr("For a pen that draws before it is pressed."));
   connect(threshold_, &QSlider::valueChanged, this, [this](int value) {
