@@ -15,6 +15,7 @@
 #include "desktop/panels/history_panel.h"
 #include "desktop/panels/layers_panel.h"
 #include "desktop/panels/options_panel.h"
+#include "desktop/pens/pen_actions.h"
 #include "desktop/pens/pen_input.h"
 #include "desktop/window/edit_actions.h"
 #include "desktop/window/menus.h"
@@ -41,9 +42,10 @@ MainWindow::MainWindow(StudioOptions options, QWidget* parent)
       files_(new FileActions(*studio_, *actions_, this)) {
   setObjectName(QStringLiteral("main"));
   setCentralWidget(canvas_);
-  new PenInput(*canvas_);
+  auto* pens = new PenInput(*canvas_);
   add_edit_actions(*actions_, *studio_);
   add_view_actions(*actions_, *canvas_);
+  add_pen_actions(*actions_, *pens);
   auto* help = new HelpActions(*actions_, this);
   connect(help, &HelpActions::wants_drawing, this, &MainWindow::wants_drawing);
   connect(help, &HelpActions::wants_sheet, this, [this] {

@@ -4,6 +4,7 @@
 #include <QDialogButtonBox>
 #include <QScrollArea>
 
+#include "desktop/pens/pens_page.h"
 #include "desktop/window/general_page.h"
 #include "desktop/window/shortcuts_page.h"
 
@@ -18,6 +19,7 @@ Preferences::Preferences(MainWindow& window)
   list_->setFixedWidth(150);
   Actions& actions = window.actions();
   add(QStringLiteral("general"), tr("General"), [] { return new GeneralPage; });
+  add(QStringLiteral("pen"), tr("Pen"), [] { return new PensPage; });
   add(QStringLiteral("shortcuts"), tr("Shortcuts"),
       [&actions] { return new ShortcutsPage(actions); });
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, this);
