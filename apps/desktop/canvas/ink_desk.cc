@@ -66,10 +66,10 @@ void InkDesk::open(const Document& document) {
 
 void InkDesk::apply(const Edit& edit) {
   InkDamage areas;
+  drop_splits();
   // An edit that does not fit is none that the document took; the preview is gone all the same.
   static_cast<void>(scene_->apply(edit, areas));
   damage(areas);
-  drop_splits();
 }
 
 void InkDesk::show(const std::optional<Edit>& preview) {
@@ -106,9 +106,13 @@ std::size_t InkDesk::tile_count() const noexcept {
   return count;
 }
 
+/// The preview is over. What was put together for it in a hurry is drawn again.
 void InkDesk::drop_splits() {
   for (auto& [id, plane] : planes_) {
-    for (auto& [place, tile] : plane.tiles) tile.split.reset();
+    for (auto& [place, tile] : plane.tiles) {
+      if (tile.split && tile.split->is_rounded) damage(tile, kWhole);
+      tile.split.reset();
+    }
   }
 }
 

@@ -10,6 +10,9 @@ namespace {
 /// Fewer strokes around those of a preview than this are drawn as quickly as a picture is copied.
 constexpr std::size_t kWorthKeeping = 4;
 
+/// So many strokes above those of a preview are drawn one after another, which is exact.
+constexpr std::size_t kFewAbove = 24;
+
 /// A split is made wider by this than what is asked for: strokes of a preview move.
 constexpr int kMarginPx = 48;
 
@@ -127,7 +130,9 @@ bool TilePainter::make(const InkScene& scene, const View& view, PixelRect valid,
   const auto kept = static_cast<std::size_t>((lowest - found_.begin()) + (found_.end() - highest));
   if (kept < kWorthKeeping) return false;
   const View shifted = view.from({static_cast<double>(valid.x0), static_cast<double>(valid.y0)});
+  const bool was_rounded = split.is_rounded;
   split = {};
+  split.is_rounded = was_rounded;
   split.valid = valid;
   split.revision = scene.revision();
   split.previewed = scene.previewed();
@@ -152,7 +157,7 @@ bool TilePainter::make(const InkScene& scene, const View& view, PixelRect valid,
 bool TilePainter::paint_split(const InkScene& scene, const View& view, PixelRect part,
                               const InkStyle& style, TileSplit& split, Pixels target) {
   if (scene.previewed().empty()) return false;
-  if (!is_valid(scene, view, split)) split = {};
+  if (!is_valid(scene, view, split)) split.valid = {};
   scene.find(area_of(view, part), found_);
   if (found_.size() < kWorthKeeping) return false;
   if (!fits(scene, split, part)) {
@@ -179,12 +184,21 @@ bool TilePainter::paint_split(const InkScene& scene, const View& view, PixelRect
                 std::size_t{4} * static_cast<std::size_t>(part.width()));
   }
   const Gap gap = gap_of(scene, split);
+  const auto above = static_cast<std::size_t>(std::count_if(
+      found_.begin(), found_.end(),
+      [&gap](const SceneStroke* s) { return gap.has_above && InkScene::height(*s) >= gap.above; }));
   for (const SceneStroke* s : found_) {
-    if (gap.contains(InkScene::height(*s))) draw(*s->stroke, view, part, style, target);
+    const InkHeight height = InkScene::height(*s);
+    const bool is_over = !gap.has_below || height > gap.below;
+    if (is_over && (above <= kFewAbove || gap.contains(height))) {
+      draw(*s->stroke, view, part, style, target);
+    }
   }
+  if (above <= kFewAbove) return true;
   for (int y = part.y0; y < part.y1; ++y) {
     blend_row(row_of(split.above, y), target_row(y), part.width());
   }
+  split.is_rounded = true;
   return true;
 }
 

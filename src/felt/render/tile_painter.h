@@ -40,6 +40,9 @@ struct TileSplit {
   std::vector<StrokeId> drawn;      ///< all strokes of both, ascending
   std::vector<StrokeId> previewed;  ///< when it was made, ascending
   std::uint64_t revision = 0;       ///< of the scene
+  /// Some of the tile was put together from `above`, a pile of strokes that was blended in one go:
+  /// up to 4 of 255 levels off where dozens of transparent strokes lie on one another.
+  bool is_rounded = false;
 };
 
 /// Paints parts of pictures of a scene, ink on nothing. One thread at a time.
