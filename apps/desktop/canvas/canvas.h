@@ -103,11 +103,11 @@ class Canvas : public QWidget {
   QString pen_status_;
   QTimer pace_;  // until the next refresh, where they are dear
   QElapsedTimer clock_;
-  QRegion painting_;       // this is being painted
-  double paint_ms_ = 0.0;  // the last one
-  double dpr_ = 0.0;       // that the pictures are made for
-  bool is_stale_ = true;   // the studio has news
-  bool pen_visible_ = true;
+  QRegion painting_;          // this is being painted
+  double paint_ms_ = 0.0;     // the last one
+  double dpr_ = 0.0;          // that the pictures are made for
+  bool is_stale_ = true;      // the studio has news
+  bool pen_visible_ = false;  // until the pointer comes
   bool tablet_in_hand_ = false;
   bool pressure_seen_ = false;
   bool keeps_page_fitted_ = true;

@@ -33,6 +33,9 @@ void Canvas::resizeEvent(QResizeEvent*) {
 
 bool Canvas::event(QEvent* event) {
   switch (event->type()) {
+    case QEvent::Enter:
+      set_pen_visible(true);
+      break;
     case QEvent::PaletteChange:
     case QEvent::StyleChange:
     case QEvent::FontChange:
@@ -95,7 +98,7 @@ void Canvas::paint_ground(QPainter& painter, const QRegion& region) {
                   static_cast<std::uint8_t>(c.blue()), 255};
     });
     ink_.paint(painter, part);
-    s.wet.paint(painter, part, s.brush);
+    s.wet.paint(painter, part);
   }
   painter.setClipping(false);
 }

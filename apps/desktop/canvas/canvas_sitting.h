@@ -1,9 +1,9 @@
 #pragma once
 
+#include <QBackingStore>
 #include <QCoreApplication>
 #include <QImage>
 #include <QPixmap>
-#include <QScreen>
 #include <optional>
 #include <string>
 #include <vector>
@@ -20,6 +20,7 @@ class Sitting {
       : studio({device, false}), canvas(studio) {
     canvas.resize(size);
     canvas.show();
+    canvas.set_pen_visible(true);
     settle();
   }
 
@@ -61,10 +62,10 @@ class Sitting {
   /// What the window shows.
   QImage seen() {
     settle();
-    return canvas.screen()
-        ->grabWindow(canvas.winId())
-        .toImage()
-        .convertToFormat(QImage::Format_RGB32);
+    const auto* window = dynamic_cast<QImage*>(canvas.backingStore()->paintDevice());
+    const QSize size = canvas.grab().toImage().size();
+    return window ? window->copy(QRect(QPoint(0, 0), size)).convertToFormat(QImage::Format_RGB32)
+                  : QImage();
   }
   /// What it would show if all of it were painted anew.
   QImage anew() {

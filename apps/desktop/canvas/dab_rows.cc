@@ -78,9 +78,9 @@ void DabRows::keep(std::size_t n) {
   pieces_.resize(n);
 }
 
-Rect DabRows::bounds(std::size_t from) const {
+Rect DabRows::bounds(std::size_t from, std::size_t to) const {
   Rect all;
-  for (std::size_t i = from; i < pieces_.size(); ++i) all.extend(pieces_[i].box);
+  for (std::size_t i = from; i < std::min(to, pieces_.size()); ++i) all.extend(pieces_[i].box);
   return all;
 }
 
@@ -94,23 +94,22 @@ std::size_t DabRows::end_of(std::size_t piece) const noexcept {
   return pieces_[piece + 1].first + (pieces_[piece + 1].begins_row ? 0 : 1);
 }
 
-void DabRows::trace(const PixelRect& part, StrokeOutliner& outliner, Outline& out) const {
-  for (std::size_t i = 0; i < pieces_.size();) {
+void DabRows::trace(const PixelRect& part, StrokeOutliner& outliner, Outline& out, std::size_t from,
+                    std::size_t to) const {
+  to = std::min(to, pieces_.size());
+  for (std::size_t i = from; i < to;) {
     if (!touches(pieces_[i], part)) {
       ++i;
       continue;
     }
-    std::size_t last = i;
-    while (last + 1 < pieces_.size() && !pieces_[last + 1].begins_row &&
-           touches(pieces_[last + 1], part)) {
-      ++last;
-    }
-    const std::size_t from = pieces_[i].first;
-    const Outline& outline = outliner.trace(std::span(dabs_).subspan(from, end_of(last) - from),
-                                            false, kRasterTolerancePx);
+    std::size_t next = i + 1;
+    while (next < to && !pieces_[next].begins_row && touches(pieces_[next], part)) ++next;
+    const std::size_t first = pieces_[i].first;
+    const Outline& outline = outliner.trace(
+        std::span(dabs_).subspan(first, end_of(next - 1) - first), false, kRasterTolerancePx);
     for (std::size_t end : outline.ends) out.ends.push_back(out.points.size() + end);
     out.points.insert(out.points.end(), outline.points.begin(), outline.points.end());
-    i = last + 1;
+    i = next;
   }
 }
 

@@ -50,12 +50,14 @@ class DabRows {
   [[nodiscard]] std::size_t size() const noexcept { return pieces_.size(); }
   /// Keeps the first n segments.
   void keep(std::size_t n);
-  /// Around the ink of the segments from the n-th on, in device pixels.
-  [[nodiscard]] Rect bounds(std::size_t from = 0) const;
+  static constexpr std::size_t kAll = static_cast<std::size_t>(-1);
+  /// Around the ink of the segments from the n-th on, up to another, in device pixels.
+  [[nodiscard]] Rect bounds(std::size_t from = 0, std::size_t to = kAll) const;
 
   /// Adds to `out` the outline of all that touches the part, for one fill by the non-zero rule.
-  /// Right within the part only.
-  void trace(const PixelRect& part, StrokeOutliner& outliner, Outline& out) const;
+  /// Right within the part only. Of the segments from the n-th on, up to another.
+  void trace(const PixelRect& part, StrokeOutliner& outliner, Outline& out, std::size_t from = 0,
+             std::size_t to = kAll) const;
   /// Calls `press(dab)` for dabs at most `step` of their radius apart, along all that touches it.
   template <class Press>
   void walk(const PixelRect& part, double step, Press press) const;

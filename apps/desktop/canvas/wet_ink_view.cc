@@ -1,6 +1,7 @@
 #include "desktop/canvas/wet_ink_view.h"
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 namespace felt::desktop {
@@ -28,25 +29,18 @@ std::size_t common(std::span<const T> a, std::span<const T> b) {
   return n;
 }
 
-QRectF ink_part(const QRectF& part, const DeviceView& view, const DabRows& rows) {
-  return part.intersected(QRectF(view.part_of(rows.bounds())));
-}
-
 }  // namespace
 
-PixelRect InkBrush::prepare(const QRectF& part, const DeviceView& view, const DabRows& rows) {
-  const QRectF ink = ink_part(part, view, rows);
-  if (ink.isEmpty()) return {};
-  const PixelRect pixels = view.pixels_of(ink);
-  image_ = QImage(pixels.width(), pixels.height(), QImage::Format_ARGB32_Premultiplied);
+void InkBrush::fill(const DabRows& rows, std::size_t from, std::size_t to, const PixelRect& pixels,
+                    Rgba color) {
+  if (image_.width() != pixels.width() || image_.height() != pixels.height()) {
+    image_ = QImage(pixels.width(), pixels.height(), QImage::Format_ARGB32_Premultiplied);
+  }
+  image_.setDevicePixelRatio(1.0);
   image_.fill(Qt::transparent);
-  image_.setDevicePixelRatio(view.dpr);
   outline_.clear();
-  rows.trace(pixels, outliner_, outline_);
-  return outline_.points.empty() ? PixelRect{} : pixels;
-}
-
-void InkBrush::fill(const PixelRect& pixels, Rgba color) {
+  rows.trace(pixels, outliner_, outline_, from, to);
+  if (outline_.points.empty()) return;
   const Pixels target{image_.bits(), image_.width(), image_.height(), image_.bytesPerLine(),
                       PixelOrder::kBgra};
   const View place{{static_cast<double>(pixels.x0), static_cast<double>(pixels.y0)}, 1.0};
@@ -55,38 +49,18 @@ void InkBrush::fill(const PixelRect& pixels, Rgba color) {
 
 void InkBrush::paint(QPainter& painter, const QRectF& part, const DeviceView& view,
                      const DabRows& rows, Rgba color) {
-  const PixelRect pixels = prepare(part, view, rows);
-  if (pixels.empty()) return;
-  fill(pixels, color);
+  const QRectF ink = part.intersected(QRectF(view.part_of(rows.bounds())));
+  if (ink.isEmpty()) return;
+  const PixelRect pixels = view.pixels_of(ink);
+  fill(rows, 0, DabRows::kAll, pixels, color);
+  image_.setDevicePixelRatio(view.dpr);
   painter.drawImage(QPointF(pixels.x0 / view.dpr, pixels.y0 / view.dpr), image_);
 }
 
-void InkBrush::paint(QPainter& painter, const QRectF& part, const DeviceView& view,
-                     const DabRows& rows, Rgba color, const Grain& grain, double share) {
-  if (grain.is_smooth() || !(share > 0.0)) return paint(painter, part, view, rows, color);
-  const PixelRect pixels = prepare(part, view, rows);
-  if (pixels.empty()) return;
-  fill(pixels, {255, 255, 255, 255});
-  press(rows, view, pixels);
-  for (int y = 0; y < image_.height(); ++y) {
-    auto* line = reinterpret_cast<QRgb*>(image_.scanLine(y));
-    for (int x = 0; x < image_.width(); ++x) {
-      if (qAlpha(line[x]) == 0) continue;
-      const Point place = view.to_mm({pixels.x0 + x + 0.5, pixels.y0 + y + 0.5});
-      const auto pressure = static_cast<double>(pressure_.at(pixels.x0 + x, pixels.y0 + y));
-      const double alpha = qAlpha(line[x]) * color.a / 255.0 * grain.alpha(place, pressure, share);
-      line[x] = qPremultiply(qRgba(color.r, color.g, color.b, qRound(alpha)));
-    }
-  }
-  painter.drawImage(QPointF(pixels.x0 / view.dpr, pixels.y0 / view.dpr), image_);
-}
-
-void InkBrush::press(const DabRows& rows, const DeviceView& view, const PixelRect& pixels) {
-  pressure_.begin(pixels);
-  rows.walk(pixels, kPressStep, [&](const Dab& dab) {
-    pressure_.press({dab.center.x, dab.center.y}, dab.radius_mm,
-                    pressure_of_width(2.0 * dab.radius_mm / view.px_per_mm()));
-  });
+QImage& InkBrush::cover(const DabRows& rows, std::size_t from, std::size_t to,
+                        const PixelRect& pixels) {
+  fill(rows, from, to, pixels, {255, 255, 255, 255});
+  return image_;
 }
 
 void WetInkView::add(Row& row, const Overlay::InkSegment& segment) const {
@@ -101,6 +75,9 @@ void WetInkView::set_view(const DeviceView& view) {
     row.dabs.clear();
     row.dabs.set_view(view_);
     for (const Overlay::InkSegment& segment : row.segments) add(row, segment);
+    const std::size_t settled = row.settled;
+    unsettle(row);
+    settle(row, settled);
   };
   remake(wet_);
   for (Row& row : drying_) remake(row);
@@ -116,11 +93,13 @@ void WetInkView::set_outline_mode(bool on) {
   set_view(view_);
 }
 
-QRect WetInkView::update(std::span<const Overlay::InkSegment> ink, Rgba color) {
+QRegion WetInkView::update(std::span<const Overlay::InkSegment> ink, Rgba color) {
   if (ink.empty() && wet_.segments.empty()) return {};
   std::size_t n = common(std::span<const Overlay::InkSegment>(wet_.segments), ink);
   if (color != wet_.color || wet_.segments.empty()) n = 0;
   Rect box = wet_.dabs.bounds(n);
+  const bool changes = n < ink.size() || n < wet_.segments.size();
+  if (n < wet_.settled || wet_.segments.empty()) unsettle(wet_);
   wet_.segments.resize(n);
   wet_.dabs.keep(n);
   wet_.color = color;
@@ -130,7 +109,40 @@ QRect WetInkView::update(std::span<const Overlay::InkSegment> ink, Rgba color) {
     add(wet_, segment);
   }
   box.extend(wet_.dabs.bounds(n));
-  return view_.part_of(box);
+  // What two changes have left as it is will stay. In the mask it may look a trace otherwise.
+  const std::size_t settled = wet_.settled;
+  if (changes) settle(wet_, std::min(std::exchange(wet_.firm, n), n));
+  return QRegion(view_.part_of(box)) + view_.part_of(wet_.dabs.bounds(settled, wet_.settled));
+}
+
+PixelRect WetInkView::screen() const {
+  return view_.pixels_of(QRectF(QPointF(0, 0), view_.view.size()));
+}
+
+void WetInkView::unsettle(Row& row) const {
+  row.settled = row.firm = 0;
+  row.mask.clear();
+}
+
+void WetInkView::settle(Row& row, std::size_t to) {
+  if (to <= row.settled) return;
+  const PixelRect all = screen();
+  if (row.mask.empty()) {
+    row.mask.assign(static_cast<std::size_t>(all.width()) * static_cast<std::size_t>(all.height()),
+                    0);
+  }
+  const std::size_t from = std::exchange(row.settled, to);
+  const QRect part = view_.part_of(row.dabs.bounds(from, to));
+  const PixelRect pixels = view_.pixels_of(QRectF(part)).intersected(all);
+  if (part.isEmpty() || pixels.empty()) return;
+  const QImage& cover = brush_.cover(row.dabs, from, to, pixels);
+  for (int y = pixels.y0; y < pixels.y1; ++y) {
+    const auto* line = reinterpret_cast<const QRgb*>(cover.constScanLine(y - pixels.y0));
+    std::uint8_t* kept = row.mask.data() + static_cast<std::ptrdiff_t>(y) * all.width() + pixels.x0;
+    for (int x = 0; x < pixels.width(); ++x) {
+      kept[x] = std::max(kept[x], static_cast<std::uint8_t>(qAlpha(line[x])));
+    }
+  }
 }
 
 void WetInkView::dry() {
@@ -149,14 +161,54 @@ double WetInkView::width_mm() const noexcept {
   return is_empty() ? 0.0 : wet_.segments.back().end_width_mm;
 }
 
-void WetInkView::paint(QPainter& painter, const QRect& part, InkBrush& brush) const {
-  const auto show = [&](const Row& row) {
-    Rgba color = row.color;
-    if (outline_mode_) color.a = 255;
-    brush.paint(painter, part, view_, row.dabs, color, grain_, outline_mode_ ? 0.0 : row.share);
-  };
-  for (const Row& row : drying_) show(row);
-  show(wet_);
+void WetInkView::paint(QPainter& painter, const QRect& part) {
+  for (const Row& row : drying_) paint_row(painter, part, row);
+  paint_row(painter, part, wet_);
+}
+
+void WetInkView::paint_row(QPainter& painter, const QRect& part, const Row& row) {
+  const QRect ink = part & view_.part_of(row.dabs.bounds());
+  const PixelRect pixels = view_.pixels_of(QRectF(ink)).intersected(screen());
+  if (ink.isEmpty() || pixels.empty()) return;
+  QImage& image = brush_.cover(row.dabs, row.settled, DabRows::kAll, pixels);
+  ink_pixels(image, pixels, row);
+  image.setDevicePixelRatio(view_.dpr);
+  painter.drawImage(QPointF(pixels.x0 / view_.dpr, pixels.y0 / view_.dpr), image);
+}
+
+/// From coverage, this one or the mask's, to colour.
+void WetInkView::ink_pixels(QImage& image, const PixelRect& pixels, const Row& row) {
+  const bool grained = !outline_mode_ && !grain_.is_smooth() && row.share > 0.0;
+  if (grained) {
+    pressure_.begin(pixels);
+    row.dabs.walk(pixels, kPressStep, [&](const Dab& dab) {
+      pressure_.press({dab.center.x, dab.center.y}, dab.radius_mm,
+                      pressure_of_width(2.0 * dab.radius_mm / view_.px_per_mm()));
+    });
+  }
+  const Rgba color = row.color;
+  const int opacity = outline_mode_ ? 255 : color.a;
+  std::array<QRgb, 256> inks{};
+  for (int c = 0; c < 256; ++c) {
+    inks[static_cast<std::size_t>(c)] =
+        qPremultiply(qRgba(color.r, color.g, color.b, (c * opacity + 127) / 255));
+  }
+  const int width = screen().width();
+  for (int y = pixels.y0; y < pixels.y1; ++y) {
+    auto* line = reinterpret_cast<QRgb*>(image.scanLine(y - pixels.y0));
+    const std::uint8_t* kept =
+        row.mask.empty() ? nullptr
+                         : row.mask.data() + static_cast<std::ptrdiff_t>(y) * width + pixels.x0;
+    for (int x = 0; x < pixels.width(); ++x) {
+      const int covered = std::max(qAlpha(line[x]), kept ? int{kept[x]} : 0);
+      double seen = 1.0;
+      if (grained && covered > 0) {
+        const auto pressure = static_cast<double>(pressure_.at(pixels.x0 + x, y));
+        seen = grain_.alpha(view_.to_mm({pixels.x0 + x + 0.5, y + 0.5}), pressure, row.share);
+      }
+      line[x] = inks[static_cast<std::size_t>(grained ? qRound(covered * seen) : covered)];
+    }
+  }
 }
 
 DabRows& BandView::rows_of(Overlay::Role role) {

@@ -2,6 +2,7 @@
 
 #include <QImage>
 #include <QPainter>
+#include <QRegion>
 #include <span>
 #include <utility>
 #include <vector>
@@ -13,34 +14,32 @@
 
 namespace felt::desktop {
 
-/// Fills outlines into parts of a painter as the library fills dry ink: same rasteriser, same
-/// pixels. Keeps its buffers.
+/// Fills rows of dabs as the library fills dry ink: same rasteriser, same pixels. Keeps its
+/// buffers.
 class InkBrush {
  public:
   /// What of the rows lies in `part`, pixels of the widget, in one colour that covers each place
   /// once. The painter's transform must be that of the widget.
   void paint(QPainter& painter, const QRectF& part, const DeviceView& view, const DabRows& rows,
              Rgba color);
-  /// The same of ink of which the relief of the sheet lets so much through (grain_share).
-  void paint(QPainter& painter, const QRectF& part, const DeviceView& view, const DabRows& rows,
-             Rgba color, const Grain& grain, double share);
+  /// How much of each pixel the segments from the n-th on cover, up to another: the alpha of a
+  /// white picture, valid until the next call.
+  QImage& cover(const DabRows& rows, std::size_t from, std::size_t to, const PixelRect& pixels);
 
  private:
-  /// The pixels of the part that the rows may ink, clear; none: nothing is to be done.
-  PixelRect prepare(const QRectF& part, const DeviceView& view, const DabRows& rows);
-  void fill(const PixelRect& pixels, Rgba color);
-  void press(const DabRows& rows, const DeviceView& view, const PixelRect& pixels);
+  void fill(const DabRows& rows, std::size_t from, std::size_t to, const PixelRect& pixels,
+            Rgba color);
 
   Rasterizer rasterizer_;
   StrokeOutliner outliner_;
   Outline outline_;
-  PressureMap pressure_;
   QImage image_;
 };
 
 /// Ink while it is drawn: what the tool shows as Overlay::ink, sample by sample. It looks as the
-/// stroke will that comes of it: same edges, same colour with alpha, same grain. Only what a
-/// sample adds is traced and painted; what came before stays as it is.
+/// stroke will that comes of it: same edges, same colour with alpha, same grain. What no longer
+/// changes is kept as a mask of coverage, in which the larger one of two holds; a sample costs what
+/// it adds and the provisional end, whatever the line crosses there.
 ///
 /// When the stroke is in the document, its picture may take a worker a moment: until then the ink
 /// is *drying*, that is, still shown from here.
@@ -54,7 +53,7 @@ class WetInkView {
 
   /// Takes what the tool shows now. Returns around what looks otherwise than before, in pixels of
   /// the widget.
-  QRect update(std::span<const Overlay::InkSegment> ink, Rgba color);
+  QRegion update(std::span<const Overlay::InkSegment> ink, Rgba color);
   /// What is wet is in the document now, and goes when let_go() is called.
   void dry();
   [[nodiscard]] bool is_drying() const noexcept { return !drying_.empty(); }
@@ -63,7 +62,7 @@ class WetInkView {
   /// At the pen's end of what is wet, mm.
   [[nodiscard]] double width_mm() const noexcept;
 
-  void paint(QPainter& painter, const QRect& part, InkBrush& brush) const;
+  void paint(QPainter& painter, const QRect& part);
 
  private:
   struct Row {
@@ -71,13 +70,23 @@ class WetInkView {
     DabRows dabs;
     Rgba color;
     double share = 0.0;
+    std::size_t firm = 0;              ///< segments that the last change left as they were
+    std::size_t settled = 0;           ///< segments in the mask
+    std::vector<std::uint8_t> mask{};  ///< a byte a pixel of the device
   };
   void add(Row& row, const Overlay::InkSegment& segment) const;
+  void settle(Row& row, std::size_t to);
+  void unsettle(Row& row) const;
+  void paint_row(QPainter& painter, const QRect& part, const Row& row);
+  void ink_pixels(QImage& image, const PixelRect& pixels, const Row& row);
+  [[nodiscard]] PixelRect screen() const;
 
   DeviceView view_;
   Grain grain_;
   double share_ = 0.0;
   bool outline_mode_ = false;
+  InkBrush brush_;
+  PressureMap pressure_;
   Row wet_;
   std::vector<Row> drying_;
 };

@@ -1,0 +1,134 @@
+#include <QLocale>
+#include <algorithm>
+#include <cmath>
+
+#include "desktop/canvas/canvas.h"
+#include "desktop/canvas/canvas_shown.h"
+#include "desktop/canvas/settings_keys.h"
+#include "desktop/canvas/tool_hints.h"
+#include "desktop/engine/settings.h"
+
+namespace felt::desktop {
+namespace {
+
+constexpr double kFeltN = 0.02;   // a force that is meant to be felt
+constexpr double kShrink = 0.35;  // of the nib, where something attracts it with a newton
+
+double number(const Session& session, const char* option) {
+  const Result<OptionValue> value = session.option(option);
+  const double* found = value ? std::get_if<double>(&*value) : nullptr;
+  return found ? *found : 0.0;
+}
+
+}  // namespace
+
+void Canvas::set_pen_visible(bool visible) {
+  if (pen_visible_ == visible) return;
+  pen_visible_ = visible;
+  refresh_soon();
+}
+
+void Canvas::set_tablet_in_hand(bool tablet) {
+  tablet_in_hand_ = tablet;
+}
+
+void Canvas::set_pen_status(const QString& status) {
+  pen_status_ = status;
+  take_status();
+}
+
+PenMark Canvas::pen_mark(const PenState& pen) {
+  Shown& s = *shown_;
+  const bool has_force = studio_.device().device().capabilities().has_force();
+  const Force force = !studio_.forces_are_on() ? Force{} : has_force ? pen.sent : pen.asked;
+  const Point stylus{pen.sample.position.x, pen.sample.position.y};
+  Point nib = stylus;
+  const double pull_n = std::hypot(force.x, force.y);
+  if (has_force && studio_.device().hand()) {
+    using Use = PseudoCursor::Use;
+    const Use use = tablet_in_hand_ && !s.wet.is_empty()        ? Use::kTabletInk
+                    : in_contact(pen.sample) || pull_n > kFeltN ? Use::kFeeling
+                                                                : Use::kInAir;
+    PseudoCursorOptions options;
+    options.on =
+        Settings::the().flag(canvas_keys::kPseudoHaptics, canvas_keys::kPseudoHapticsDefault);
+    s.cursor.set_options(options);
+    const std::int64_t now_ns = studio_.now_ns();
+    nib = s.cursor.update(pen.hand, stylus, use, 1e-9 * static_cast<double>(now_ns - s.cursor_ns));
+    s.cursor_ns = now_ns;
+  }
+  PenMark mark{view_.to_px(pen.hand), view_.to_px(nib)};
+  if (!has_force) mark.hand = mark.nib;
+  mark.radius = nib_radius_px(pull_n);
+  if (Settings::the().flag(canvas_keys::kForceArrow, canvas_keys::kForceArrowDefault)) {
+    const QPointF to = view_.to_px(nib + Vec{force.x, force.y});
+    mark.force_n = (to - mark.nib) / view_.px_per_mm();
+    mark.out_n = force.z;
+  }
+  return mark;
+}
+
+/// Of the dot that the pencil would make; smaller where something attracts it. None while ink
+/// flows, which shows it itself, and with tools that show what they reach.
+double Canvas::nib_radius_px(double pull_n) const {
+  const Session& session = studio_.session();
+  const Shown& s = *shown_;
+  if (session.tool().info().id != "pencil" || !s.wet.is_empty()) return 0.0;
+  const double least = number(session, "pencil.min_width_mm");
+  const double most = std::max(least, number(session, "pencil.max_width_mm"));
+  const double pressure = number(session, "pencil.mouse_pressure");
+  const double gamma = std::max(0.1, number(session, "pencil.gamma"));
+  const double width = least + (most - least) * std::pow(pressure, gamma);
+  const bool attracts = std::any_of(s.overlay.rings.begin(), s.overlay.rings.end(),
+                                    [](const auto& r) { return r.role == Overlay::Role::kSnap; });
+  const double shrunk = attracts ? 1.0 - kShrink * std::min(1.0, pull_n) : 1.0;
+  return std::max(2.5, 0.5 * width * view_.px_per_mm() * shrunk);
+}
+
+// --- Texts
+
+QString Canvas::hint() const {
+  const ToolInfo& info = studio_.session().tool().info();
+  return tool_hint(info.id, info.help);
+}
+
+QString Canvas::place_text() const {
+  const PenState& pen = studio_.pen();
+  if (!pen_visible_ || !pen.is_known) return {};
+  const QLocale locale;
+  return tr("%1, %2 mm")
+      .arg(locale.toString(pen.hand.x, 'f', 1), locale.toString(pen.hand.y, 'f', 1));
+}
+
+QString Canvas::view_text() const {
+  QStringList parts{tr("%1 %").arg(qRound(100.0 * zoom()))};
+  const int angle = qRound(view_.angle_deg());
+  if (angle != 0) parts << tr("%1°").arg(angle);
+  if (view_.is_mirrored()) parts << tr("mirrored");
+  return parts.join(QStringLiteral(", "));
+}
+
+bool Canvas::shows_first_minute() const {
+  const Session& session = studio_.session();
+  return session.document().stroke_count() == 0 && !session.gesture_in_work() &&
+         shown_->overlay.ink.empty() && !shown_->wet.is_drying();
+}
+
+void Canvas::take_status() {
+  Shown& s = *shown_;
+  QString status = pen_status_;
+  if (status.isEmpty()) {
+    status = pressure_seen_ ? tr("Pressure is seen.")
+                            : tr("No pressure seen yet: a mouse draws lines of even width.");
+  }
+  char pull_key = 'a';
+  for (const auto& tool : studio_.session().tools()) {
+    if (tool->info().id == "pull" && tool->info().shortcut) pull_key = tool->info().shortcut;
+  }
+  s.first_minute.set_text(pull_key, status);
+  setAccessibleDescription(s.shows_first_minute ? s.first_minute.spoken()
+                                                : tr("The sheet to draw on"));
+  update(s.first_minute.area(size(), font()));
+}
+
+}  // namespace felt::desktop
