@@ -3,6 +3,7 @@
 #include <QPainter>
 #include <QPixmap>
 #include <algorithm>
+#include <cmath>
 
 #include "desktop/canvas/canvas_shown.h"
 #include "desktop/canvas/settings_keys.h"
@@ -34,6 +35,14 @@ QCursor make_pen_cursor() {
   }
   painter.end();
   return QCursor(picture, kMiddle, kMiddle);
+}
+
+/// A region whose edges cut pixels of the device leaves these as they were: a little more then.
+QRegion whole_pixels(const QRegion& region, double dpr) {
+  if (std::abs(dpr - std::round(dpr)) < 1e-6) return region;
+  QRegion wider;
+  for (const QRect& part : region) wider += part.adjusted(-1, -1, 1, 1);
+  return wider;
 }
 
 }  // namespace
@@ -223,7 +232,7 @@ void Canvas::refresh() {
     s.shows_first_minute = !s.shows_first_minute;
     take_status();
   }
-  if (!dirty.isEmpty()) update(dirty);
+  if (!dirty.isEmpty()) update(whole_pixels(dirty, dpr_));
   if (!s.place.isActive()) s.place.start();
 }
 
@@ -259,7 +268,7 @@ void Canvas::let_dry() {
 
 void Canvas::on_ink(const QRect& part) {
   const QRegion dirty = QRegion(part) - painting_;
-  if (!dirty.isEmpty()) update(dirty);
+  if (!dirty.isEmpty()) update(whole_pixels(dirty, dpr_));
 }
 
 }  // namespace felt::desktop
