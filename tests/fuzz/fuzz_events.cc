@@ -53,10 +53,11 @@ struct CheckWhat {
   void operator()(const DuplicateEvent&) const {}
   void operator()(const LayerEvent& e) const {
     using Do = LayerEvent::Do;
-    FELT_CHECK(e.what <= Do::kUse);
+    FELT_CHECK(e.what <= Do::kMove);
     FELT_CHECK((e.what == Do::kAdd) == !e.layer);
     if (e.what == Do::kRename || !e.name.empty()) check_text(e.name);
     FELT_CHECK(e.name.empty() || e.what == Do::kAdd || e.what == Do::kRename);
+    FELT_CHECK(e.index == 0 || e.what == Do::kMove);
   }
   void operator()(const UseDevice& e) const {
     const Capabilities& can = e.capabilities;

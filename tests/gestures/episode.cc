@@ -309,9 +309,10 @@ void Episode::select_or_delete() {
 
 void Episode::change_layers() {
   LayerEvent event;
-  event.what = static_cast<LayerEvent::Do>(dice_.pick(0, static_cast<int>(LayerEvent::Do::kUse)));
+  event.what = static_cast<LayerEvent::Do>(dice_.pick(0, static_cast<int>(LayerEvent::Do::kMove)));
   if (event.what != LayerEvent::Do::kAdd) event.layer = dice_.any(session_.document().layers()).id;
   event.name = dice_.chance(0.5) ? "other" : "";
+  event.index = static_cast<std::size_t>(dice_.pick(0, 4));
   where_ += ", layer " + std::to_string(static_cast<int>(event.what));
   const std::uint64_t edits = edits_;
   is_command_ = true;

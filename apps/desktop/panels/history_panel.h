@@ -1,20 +1,32 @@
 #pragma once
 
+#include <QListView>
+#include <QToolButton>
 #include <QWidget>
 
 #include "desktop/engine/studio.h"
+#include "desktop/panels/history_model.h"
 
 namespace felt::desktop {
 
-/// What was done, newest last; a click goes back to there.
+/// What was done, newest last; a click goes back to there, or forward.
 class HistoryPanel : public QWidget {
   Q_OBJECT
 
  public:
   explicit HistoryPanel(Studio& studio, QWidget* parent = nullptr);
 
+  /// Undoes or does again until the drawing is as in this row.
+  void go_to(int row);
+
  private:
+  void follow();
+
   Studio& studio_;
+  HistoryModel* model_;
+  QListView* list_;
+  QToolButton* undo_;
+  QToolButton* redo_;
 };
 
 }  // namespace felt::desktop

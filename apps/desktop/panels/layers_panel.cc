@@ -1,7 +1,170 @@
 #include "desktop/panels/layers_panel.h"
 
-namespace felt::desktop {
+#include <QHBoxLayout>
+#include <QKeyEvent>
+#include <QVBoxLayout>
 
-LayersPanel::LayersPanel(Studio& studio, QWidget* parent) : QWidget(parent), studio_(studio) {}
+#include "desktop/panels/layer_delegate.h"
+#include "desktop/panels/tool_icons.h"
+
+namespace felt::desktop {
+namespace {
+
+using Do = LayerEvent::Do;
+
+bool is_open(const Layer& layer) {
+  return layer.visible && !layer.locked;
+}
+
+}  // namespace
+
+LayersPanel::LayersPanel(Studio& studio, QWidget* parent)
+    : QWidget(parent),
+      studio_(studio),
+      model_(new LayersModel(studio, this)),
+      list_(new QListView(this)) {
+  auto* lines = new QVBoxLayout(this);
+  lines->setContentsMargins(0, 0, 0, 0);
+  lines->setSpacing(0);
+  auto* delegate = new LayerDelegate(list_);
+  list_->setModel(model_);
+  list_->setItemDelegate(delegate);
+  list_->setFrameShape(QFrame::NoFrame);
+  list_->setDragDropMode(QAbstractItemView::InternalMove);
+  list_->setDefaultDropAction(Qt::MoveAction);
+  list_->setEditTriggers(QAbstractItemView::DoubleClicked | QAbstractItemView::EditKeyPressed);
+  list_->setUniformItemSizes(true);
+  list_->setAccessibleName(tr("Layers"));
+  list_->installEventFilter(this);
+  lines->addWidget(list_, 1);
+  auto* row = new QHBoxLayout;
+  row->setContentsMargins(6, 4, 6, 4);
+  row->setSpacing(2);
+  const auto add = [&](const char* icon, const QString& name, const QString& tip, Do what) {
+    QToolButton* made = button(icon, name, tip);
+    row->addWidget(made);
+    connect(made, &QToolButton::clicked, this, [this, what] { tell(what); });
+    return made;
+  };
+  add("layer-add", tr("Add a layer"), tr("A new layer above this one"), Do::kAdd);
+  row->addStretch(1);
+  raise_ = add("raise", tr("Raise the layer"), tr("One place up"), Do::kRaise);
+  lower_ = add("lower", tr("Lower the layer"), tr("One place down"), Do::kLower);
+  add("delete", tr("Remove the layer"), tr("Removes the layer and what is drawn on it"),
+      Do::kRemove);
+  lines->addLayout(row);
+  connect(delegate, &LayerDelegate::eye_clicked, this, [this](const QModelIndex& index) {
+    choose(model_->layer_at(index.row()));
+    toggle_visible();
+  });
+  connect(delegate, &LayerDelegate::lock_clicked, this, [this](const QModelIndex& index) {
+    choose(model_->layer_at(index.row()));
+    toggle_locked();
+  });
+  connect(list_, &QListView::clicked, this, &LayersPanel::use_chosen);
+  connect(model_, &LayersModel::refreshed, this, &LayersPanel::follow_model);
+  connect(&studio, &Studio::layer_changed, this, [this] { choose(studio_.session().layer()); });
+  connect(&studio, &Studio::opened, this, [this] { choose(studio_.session().layer()); });
+  follow_model();
+}
+
+QToolButton* LayersPanel::button(const char* icon, const QString& name, const QString& tip) {
+  auto* made = new QToolButton(this);
+  made->setIcon(icon_of(icon));
+  made->setIconSize({18, 18});
+  made->setAutoRaise(true);
+  made->setObjectName(QString::fromLatin1(icon));
+  made->setAccessibleName(name);
+  made->setToolTip(tip);
+  return made;
+}
+
+LayerId LayersPanel::chosen() const {
+  const LayerId id = model_->layer_at(list_->currentIndex().row());
+  return id ? id : studio_.session().layer();
+}
+
+void LayersPanel::choose(LayerId layer) {
+  const int row = model_->row_of(layer);
+  if (row < 0) return;
+  list_->setCurrentIndex(model_->index(row));
+  follow_chosen();
+}
+
+void LayersPanel::tell(Do what) {
+  studio_.apply(LayerEvent{what, what == Do::kAdd ? LayerId{} : chosen()});
+}
+
+void LayersPanel::toggle_visible() {
+  const Layer* layer = studio_.session().document().layer(chosen());
+  if (layer) tell(layer->visible ? Do::kHide : Do::kShow);
+}
+
+void LayersPanel::toggle_locked() {
+  const Layer* layer = studio_.session().document().layer(chosen());
+  if (layer) tell(layer->locked ? Do::kUnlock : Do::kLock);
+}
+
+void LayersPanel::use_next(bool above) {
+  for (int row = model_->row_of(studio_.session().layer());;) {
+    row += above ? -1 : 1;
+    const Layer* layer = studio_.session().document().layer(model_->layer_at(row));
+    if (!layer) return;
+    if (!is_open(*layer)) continue;
+    studio_.apply(LayerEvent{Do::kUse, layer->id});
+    return;
+  }
+}
+
+void LayersPanel::rename() {
+  list_->setFocus();
+  list_->edit(list_->currentIndex());
+}
+
+void LayersPanel::follow_model() {
+  const LayerId wanted = model_->row_of(kept_) >= 0 ? kept_ : studio_.session().layer();
+  choose(wanted);
+}
+
+void LayersPanel::follow_chosen() {
+  kept_ = chosen();
+  const int row = model_->row_of(kept_);
+  raise_->setEnabled(row > 0);
+  lower_->setEnabled(row >= 0 && row + 1 < model_->rowCount());
+  Q_EMIT changed();
+}
+
+void LayersPanel::use_chosen() {
+  const Layer* layer = studio_.session().document().layer(chosen());
+  follow_chosen();
+  // A hidden or locked one may be chosen, to show it again; nothing is drawn there.
+  if (layer && is_open(*layer) && layer->id != studio_.session().layer()) {
+    studio_.apply(LayerEvent{Do::kUse, layer->id});
+  }
+}
+
+bool LayersPanel::eventFilter(QObject* watched, QEvent* event) {
+  if (watched == list_ && event->type() == QEvent::KeyPress) {
+    switch (static_cast<QKeyEvent*>(event)->key()) {
+      case Qt::Key_Space:
+        toggle_visible();
+        return true;
+      case Qt::Key_Return:
+      case Qt::Key_Enter:
+        use_chosen();
+        return true;
+      case Qt::Key_Up:
+      case Qt::Key_Down:
+      case Qt::Key_Home:
+      case Qt::Key_End:
+        QMetaObject::invokeMethod(
+            this, [this] { follow_chosen(); }, Qt::QueuedConnection);
+        break;
+      default:
+        break;
+    }
+  }
+  return QWidget::eventFilter(watched, event);
+}
 
 }  // namespace felt::desktop

@@ -1,21 +1,57 @@
 #pragma once
 
+#include <QLabel>
+#include <QScrollArea>
+#include <QToolButton>
+#include <QVBoxLayout>
 #include <QWidget>
+#include <map>
+#include <string>
+#include <vector>
 
 #include "desktop/engine/studio.h"
+#include "desktop/panels/option_row.h"
 
 namespace felt::desktop {
 
 /// The options of the tool in hand, made from its table (OptionSpec): a row each, its help as the
-/// tip.
+/// tip. Rows that mean nothing with what is chosen are not shown; what is felt comes last. Writes
+/// SetOption events, and follows all that others write.
 class OptionsPanel : public QWidget {
   Q_OBJECT
 
  public:
   explicit OptionsPanel(Studio& studio, QWidget* parent = nullptr);
 
+  /// A row of the tool in hand by the option's id; null where there is none.
+  [[nodiscard]] OptionRow* row(std::string_view id) const;
+
+ protected:
+  void changeEvent(QEvent* event) override;
+
  private:
+  struct Page {
+    QWidget* widget = nullptr;
+    std::vector<OptionRow*> rows;
+  };
+
+  void show_tool();
+  Page& page_of(const ToolInfo& info);
+  void add_row(Page& page, QVBoxLayout* lines, const std::string& tool, const OptionSpec& spec);
+  /// Shows the value of an option, and the rows that it decides about.
+  void follow(const QString& id);
+  void show_values(const ToolInfo& info, Page& page);
+  void show_matters(const std::string& tool, Page& page);
+  void reset_tool();
+
   Studio& studio_;
+  QLabel* picture_;
+  QLabel* title_;
+  QToolButton* reset_;
+  QScrollArea* scroll_;
+  QVBoxLayout* pages_box_;
+  std::map<std::string, Page, std::less<>> pages_;  // by tool, each made when it is first in hand
+  std::string shown_;
 };
 
 }  // namespace felt::desktop

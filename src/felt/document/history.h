@@ -40,6 +40,13 @@ class History {
   [[nodiscard]] std::string_view redo_label() const noexcept;
   /// Steps that can be undone.
   [[nodiscard]] std::size_t undo_count() const noexcept { return done_; }
+  /// All that are remembered: those that can be undone, the oldest first, then those that can be
+  /// done again.
+  [[nodiscard]] std::size_t step_count() const noexcept { return steps_.size(); }
+  /// Label of the step with this index. Requires i < step_count(). Valid as undo_label() is.
+  [[nodiscard]] std::string_view label(std::size_t i) const noexcept {
+    return steps_[i].edit.label;
+  }
   /// Steps that were forgotten for want of memory.
   [[nodiscard]] std::size_t forgotten_count() const noexcept { return forgotten_; }
   [[nodiscard]] std::size_t memory_bytes() const noexcept { return bytes_; }

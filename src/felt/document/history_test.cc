@@ -43,6 +43,28 @@ TEST(History, R52_UndoAllGivesTheEmptyDocumentAndRedoAllTheFullOne) {
   }
 }
 
+TEST(History, NamesAllStepsWhereverItStands) {
+  Document d;
+  History history;
+  for (const char* label : {"a", "b", "c"}) {
+    const Edit edit = draw(d, label);
+    ASSERT_TRUE(d.apply(edit));
+    history.record(edit);
+  }
+  const auto labels = [&history] {
+    std::string all;
+    for (std::size_t i = 0; i < history.step_count(); ++i) all += history.label(i);
+    return all;
+  };
+  EXPECT_EQ(labels(), "abc");
+  ASSERT_TRUE(history.undo(d) && history.undo(d));
+  EXPECT_EQ(labels(), "abc");
+  const Edit edit = draw(d, "d");
+  ASSERT_TRUE(d.apply(edit));
+  history.record(edit);
+  EXPECT_EQ(labels(), "ad");
+}
+
 TEST(History, R52_ThousandRandomStepsBackAndForth) {
   testing::RandomEdits random(7);
   testing::RandomStroke dice(8);

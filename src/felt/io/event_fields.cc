@@ -152,6 +152,16 @@ Result<void> parse_senses_pressure(Value& value, EventFields& out) {
   return {};
 }
 
+Result<void> parse_index(Value& value, EventFields& out) {
+  const std::string_view token = token_of(value);
+  std::uint64_t index = 0;
+  if (token.size() > limits::kMaxNumberChars || value.get_uint64().get(index)) {
+    return bad("index: " + excerpt(token) + " is not a place, a whole number from 0 on");
+  }
+  out.index = index;
+  return {};
+}
+
 using EventField = Field<EventFields>;
 
 /// Read before the others, to know which they are.
@@ -177,12 +187,14 @@ constexpr std::array kSelectFields = {
                                 return parse_word(v, "what", kSelectionWords, e.selection);
                               }}};
 constexpr std::array kLayerFields = {
-    kEvent, kTime,
+    kEvent,
+    kTime,
     EventField{"do", true,
                [](Value& v, EventFields& e) { return parse_word(v, "do", kLayerWords, e.action); }},
-    EventField{"id", false, parse_layer}, EventField{"name", false, [](Value& v, EventFields& e) {
-                                                       return parse_text(v, "name", e.name);
-                                                     }}};
+    EventField{"id", false, parse_layer},
+    EventField{"index", false, parse_index},
+    EventField{"name", false,
+               [](Value& v, EventFields& e) { return parse_text(v, "name", e.name); }}};
 constexpr std::array kPoseFields = {
     kEvent,
     kTime,

@@ -3,6 +3,7 @@
 /// The keys of event lines, each parsed into its field. Private to this layer. Errors start with
 /// the key.
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -28,6 +29,7 @@ struct EventFields {
   LayerId layer;
   std::string name;
   Capabilities device;
+  std::optional<std::size_t> index;
 };
 
 /// The kinds of events, by their name in the file.

@@ -25,9 +25,10 @@ struct Glance {
 /// Only what means something to it.
 LayerEvent layer_event(EventFields&& fields) {
   using Do = LayerEvent::Do;
-  LayerEvent event{fields.action, fields.layer, {}};
+  LayerEvent event{fields.action, fields.layer};
   if (event.what == Do::kAdd) event.layer = {};
   if (event.what == Do::kAdd || event.what == Do::kRename) event.name = std::move(fields.name);
+  if (event.what == Do::kMove) event.index = fields.index.value_or(0);
   return event;
 }
 
@@ -93,6 +94,9 @@ Result<void> check_layer(EventName name, const EventFields& fields) {
   }
   if (fields.action == LayerEvent::Do::kRename && fields.name.empty()) {
     return json::bad("key \"name\" is missing");
+  }
+  if (fields.action == LayerEvent::Do::kMove && !fields.index) {
+    return json::bad("key \"index\" is missing");
   }
   return {};
 }

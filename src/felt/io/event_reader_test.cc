@@ -80,6 +80,10 @@ TEST(EventReader, ReadsWhatIsDoneToLayers) {
   EXPECT_EQ(event_of(R"({"event":"layer","do":"hide","id":18446744073709551615,"name":"b",)"
                      R"("t_ms":0})"),
             (Event{0, LayerEvent{Do::kHide, {18446744073709551615U}, ""}}));
+  EXPECT_EQ(event_of(R"({"event":"layer","do":"move","id":2,"index":3,"name":"b","t_ms":0})"),
+            (Event{0, LayerEvent{Do::kMove, {2}, "", 3}}));
+  EXPECT_EQ(event_of(R"({"event":"layer","do":"raise","id":2,"index":3,"t_ms":0})"),
+            (Event{0, LayerEvent{Do::kRaise, {2}, ""}}));
   const std::pair<const char*, Do> kinds[] = {
       {"remove", Do::kRemove}, {"show", Do::kShow},   {"lock", Do::kLock}, {"unlock", Do::kUnlock},
       {"raise", Do::kRaise},   {"lower", Do::kLower}, {"use", Do::kUse}};
@@ -120,12 +124,19 @@ TEST(EventReader, SaysWhatIsWrongWithCommands) {
   EXPECT_EQ(error_of(R"({"event":"layer","id":1,"t_ms":0})"), "key \"do\" is missing");
   EXPECT_EQ(error_of(R"({"event":"layer","do":"fly","id":1,"t_ms":0})"),
             "do: \"fly\" is not one of add, remove, rename, show, hide, lock, unlock, raise, "
-            "lower, use");
+            "lower, use, move");
   EXPECT_EQ(error_of(R"({"event":"layer","do":"hide","t_ms":0})"), "key \"id\" is missing");
   EXPECT_EQ(error_of(R"({"event":"layer","do":"rename","id":1,"t_ms":0})"),
             "key \"name\" is missing");
   EXPECT_EQ(error_of(R"({"event":"layer","do":"rename","id":1,"name":"","t_ms":0})"),
             "name: is empty");
+  EXPECT_EQ(error_of(R"({"event":"layer","do":"move","id":1,"t_ms":0})"),
+            "key \"index\" is missing");
+  for (const char* index : {"-1", "1.5", "\"1\"", "18446744073709551616", "null"}) {
+    EXPECT_EQ(error_of(R"({"event":"layer","do":"move","id":1,"t_ms":0,"index":)" +
+                       std::string(index) + "}"),
+              "index: " + std::string(index) + " is not a place, a whole number from 0 on");
+  }
   for (const char* id : {"0", "-1", "1.5", "\"1\"", "18446744073709551616", "null"}) {
     EXPECT_EQ(error_of(R"({"event":"layer","do":"hide","t_ms":0,"id":)" + std::string(id) + "}"),
               "id: " + std::string(id) + " is not a layer, a whole number from 1 on");

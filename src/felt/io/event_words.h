@@ -12,8 +12,8 @@ namespace felt::json {
 
 inline constexpr std::array<std::string_view, 3> kSelectionWords = {"all", "none", "invert"};
 
-inline constexpr std::array<std::string_view, 10> kLayerWords = {
-    "add", "remove", "rename", "show", "hide", "lock", "unlock", "raise", "lower", "use"};
+inline constexpr std::array<std::string_view, 11> kLayerWords = {
+    "add", "remove", "rename", "show", "hide", "lock", "unlock", "raise", "lower", "use", "move"};
 
 constexpr std::string_view word_of(SelectStrokes::What what) {
   return kSelectionWords[static_cast<std::size_t>(what)];
@@ -23,6 +23,6 @@ constexpr std::string_view word_of(LayerEvent::Do what) {
 }
 
 static_assert(word_of(SelectStrokes::What::kInvert) == "invert");
-static_assert(word_of(LayerEvent::Do::kUse) == "use");
+static_assert(word_of(LayerEvent::Do::kMove) == "move");
 
 }  // namespace felt::json

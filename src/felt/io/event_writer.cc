@@ -73,6 +73,7 @@ struct AppendWhat {
     // An id has up to 20 digits: more than a double holds.
     if (e.layer) out += ",\"id\":" + std::to_string(e.layer.value);
     if (!e.name.empty()) append_key_string(out, "name", e.name);
+    if (e.what == LayerEvent::Do::kMove) out += ",\"index\":" + std::to_string(e.index);
   }
   void operator()(const UseDevice& e) const {
     const Capabilities& can = e.capabilities;

@@ -90,10 +90,11 @@ std::optional<double> any_pressure() {
 
 LayerEvent any_layer_event() {
   using Do = LayerEvent::Do;
-  LayerEvent event{static_cast<Do>(*rc::gen::inRange(0, 10)), {}, {}};
+  LayerEvent event{static_cast<Do>(*rc::gen::inRange(0, 11)), {}, {}};
   if (event.what != Do::kAdd) event.layer.value = *rc::gen::positive<std::uint64_t>();
   const bool is_named = event.what == Do::kAdd ? *rc::gen::arbitrary<bool>() : false;
   if (is_named || event.what == Do::kRename) event.name = *texts();
+  if (event.what == Do::kMove) event.index = *rc::gen::arbitrary<std::uint32_t>();
   return event;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -95,10 +96,12 @@ struct LayerEvent {
     kRaise,  ///< one place up; nothing at the top
     kLower,  ///< one place down; nothing at the bottom
     kUse,    ///< new ink goes there; no step of undo
+    kMove,   ///< to the place `index`
   };
   Do what = Do::kAdd;
-  LayerId layer;     ///< none for kAdd
-  std::string name;  ///< of kAdd and kRename
+  LayerId layer;          ///< none for kAdd
+  std::string name = {};  ///< of kAdd and kRename
+  std::size_t index = 0;  ///< of kMove: 0 is the lowest place, beyond the highest is the highest
   friend bool operator==(const LayerEvent&, const LayerEvent&) = default;
 };
 

@@ -31,6 +31,8 @@ std::string label_of(Do what) {
       return "Raise layer";
     case Do::kLower:
       return "Lower layer";
+    case Do::kMove:
+      return "Move layer";
     case Do::kUse:
       break;
   }
@@ -66,9 +68,10 @@ LayerState changed(LayerState state, const LayerEvent& event) {
   return state;
 }
 
-std::size_t moved(std::size_t index, std::size_t count, Do what) {
-  if (what == Do::kRaise) return std::min(index + 1, count - 1);
-  if (what == Do::kLower) return index - std::min<std::size_t>(index, 1);
+std::size_t moved(std::size_t index, std::size_t count, const LayerEvent& event) {
+  if (event.what == Do::kRaise) return std::min(index + 1, count - 1);
+  if (event.what == Do::kLower) return index - std::min<std::size_t>(index, 1);
+  if (event.what == Do::kMove) return std::min(event.index, count - 1);
   return index;
 }
 
@@ -76,7 +79,7 @@ Edit change_of(const Document& document, const Layer& layer, const LayerEvent& e
   const std::size_t count = document.layers().size();
   const std::size_t index = index_of(document, layer.id);
   LayerChange change{layer.id, layer.state(), changed(layer.state(), event), index,
-                     moved(index, count, event.what)};
+                     moved(index, count, event)};
   if (change.after == change.before && change.after_index == index) return {};
   return {label_of(event.what), {}, {std::move(change)}};
 }

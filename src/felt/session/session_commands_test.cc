@@ -215,6 +215,13 @@ TEST(SessionLayers, EachCommandIsOneStepAndUndone) {
   is_one_step({Do::kLock, {2}, ""}, {1, 2}, 2);
   is_one_step({Do::kRaise, {1}, ""}, {2, 1}, 2);
   is_one_step({Do::kLower, {2}, ""}, {2, 1}, 2);
+  is_one_step({Do::kMove, {1}, "", 1}, {2, 1}, 2);
+  is_one_step({Do::kMove, {2}, "", 0}, {2, 1}, 2);
+  desk.layer(Do::kAdd);
+  is_one_step({Do::kMove, {1}, "", 2}, {2, 3, 1}, 2);
+  is_one_step({Do::kMove, {1}, "", 99}, {2, 3, 1}, 2);
+  is_one_step({Do::kMove, {3}, "", 0}, {3, 1, 2}, 2);
+  desk.must(UndoEvent{});
   desk.layer(Do::kHide, 1);
   desk.layer(Do::kLock, 1);
   is_one_step({Do::kShow, {1}, ""}, {1, 2}, 2);
@@ -279,7 +286,7 @@ TEST(SessionLayers, SaysWhatIsWrongAndChangesNothing) {
     return desk.tell(LayerEvent{what, {id}, "x"}).error().message;
   };
   for (const Do what : {Do::kRemove, Do::kRename, Do::kShow, Do::kHide, Do::kLock, Do::kUnlock,
-                        Do::kRaise, Do::kLower, Do::kUse}) {
+                        Do::kRaise, Do::kLower, Do::kUse, Do::kMove}) {
     EXPECT_EQ(error(what, 9), "no layer 9");
   }
   EXPECT_EQ(error(Do::kUse, 2), "layer 2 (b) is hidden: nothing can be drawn there");
@@ -392,7 +399,8 @@ Event random_event(const Session& session, std::mt19937& random) {
     case 5:
       return {0, SelectTool{random() % 3 ? "pencil" : "eraser"}};
     default:
-      return {0, LayerEvent{static_cast<Do>(random() % 10), any, random() % 2 ? "n" : ""}};
+      return {0, LayerEvent{static_cast<Do>(random() % 11), any, random() % 2 ? "n" : "",
+                            random() % 4}};
   }
 }
 

@@ -82,6 +82,21 @@ std::string allowed_text(const OptionSpec& spec) {
          (spec.unit.empty() ? "" : " " + std::string(spec.unit));
 }
 
+std::string_view decider_of(const OptionSpec& spec) noexcept {
+  return spec.when.substr(0, spec.when.find('='));
+}
+
+bool matters_with(const OptionSpec& spec, std::string_view choice) noexcept {
+  if (spec.when.empty()) return true;
+  std::string_view words = spec.when.substr(spec.when.find('=') + 1);
+  for (;;) {
+    const std::size_t end = words.find('|');
+    if (words.substr(0, end) == choice) return true;
+    if (end == std::string_view::npos) return false;
+    words.remove_prefix(end + 1);
+  }
+}
+
 OptionValue default_value(const OptionSpec& spec) {
   if (spec.kind == OptionKind::kSwitch) return spec.fallback != 0.0;
   if (spec.kind == OptionKind::kChoice) {

@@ -28,6 +28,9 @@ struct OptionSpec {
   double fallback = 0.0;  ///< default: the number, 0 or 1 of a switch, the index of a choice
   std::span<const std::string_view> choices = {};  ///< kChoice
   std::string_view help;                           ///< one sentence
+  /// "mode=brush" or "snap=force|both": another choice of the same table and the values with which
+  /// this row means something; a panel shows it then only. "" for always.
+  std::string_view when = {};
 };
 
 /// The row that every tool has: how much of its forces is felt. `help` says of which.
@@ -40,11 +43,16 @@ constexpr OptionSpec strength_option(std::string_view help) noexcept {
           .max = 1.0,
           .fallback = 1.0,
           .choices = {},
-          .help = help};
+          .help = help,
+          .when = {}};
 }
 
 /// What the option may be, for messages and help: "it is a number from 0.3 to 20 mm".
 std::string allowed_text(const OptionSpec& spec);
+/// Whether the row means something while the choice that its `when` names is this one.
+bool matters_with(const OptionSpec& spec, std::string_view choice) noexcept;
+/// The option that its `when` names; "" where it always means something.
+std::string_view decider_of(const OptionSpec& spec) noexcept;
 /// Its default.
 OptionValue default_value(const OptionSpec& spec);
 

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <limits>
 #include <set>
@@ -100,6 +101,37 @@ TEST(EveryTool, HasATableThatMakesSense) {
     }
   }
   EXPECT_TRUE(tools.contains("pencil"));
+}
+
+TEST(EveryTool, SaysOfRealChoicesWhenARowMeansSomething) {
+  for (const auto& tool : make_tools()) {
+    const auto table = tool->info().options;
+    for (const OptionSpec& spec : table) {
+      SCOPED_TRACE(std::string(tool->info().id) + "." + std::string(spec.id));
+      const auto decider = std::find_if(table.begin(), table.end(), [&](const OptionSpec& other) {
+        return other.id == decider_of(spec);
+      });
+      EXPECT_EQ(decider == table.end(), spec.when.empty());
+      if (decider == table.end()) continue;
+      ASSERT_EQ(decider->kind, OptionKind::kChoice);
+      EXPECT_TRUE(decider->when.empty()) << "one look at one choice must do";
+      std::string words;
+      for (const std::string_view choice : decider->choices) {
+        if (matters_with(spec, choice)) words += (words.empty() ? "" : "|") + std::string(choice);
+      }
+      EXPECT_EQ(spec.when, std::string(decider->id) + "=" + words);
+    }
+  }
+}
+
+TEST(OptionSpec, AlwaysMeansSomethingUnlessAChoiceDecides) {
+  OptionSpec spec;
+  EXPECT_TRUE(matters_with(spec, "") && matters_with(spec, "near"));
+  EXPECT_EQ(decider_of(spec), "");
+  spec.when = "way=near|nearer";
+  EXPECT_EQ(decider_of(spec), "way");
+  EXPECT_TRUE(matters_with(spec, "near") && matters_with(spec, "nearer"));
+  EXPECT_FALSE(matters_with(spec, "nea") || matters_with(spec, "") || matters_with(spec, "far"));
 }
 
 void check_number(Tool& tool, const OptionSpec& spec) {

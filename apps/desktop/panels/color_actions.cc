@@ -1,0 +1,45 @@
+// The actions of the colours panel.
+#include <QCoreApplication>
+
+#include "desktop/panels/colors_panel.h"
+#include "desktop/panels/tool_icons.h"
+
+namespace felt::desktop {
+namespace {
+
+QString text(const char* english) {
+  return QCoreApplication::translate("ColorActions", english);
+}
+
+}  // namespace
+
+void add_color_actions(Actions& actions, ColorsPanel& panel) {
+  actions
+      .add(QStringLiteral("color.open_palette"),
+           text(QT_TRANSLATE_NOOP("ColorActions", "&Open a palette…")), {},
+           text(QT_TRANSLATE_NOOP("ColorActions", "Reads colours from a .gpl file.")),
+           [&panel] { panel.ask_open(); })
+      ->setIcon(icon_of("palette"));
+  actions
+      .add(QStringLiteral("color.export_palette"),
+           text(QT_TRANSLATE_NOOP("ColorActions", "&Export the palette…")), {},
+           text(QT_TRANSLATE_NOOP("ColorActions", "Writes the palette that is shown.")),
+           [&panel] { panel.ask_export(); })
+      ->setIcon(icon_of("export"));
+  actions
+      .add(QStringLiteral("color.keep"),
+           text(QT_TRANSLATE_NOOP("ColorActions", "&Keep the colour")), {},
+           text(QT_TRANSLATE_NOOP("ColorActions",
+                                  "Puts the colour in use into a palette of your own.")),
+           [&panel] { panel.keep_color(); })
+      ->setIcon(icon_of("add"));
+  actions
+      .add(QStringLiteral("color.drop"),
+           text(QT_TRANSLATE_NOOP("ColorActions", "&Take the colour out")), {},
+           text(QT_TRANSLATE_NOOP("ColorActions",
+                                  "Takes the colour in use out of your own palette.")),
+           [&panel] { panel.drop_color(); })
+      ->setIcon(icon_of("remove"));
+}
+
+}  // namespace felt::desktop

@@ -1,0 +1,89 @@
+#pragma once
+
+#include <QColor>
+#include <QWidget>
+
+namespace felt::desktop {
+
+/// Saturation across and brightness up, of one hue. By mouse, or by arrow keys (with Shift in
+/// larger steps).
+class ShadeField : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit ShadeField(QWidget* parent = nullptr);
+
+  /// 0..1 each.
+  void show_shade(double hue, double saturation, double brightness);
+  [[nodiscard]] QSize sizeHint() const override { return {200, 140}; }
+  [[nodiscard]] QSize minimumSizeHint() const override { return {80, 80}; }
+
+ Q_SIGNALS:
+  void chosen(double saturation, double brightness);
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+  void mousePressEvent(QMouseEvent* event) override;
+  void mouseMoveEvent(QMouseEvent* event) override;
+  void keyPressEvent(QKeyEvent* event) override;
+
+ private:
+  void take(QPointF at);
+  void choose(double saturation, double brightness);
+
+  double hue_ = 0.0;
+  double saturation_ = 0.0;
+  double brightness_ = 0.0;
+};
+
+/// The hues, from top to bottom. Likewise.
+class HueStrip : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit HueStrip(QWidget* parent = nullptr);
+
+  void show_hue(double hue);
+  [[nodiscard]] QSize sizeHint() const override { return {20, 140}; }
+  [[nodiscard]] QSize minimumSizeHint() const override { return {20, 80}; }
+
+ Q_SIGNALS:
+  void chosen(double hue);
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+  void mousePressEvent(QMouseEvent* event) override;
+  void mouseMoveEvent(QMouseEvent* event) override;
+  void keyPressEvent(QKeyEvent* event) override;
+
+ private:
+  void choose(double hue);
+
+  double hue_ = 0.0;
+};
+
+/// Both side by side: any colour. Greys and black keep the hue that they came from.
+class ColorField : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit ColorField(QWidget* parent = nullptr);
+
+  /// Its alpha means nothing here.
+  void show_color(const QColor& color);
+  [[nodiscard]] QColor color() const;
+
+ Q_SIGNALS:
+  void chosen(const QColor& color);
+
+ private:
+  void show_all();
+
+  ShadeField* shade_;
+  HueStrip* strip_;
+  double hue_ = 0.0;
+  double saturation_ = 0.0;
+  double brightness_ = 0.0;
+};
+
+}  // namespace felt::desktop

@@ -1,0 +1,142 @@
+#include "desktop/panels/edit_actions.h"
+
+#include <QCoreApplication>
+
+#include "desktop/panels/tool_icons.h"
+#include "desktop/panels/tool_texts.h"
+
+namespace felt::desktop {
+namespace {
+
+QString text(const char* english) {
+  return QCoreApplication::translate("EditActions", english);
+}
+
+/// Keeps undo and redo as the history is. Asked after every turn: it must cost nothing while
+/// nothing happens.
+class UndoTexts : public QObject {
+ public:
+  UndoTexts(QAction* undo, QAction* redo, Studio& studio, QObject* parent)
+      : QObject(parent), undo_(undo), redo_(redo), studio_(studio) {
+    connect(&studio, &Studio::shown, this, [this] { follow(); });
+    connect(&studio, &Studio::edited, this, [this] { follow(); });
+    connect(&studio, &Studio::opened, this, [this] {
+      told_ = {};
+      follow();
+    });
+    follow();
+  }
+
+ private:
+  struct Told {
+    std::uint64_t edits = ~std::uint64_t{0};
+    bool gesture = false;
+    friend bool operator==(const Told&, const Told&) = default;
+  };
+
+  void follow() {
+    const Session& session = studio_.session();
+    const Told now{session.edit_count(), session.gesture_in_work()};
+    if (now == told_) return;
+    told_ = now;
+    const History& history = session.history();
+    // While a gesture is in work, undo takes that back and nothing else.
+    undo_->setEnabled(history.can_undo() || now.gesture);
+    redo_->setEnabled(history.can_redo() && !now.gesture);
+    undo_->setText(history.can_undo() && !now.gesture
+                       ? text(QT_TRANSLATE_NOOP("EditActions", "&Undo %1"))
+                             .arg(edit_text(history.undo_label()))
+                       : text(QT_TRANSLATE_NOOP("EditActions", "&Undo")));
+    redo_->setText(history.can_redo() ? text(QT_TRANSLATE_NOOP("EditActions", "&Redo %1"))
+                                            .arg(edit_text(history.redo_label()))
+                                      : text(QT_TRANSLATE_NOOP("EditActions", "&Redo")));
+  }
+
+  QAction* undo_;
+  QAction* redo_;
+  Studio& studio_;
+  Told told_;
+};
+
+void add_history(Actions& actions, Studio& studio) {
+  QAction* undo =
+      actions.add(QStringLiteral("edit.undo"), text(QT_TRANSLATE_NOOP("EditActions", "&Undo")),
+                  {QKeySequence(Qt::CTRL | Qt::Key_Z)},
+                  text(QT_TRANSLATE_NOOP("EditActions", "Takes the last step back.")),
+                  [&studio] { studio.apply(UndoEvent{}); });
+  undo->setIcon(icon_of("undo"));
+  QAction* redo = actions.add(
+      QStringLiteral("edit.redo"), text(QT_TRANSLATE_NOOP("EditActions", "&Redo")),
+      {QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_Z), QKeySequence(Qt::CTRL | Qt::Key_Y)},
+      text(QT_TRANSLATE_NOOP("EditActions", "Does again what was taken back.")),
+      [&studio] { studio.apply(RedoEvent{}); });
+  redo->setIcon(icon_of("redo"));
+  new UndoTexts(undo, redo, studio, &actions);
+  actions
+      .add(QStringLiteral("edit.cancel"),
+           text(QT_TRANSLATE_NOOP("EditActions", "&Cancel the line in work")),
+           {QKeySequence(Qt::Key_Escape)},
+           text(QT_TRANSLATE_NOOP("EditActions",
+                                  "What the pen is doing now never was; lift it to go on.")),
+           [&studio] { studio.apply(CancelEvent{}); })
+      ->setIcon(icon_of("close"));
+}
+
+void add_selected(Actions& actions, Studio& studio) {
+  QAction* remove =
+      actions.add(QStringLiteral("edit.delete"), text(QT_TRANSLATE_NOOP("EditActions", "De&lete")),
+                  {QKeySequence(Qt::Key_Delete), QKeySequence(Qt::Key_Backspace)},
+                  text(QT_TRANSLATE_NOOP("EditActions", "Removes the lines that are selected.")),
+                  [&studio] { studio.apply(DeleteEvent{}); });
+  remove->setIcon(icon_of("delete"));
+  QAction* copy = actions.add(
+      QStringLiteral("edit.duplicate"), text(QT_TRANSLATE_NOOP("EditActions", "&Duplicate")),
+      {QKeySequence(Qt::CTRL | Qt::Key_D)},
+      text(QT_TRANSLATE_NOOP("EditActions", "Copies the selected lines, a little beside them.")),
+      [&studio] { studio.apply(DuplicateEvent{}); });
+  copy->setIcon(icon_of("duplicate"));
+  const auto follow = [remove, copy, &studio] {
+    const bool any = !studio.session().selection().empty();
+    remove->setEnabled(any);
+    copy->setEnabled(any);
+  };
+  QObject::connect(&studio, &Studio::selection_changed, remove, follow);
+  follow();
+}
+
+void add_selecting(Actions& actions, Studio& studio) {
+  using What = SelectStrokes::What;
+  actions
+      .add(QStringLiteral("edit.select_all"), text(QT_TRANSLATE_NOOP("EditActions", "Select &all")),
+           {QKeySequence(Qt::CTRL | Qt::Key_A)},
+           text(QT_TRANSLATE_NOOP("EditActions", "Selects all lines of visible, unlocked layers.")),
+           [&studio] { studio.apply(SelectStrokes{What::kAll}); })
+      ->setIcon(icon_of("select-all"));
+  QAction* none = actions.add(QStringLiteral("edit.select_none"),
+                              text(QT_TRANSLATE_NOOP("EditActions", "Select &none")),
+                              {QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_A)},
+                              text(QT_TRANSLATE_NOOP("EditActions", "Selects nothing.")),
+                              [&studio] { studio.apply(SelectStrokes{What::kNone}); });
+  none->setIcon(icon_of("select-none"));
+  actions
+      .add(QStringLiteral("edit.invert_selection"),
+           text(QT_TRANSLATE_NOOP("EditActions", "&Invert selection")),
+           {QKeySequence(Qt::CTRL | Qt::Key_I)},
+           text(QT_TRANSLATE_NOOP("EditActions",
+                                  "Selects all lines but those that are selected now.")),
+           [&studio] { studio.apply(SelectStrokes{What::kInvert}); })
+      ->setIcon(icon_of("select-invert"));
+  const auto follow = [none, &studio] { none->setEnabled(!studio.session().selection().empty()); };
+  QObject::connect(&studio, &Studio::selection_changed, none, follow);
+  follow();
+}
+
+}  // namespace
+
+void add_edit_actions(Actions& actions, Studio& studio) {
+  add_history(actions, studio);
+  add_selected(actions, studio);
+  add_selecting(actions, studio);
+}
+
+}  // namespace felt::desktop

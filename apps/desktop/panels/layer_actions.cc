@@ -1,0 +1,96 @@
+// The actions of the layers panel.
+#include <QCoreApplication>
+
+#include "desktop/panels/layers_panel.h"
+#include "desktop/panels/tool_icons.h"
+
+namespace felt::desktop {
+namespace {
+
+using Do = LayerEvent::Do;
+
+QString text(const char* english) {
+  return QCoreApplication::translate("LayerActions", english);
+}
+
+void add_order(Actions& actions, LayersPanel& panel) {
+  actions
+      .add(QStringLiteral("layer.add"), text(QT_TRANSLATE_NOOP("LayerActions", "&Add layer")),
+           {QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_N)},
+           text(QT_TRANSLATE_NOOP("LayerActions", "A new layer above the one in use.")),
+           [&panel] { panel.tell(Do::kAdd); })
+      ->setIcon(icon_of("layer-add"));
+  actions
+      .add(QStringLiteral("layer.remove"), text(QT_TRANSLATE_NOOP("LayerActions", "Remo&ve layer")),
+           {}, text(QT_TRANSLATE_NOOP("LayerActions", "Removes it and what is drawn on it.")),
+           [&panel] { panel.tell(Do::kRemove); })
+      ->setIcon(icon_of("layer-remove"));
+  actions
+      .add(QStringLiteral("layer.rename"), text(QT_TRANSLATE_NOOP("LayerActions", "Re&name layer")),
+           {QKeySequence(Qt::Key_F2)},
+           text(QT_TRANSLATE_NOOP("LayerActions", "Gives it another name.")),
+           [&panel] { panel.rename(); })
+      ->setIcon(icon_of("rename"));
+  actions
+      .add(QStringLiteral("layer.raise"), text(QT_TRANSLATE_NOOP("LayerActions", "&Raise layer")),
+           {QKeySequence(Qt::CTRL | Qt::Key_PageUp)},
+           text(QT_TRANSLATE_NOOP("LayerActions", "One place up.")),
+           [&panel] { panel.tell(Do::kRaise); })
+      ->setIcon(icon_of("raise"));
+  actions
+      .add(QStringLiteral("layer.lower"), text(QT_TRANSLATE_NOOP("LayerActions", "&Lower layer")),
+           {QKeySequence(Qt::CTRL | Qt::Key_PageDown)},
+           text(QT_TRANSLATE_NOOP("LayerActions", "One place down.")),
+           [&panel] { panel.tell(Do::kLower); })
+      ->setIcon(icon_of("lower"));
+}
+
+void add_use(Actions& actions, LayersPanel& panel) {
+  actions.add(QStringLiteral("layer.use_above"),
+              text(QT_TRANSLATE_NOOP("LayerActions", "Draw on the layer &above")),
+              {QKeySequence(Qt::ALT | Qt::Key_PageUp)},
+              text(QT_TRANSLATE_NOOP("LayerActions", "New lines go to the next layer up.")),
+              [&panel] { panel.use_next(true); });
+  actions.add(QStringLiteral("layer.use_below"),
+              text(QT_TRANSLATE_NOOP("LayerActions", "Draw on the layer &below")),
+              {QKeySequence(Qt::ALT | Qt::Key_PageDown)},
+              text(QT_TRANSLATE_NOOP("LayerActions", "New lines go to the next layer down.")),
+              [&panel] { panel.use_next(false); });
+}
+
+}  // namespace
+
+void add_layer_actions(Actions& actions, Studio& studio, LayersPanel& panel) {
+  add_order(actions, panel);
+  const auto chosen = [&studio, &panel] {
+    return studio.session().document().layer(panel.chosen());
+  };
+  QAction* show = actions.add_switch(
+      QStringLiteral("layer.show"), text(QT_TRANSLATE_NOOP("LayerActions", "&Show layer")), {},
+      text(QT_TRANSLATE_NOOP("LayerActions", "What is drawn on it is seen.")), true,
+      [&panel, chosen](bool on) {
+        if (chosen() && chosen()->visible != on) panel.toggle_visible();
+      });
+  show->setIcon(icon_of("eye"));
+  QAction* lock = actions.add_switch(
+      QStringLiteral("layer.lock"), text(QT_TRANSLATE_NOOP("LayerActions", "Loc&k layer")), {},
+      text(QT_TRANSLATE_NOOP("LayerActions", "Nothing on it can be changed.")), false,
+      [&panel, chosen](bool on) {
+        if (chosen() && chosen()->locked != on) panel.toggle_locked();
+      });
+  lock->setIcon(icon_of("lock"));
+  add_use(actions, panel);
+  const auto follow = [&actions, &studio, chosen, show, lock] {
+    const Layer* layer = chosen();
+    if (!layer) return;
+    show->setChecked(layer->visible);
+    lock->setChecked(layer->locked);
+    const auto layers = studio.session().document().layers();
+    actions.find(QStringLiteral("layer.raise"))->setEnabled(layers.back().id != layer->id);
+    actions.find(QStringLiteral("layer.lower"))->setEnabled(layers.front().id != layer->id);
+  };
+  QObject::connect(&panel, &LayersPanel::changed, show, follow);
+  follow();
+}
+
+}  // namespace felt::desktop

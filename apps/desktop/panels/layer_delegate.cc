@@ -1,0 +1,105 @@
+#include "desktop/panels/layer_delegate.h"
+
+#include <QApplication>
+#include <QMouseEvent>
+#include <QPainter>
+#include <algorithm>
+
+#include "desktop/panels/layers_model.h"
+#include "desktop/panels/tool_icons.h"
+
+namespace felt::desktop {
+namespace {
+
+constexpr int kIconPx = 18;
+constexpr int kGapPx = 6;
+constexpr int kLeastRowPx = 30;
+constexpr double kHiddenOpacity = 0.65;  // still read well
+constexpr double kIdleOpacity = 0.4;     // of a lock that is open, as most are
+
+QRect slot(const QRect& row, int x) {
+  return {x, row.center().y() - kIconPx / 2, kIconPx, kIconPx};
+}
+
+QRect mark_of(const QRect& row) {
+  return slot(row, LayerDelegate::eye_of(row).right() + kGapPx);
+}
+
+QRect name_of(const QRect& row) {
+  QRect rect = row;
+  rect.setLeft(mark_of(row).right() + kGapPx);
+  rect.setRight(LayerDelegate::lock_of(row).left() - kGapPx);
+  return rect;
+}
+
+}  // namespace
+
+QRect LayerDelegate::eye_of(const QRect& row) {
+  return slot(row, row.left() + kGapPx);
+}
+
+QRect LayerDelegate::lock_of(const QRect& row) {
+  return slot(row, row.right() - kGapPx - kIconPx);
+}
+
+void LayerDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option,
+                          const QModelIndex& index) const {
+  QStyleOptionViewItem look = option;
+  initStyleOption(&look, index);
+  look.text.clear();
+  const QStyle* style = look.widget ? look.widget->style() : QApplication::style();
+  style->drawControl(QStyle::CE_ItemViewItem, &look, painter, look.widget);
+  const bool visible = index.data(LayersModel::kVisible).toBool();
+  const bool locked = index.data(LayersModel::kLocked).toBool();
+  const bool in_use = index.data(LayersModel::kInUse).toBool();
+  const bool selected = look.state.testFlag(QStyle::State_Selected);
+  const QRect& row = option.rect;
+  const auto draw = [&](const char* icon, const QRect& place, double opacity) {
+    painter->setOpacity(opacity);
+    icon_of(icon).paint(painter, place, Qt::AlignCenter,
+                        selected ? QIcon::Selected : QIcon::Normal);
+    painter->setOpacity(1.0);
+  };
+  draw(visible ? "eye" : "eye-off", eye_of(row), visible ? 1.0 : kHiddenOpacity);
+  draw(locked ? "lock" : "unlock", lock_of(row), locked ? 1.0 : kIdleOpacity);
+  if (in_use) draw("in-use", mark_of(row), 1.0);
+  QFont font = look.font;
+  font.setBold(in_use);
+  font.setItalic(!visible);
+  painter->save();
+  painter->setFont(font);
+  painter->setOpacity(visible ? 1.0 : kHiddenOpacity);
+  painter->setPen(look.palette.color(selected ? QPalette::HighlightedText : QPalette::Text));
+  const QRect name = name_of(row);
+  painter->drawText(
+      name, Qt::AlignVCenter | Qt::AlignLeft,
+      QFontMetrics(font).elidedText(index.data().toString(), Qt::ElideRight, name.width()));
+  painter->restore();
+}
+
+QSize LayerDelegate::sizeHint(const QStyleOptionViewItem& option, const QModelIndex&) const {
+  return {6 * kIconPx, std::max(kLeastRowPx, option.fontMetrics.height() + 2 * kGapPx)};
+}
+
+void LayerDelegate::updateEditorGeometry(QWidget* editor, const QStyleOptionViewItem& option,
+                                         const QModelIndex&) const {
+  editor->setGeometry(name_of(option.rect).adjusted(-3, 2, 3, -2));
+}
+
+bool LayerDelegate::editorEvent(QEvent* event, QAbstractItemModel* model,
+                                const QStyleOptionViewItem& option, const QModelIndex& index) {
+  const bool is_press = event->type() == QEvent::MouseButtonPress;
+  const bool is_release = event->type() == QEvent::MouseButtonRelease;
+  if (is_press || is_release || event->type() == QEvent::MouseButtonDblClick) {
+    const QPoint at = static_cast<QMouseEvent*>(event)->pos();
+    const QMargins room(4, 8, 4, 8);
+    const bool on_eye = (eye_of(option.rect) + room).contains(at);
+    const bool on_lock = (lock_of(option.rect) + room).contains(at);
+    if (is_release && on_eye) Q_EMIT eye_clicked(index);
+    if (is_release && on_lock) Q_EMIT lock_clicked(index);
+    if (on_eye || on_lock) return true;
+  }
+  return QStyledItemDelegate::editorEvent(event, model, option, index);
+}
+
+}  // namespace felt::desktop

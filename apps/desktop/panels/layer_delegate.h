@@ -1,0 +1,33 @@
+#pragma once
+
+#include <QStyledItemDelegate>
+
+namespace felt::desktop {
+
+/// A row of the layers panel: eye, a pencil where it is in use, name, lock. Eye and lock take
+/// clicks.
+class LayerDelegate : public QStyledItemDelegate {
+  Q_OBJECT
+
+ public:
+  using QStyledItemDelegate::QStyledItemDelegate;
+
+  void paint(QPainter* painter, const QStyleOptionViewItem& option,
+             const QModelIndex& index) const override;
+  [[nodiscard]] QSize sizeHint(const QStyleOptionViewItem& option,
+                               const QModelIndex& index) const override;
+  void updateEditorGeometry(QWidget* editor, const QStyleOptionViewItem& option,
+                            const QModelIndex& index) const override;
+  bool editorEvent(QEvent* event, QAbstractItemModel* model, const QStyleOptionViewItem& option,
+                   const QModelIndex& index) override;
+
+  /// Where the eye and the lock of a row are.
+  [[nodiscard]] static QRect eye_of(const QRect& row);
+  [[nodiscard]] static QRect lock_of(const QRect& row);
+
+ Q_SIGNALS:
+  void eye_clicked(const QModelIndex& index);
+  void lock_clicked(const QModelIndex& index);
+};
+
+}  // namespace felt::desktop

@@ -1,0 +1,106 @@
+#include <gtest/gtest.h>
+
+#include <QImage>
+#include <QPainter>
+#include <set>
+#include <string>
+
+#include "desktop/engine/studio.h"
+#include "desktop/panels/tool_icons.h"
+#include "desktop/panels/tool_texts.h"
+
+namespace felt::desktop {
+namespace {
+
+/// Pixels that are not see-through.
+int ink_of(const QImage& image) {
+  int count = 0;
+  for (int y = 0; y < image.height(); ++y) {
+    for (int x = 0; x < image.width(); ++x) count += qAlpha(image.pixel(x, y)) > 0 ? 1 : 0;
+  }
+  return count;
+}
+
+TEST(Icons, EveryOneIsDrawnAtEverySize) {
+  const QStringList names = icon_names();
+  ASSERT_GT(names.size(), 60);
+  for (const QString& name : names) {
+    SCOPED_TRACE(name.toStdString());
+    const QIcon icon = icon_of(name.toStdString());
+    ASSERT_FALSE(icon.isNull());
+    for (const int px : {16, 24, 48}) {
+      const QImage image = icon.pixmap(QSize(px, px), 1.0).toImage();
+      ASSERT_EQ(image.size(), QSize(px, px));
+      const int ink = ink_of(image);
+      EXPECT_GT(ink, px * px / 40) << px;
+      EXPECT_LT(ink, px * px * 3 / 4) << px;
+      // The frame of the drawing is empty, so that nothing is cut off.
+      const QRect frame = image.rect().adjusted(1, 1, -1, -1);
+      for (int i = 0; i < px && px > 16; ++i) {
+        for (const QPoint at : {QPoint(i, 0), QPoint(i, px - 1), QPoint(0, i), QPoint(px - 1, i)}) {
+          EXPECT_FALSE(frame.contains(at));
+          EXPECT_EQ(qAlpha(image.pixel(at)), 0) << at.x() << " " << at.y();
+        }
+      }
+    }
+    EXPECT_EQ(icon.pixmap(QSize(24, 24), 2.0).size(), QSize(48, 48)) << "drawn anew for HiDPI";
+  }
+}
+
+TEST(Icons, EveryToolHasItsOwnAndAnUnknownNameHasNone) {
+  EXPECT_TRUE(icon_of("no-such").isNull());
+  EXPECT_TRUE(icon_of("../pencil").isNull());
+  const Studio studio({.live = false});
+  std::set<std::string> seen;
+  for (const auto& tool : studio.session().tools()) {
+    const QIcon icon = icon_of(tool->info().id);
+    ASSERT_FALSE(icon.isNull()) << tool->info().id;
+    const QImage image = icon.pixmap(QSize(24, 24), 1.0).toImage();
+    const QByteArray bits(reinterpret_cast<const char*>(image.constBits()), image.sizeInBytes());
+    EXPECT_TRUE(seen.insert(bits.toStdString()).second) << tool->info().id;
+  }
+}
+
+TEST(Icons, AreOtherwiseWhereDisabledOrSelected) {
+  const QIcon icon = icon_of("pencil");
+  const auto look = [&icon](QIcon::Mode mode) {
+    return icon.pixmap(QSize(24, 24), 1.0, mode).toImage();
+  };
+  EXPECT_NE(look(QIcon::Normal), look(QIcon::Disabled));
+  EXPECT_NE(look(QIcon::Normal), look(QIcon::Selected));
+}
+
+TEST(ToolTexts, HoldEveryTextOfTheTables) {
+  std::set<std::string> known, wanted;
+  for (const char* text : tool_texts()) known.insert(text);
+  const auto want = [&wanted](std::string_view text) {
+    if (!text.empty()) wanted.insert(std::string(text));
+  };
+  const auto want_table = [&want](std::span<const OptionSpec> table) {
+    for (const OptionSpec& row : table) {
+      want(row.label);
+      want(row.help);
+      for (const std::string_view choice : row.choices) want(choice);
+    }
+  };
+  const Studio studio({.live = false});
+  for (const auto& tool : studio.session().tools()) {
+    want(tool->info().label);
+    want(tool->info().help);
+    want_table(tool->info().options);
+  }
+  want_table(SheetOptions::table());
+  for (const SurfaceMaterial& material : surface_materials()) want(material.label);
+  std::string missing, surplus;
+  for (const std::string& text : wanted) {
+    if (!known.contains(text)) missing += "QT_TRANSLATE_NOOP(\"tools\", \"" + text + "\"),\n";
+  }
+  for (const std::string& text : known) {
+    if (!wanted.contains(text)) surplus += text + "\n";
+  }
+  EXPECT_EQ(missing, "") << "these lines belong in tool_texts_table.cc";
+  EXPECT_EQ(surplus, "") << "no table has these any more";
+}
+
+}  // namespace
+}  // namespace felt::desktop

@@ -1,0 +1,196 @@
+#include "desktop/panels/tool_bar.h"
+
+#include <QActionGroup>
+#include <QCoreApplication>
+#include <QToolButton>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
+
+#include "desktop/panels/tool_icons.h"
+#include "desktop/panels/tool_texts.h"
+
+namespace felt::desktop {
+namespace {
+
+/// What "size" means to a tool; `mode` is the value of its option "mode" for which it does, or "".
+struct SizeRow {
+  std::string_view tool;
+  std::string_view mode;
+  std::string_view option;
+};
+constexpr SizeRow kSizes[] = {
+    {"pencil", "", "max_width_mm"},     {"pull", "push", "nib_radius_mm"},
+    {"pull", "grab", "grab_radius_mm"}, {"pull", "sweep", "grab_radius_mm"},
+    {"pull", "", "radius_mm"},          {"smooth", "", "radius_mm"},
+    {"width", "", "reach_mm"},          {"eraser", "", "radius_mm"},
+    {"lasso", "", "click_radius_mm"},   {"transform", "", "grab_radius_mm"},
+    {"connect", "", "grab_radius_mm"},
+};
+
+QString text(const char* english) {
+  return QCoreApplication::translate("ToolActions", english);
+}
+
+QString qstring(std::string_view view) {
+  return QString::fromUtf8(view.data(), qsizetype(view.size()));
+}
+
+QString action_name(std::string_view tool) {
+  return QStringLiteral("tool.") + qstring(tool);
+}
+
+/// The next of the round numbers 1, 1.2, 1.5, 2, 2.5, 3, 4, 5, 6, 8, 10, 12, ... above or below.
+double next_size(double from, bool up) {
+  constexpr std::array kSteps = {0.8, 1.0, 1.2, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0, 6.0, 8.0, 10.0, 12.0};
+  const double decade = std::pow(10.0, std::floor(std::log10(std::max(from, 1e-3))));
+  const double place = from / decade, hair = 1e-6;
+  if (up) {
+    const auto* above = std::find_if(kSteps.begin(), kSteps.end(),
+                                     [&](double step) { return step > place + hair; });
+    return (above == kSteps.end() ? 20.0 : *above) * decade;
+  }
+  const auto below = std::find_if(kSteps.rbegin(), kSteps.rend(),
+                                  [&](double step) { return step < place - hair; });
+  return (below == kSteps.rend() ? 0.5 : *below) * decade;
+}
+
+/// Sets a number of the tool in hand, within its range.
+void change_number(Studio& studio, std::string_view option, bool up, bool is_share) {
+  const ToolInfo& info = studio.session().tool().info();
+  const auto row = std::find_if(info.options.begin(), info.options.end(),
+                                [&](const OptionSpec& spec) { return spec.id == option; });
+  if (row == info.options.end() || row->kind != OptionKind::kNumber) return;
+  const std::string id = std::string(info.id) + "." + std::string(option);
+  const Result<OptionValue> now = studio.session().option(id);
+  if (!now) return;
+  const double old = std::get<double>(*now);
+  const double wanted =
+      is_share ? std::round((old + (up ? 0.1 : -0.1)) * 10.0) / 10.0 : next_size(old, up);
+  const double value = std::clamp(wanted, row->min, row->max);
+  if (value != old) studio.apply(SetOption{id, value});
+}
+
+void add_tool(Actions& actions, Studio& studio, QActionGroup* group, const ToolInfo& info) {
+  QList<QKeySequence> keys;
+  if (info.shortcut != 0) {
+    keys.push_back(QKeySequence(QString(QChar::fromLatin1(info.shortcut)).toUpper()));
+  }
+  const std::string id(info.id);
+  QAction* action = actions.add(action_name(info.id), translated(info.label), keys,
+                                translated(info.help), [&studio, id] {
+                                  if (studio.session().tool().info().id == id) return;
+                                  studio.apply(SelectTool{id});
+                                });
+  action->setCheckable(true);
+  action->setIcon(icon_of(info.id));
+  group->addAction(action);
+}
+
+void add_sizes(Actions& actions, Studio& studio) {
+  const auto size = [&](const char* name, const QString& label, Qt::Key key, const QString& tip,
+                        bool up) {
+    return actions.add(QString::fromLatin1(name), label, {QKeySequence(key)}, tip, [&studio, up] {
+      const std::string option = size_option(studio.session()).toStdString();
+      change_number(studio, option, up, false);
+    });
+  };
+  size("tool.size_down", text(QT_TRANSLATE_NOOP("ToolActions", "S&maller")), Qt::Key_BracketLeft,
+       text(QT_TRANSLATE_NOOP("ToolActions", "Makes the tool in hand smaller.")), false)
+      ->setIcon(icon_of("size-down"));
+  size("tool.size_up", text(QT_TRANSLATE_NOOP("ToolActions", "&Larger")), Qt::Key_BracketRight,
+       text(QT_TRANSLATE_NOOP("ToolActions", "Makes the tool in hand larger.")), true)
+      ->setIcon(icon_of("size-up"));
+}
+
+void add_strengths(Actions& actions, Studio& studio) {
+  // With Shift the key is a brace on many keyboards: both name it.
+  const auto strength = [&](const char* name, const QString& label, Qt::Key bracket, Qt::Key brace,
+                            const QString& tip, bool up) {
+    return actions.add(QString::fromLatin1(name), label,
+                       {QKeySequence(Qt::SHIFT | bracket), QKeySequence(brace)}, tip,
+                       [&studio, up] { change_number(studio, "strength", up, true); });
+  };
+  strength("tool.strength_down", text(QT_TRANSLATE_NOOP("ToolActions", "Forces &weaker")),
+           Qt::Key_BracketLeft, Qt::Key_BraceLeft,
+           text(QT_TRANSLATE_NOOP("ToolActions", "The tool in hand pushes back less.")), false)
+      ->setIcon(icon_of("force-on"));
+  strength("tool.strength_up", text(QT_TRANSLATE_NOOP("ToolActions", "Forces &stronger")),
+           Qt::Key_BracketRight, Qt::Key_BraceRight,
+           text(QT_TRANSLATE_NOOP("ToolActions", "The tool in hand pushes back more.")), true)
+      ->setIcon(icon_of("force-on"));
+}
+
+}  // namespace
+
+QString size_option(const Session& session) {
+  const std::string tool(session.tool().info().id);
+  const Result<OptionValue> mode = session.option(tool + ".mode");
+  const auto* word = mode ? std::get_if<std::string>(&*mode) : nullptr;
+  for (const SizeRow& row : kSizes) {
+    if (row.tool == tool && (row.mode.empty() || (word && *word == row.mode))) {
+      return qstring(row.option);
+    }
+  }
+  return {};
+}
+
+void add_tool_actions(Actions& actions, Studio& studio) {
+  auto* group = new QActionGroup(&actions);
+  for (const auto& tool : studio.session().tools()) add_tool(actions, studio, group, tool->info());
+  add_sizes(actions, studio);
+  add_strengths(actions, studio);
+  const auto follow = [&actions, &studio] {
+    QAction* action = actions.find(action_name(studio.session().tool().info().id));
+    if (action) action->setChecked(true);
+  };
+  QObject::connect(&studio, &Studio::tool_changed, group, follow);
+  QObject::connect(&studio, &Studio::opened, group, follow);
+  follow();
+}
+
+ToolBar::ToolBar(Studio& studio, const Actions& actions, QWidget* parent)
+    : QToolBar(tr("Tools"), parent), studio_(studio), actions_(actions) {
+  setObjectName(QStringLiteral("tool_bar"));
+  setAccessibleName(tr("Tools"));
+  setIconSize({24, 24});
+  setToolButtonStyle(Qt::ToolButtonTextUnderIcon);
+  int widest = 0;
+  for (const auto& tool : studio.session().tools()) {
+    QAction* action = actions.find(action_name(tool->info().id));
+    if (!action) continue;
+    addAction(action);
+    auto* button = qobject_cast<QToolButton*>(widgetForAction(action));
+    button->setAccessibleName(action->text());
+    button->setFocusPolicy(Qt::TabFocus);
+    widest = std::max(widest, button->sizeHint().width());
+  }
+  // All as wide as the widest name, so that they stand in one line.
+  for (QAction* action : this->actions()) widgetForAction(action)->setMinimumWidth(widest);
+  connect(&studio, &Studio::tool_changed, this, &ToolBar::follow_tool);
+  follow_tool();
+}
+
+void ToolBar::follow_tool() {
+  const QString now = qstring(studio_.session().tool().info().id);
+  const bool borrows = studio_.is_borrowing();
+  if (!borrows) home_ = now;
+  for (const auto& tool : studio_.session().tools()) {
+    QWidget* button = widgetForAction(actions_.find(action_name(tool->info().id)));
+    if (!button) continue;
+    const QString id = qstring(tool->info().id);
+    const bool comes_back = borrows && id == home_ && id != now;
+    const bool is_lent = borrows && id == now && id != home_;
+    QFont font = button->font();
+    font.setItalic(is_lent);
+    font.setUnderline(comes_back);
+    button->setFont(font);
+    button->setAccessibleDescription(is_lent      ? tr("in hand while the key is held")
+                                     : comes_back ? tr("comes back when the key is let go")
+                                     : id == now  ? tr("in hand")
+                                                  : QString());
+  }
+}
+
+}  // namespace felt::desktop

@@ -1,0 +1,27 @@
+/// Any bytes as a palette: the reader never crashes, keeps its limits, and what it accepts survives
+/// being written and read again.
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+#include "felt/base/check.h"
+#include "felt/io/gpl_palette.h"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  using namespace felt;
+  const std::string_view text(reinterpret_cast<const char*>(data), size);
+  const Result<GplPalette> read = read_gpl("fuzz", text);
+  if (!read) {
+    FELT_CHECK(read.error().message.starts_with("fuzz:"));
+    return 0;
+  }
+  FELT_CHECK(read->colors.size() <= GplLimits::kMaxColors);
+  FELT_CHECK(read->columns <= GplLimits::kMaxColumns);
+  for (const NamedColor& entry : read->colors) {
+    FELT_CHECK(entry.name.size() <= GplLimits::kMaxNameBytes && entry.color.a == 255);
+  }
+  const Result<GplPalette> again = read_gpl("again", write_gpl(*read));
+  FELT_CHECK(again.has_value() && *again == *read);
+  return 0;
+}
