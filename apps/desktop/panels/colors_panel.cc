@@ -1,5 +1,6 @@
 #include "desktop/panels/colors_panel.h"
 
+#include <QAbstractItemView>
 #include <QDragEnterEvent>
 #include <QFileDialog>
 #include <QHBoxLayout>
@@ -165,6 +166,7 @@ QWidget* ColorsPanel::make_palette_row() {
   row->setContentsMargins(0, 0, 0, 0);
   row->setSpacing(2);
   palettes_->setAccessibleName(tr("Palette"));
+  palettes_->view()->setAccessibleName(tr("Palettes"));
   palettes_->setToolTip(tr("The palette below"));
   palettes_->setMinimumContentsLength(8);
   palettes_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);

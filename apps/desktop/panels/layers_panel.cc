@@ -54,14 +54,24 @@ LayersPanel::LayersPanel(Studio& studio, QWidget* parent)
       Do::kRemove);
   lines->addLayout(row);
   connect(delegate, &LayerDelegate::eye_clicked, this, [this](const QModelIndex& index) {
+    was_icon_ = true;
     choose(model_->layer_at(index.row()));
     toggle_visible();
   });
   connect(delegate, &LayerDelegate::lock_clicked, this, [this](const QModelIndex& index) {
+    was_icon_ = true;
     choose(model_->layer_at(index.row()));
     toggle_locked();
   });
-  connect(list_, &QListView::clicked, this, &LayersPanel::use_chosen);
+  // The list says of every click where it began and that it was; only one beside the icons uses.
+  connect(list_, &QListView::pressed, this, [this] { was_icon_ = false; });
+  connect(list_, &QListView::clicked, this, [this] {
+    if (!was_icon_) use_chosen();
+  });
+  connect(list_->selectionModel(), &QItemSelectionModel::currentChanged, this,
+          [this](const QModelIndex& now) {
+            if (now.isValid()) follow_chosen();
+          });
   connect(model_, &LayersModel::refreshed, this, &LayersPanel::follow_model);
   connect(&studio, &Studio::layer_changed, this, [this] { choose(studio_.session().layer()); });
   connect(&studio, &Studio::opened, this, [this] { choose(studio_.session().layer()); });
@@ -153,13 +163,6 @@ bool LayersPanel::eventFilter(QObject* watched, QEvent* event) {
       case Qt::Key_Enter:
         use_chosen();
         return true;
-      case Qt::Key_Up:
-      case Qt::Key_Down:
-      case Qt::Key_Home:
-      case Qt::Key_End:
-        QMetaObject::invokeMethod(
-            this, [this] { follow_chosen(); }, Qt::QueuedConnection);
-        break;
       default:
         break;
     }

@@ -49,7 +49,8 @@ class LayersPanel : public QWidget {
   QListView* list_;
   QToolButton* raise_ = nullptr;
   QToolButton* lower_ = nullptr;
-  LayerId kept_;  // chosen before the list was read anew
+  bool was_icon_ = false;  // the click in hand was on an eye or a lock
+  LayerId kept_;           // chosen before the list was read anew
 };
 
 /// Adds layer.add, layer.remove, layer.rename, layer.raise, layer.lower, layer.show, layer.lock

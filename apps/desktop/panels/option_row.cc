@@ -1,5 +1,6 @@
 #include "desktop/panels/option_row.h"
 
+#include <QAbstractItemView>
 #include <QButtonGroup>
 #include <QCheckBox>
 #include <QEvent>
@@ -170,6 +171,7 @@ void OptionRow::make_list() {
   list_ = new QComboBox(this);
   for (const std::string_view choice : spec_.choices) list_->addItem(choice_text(choice));
   dress(list_, label_);
+  list_->view()->setAccessibleName(label_);
   add_name(list_);
   add_line()->addWidget(list_, 1);
   connect(list_, &QComboBox::activated, this, [this](int i) {

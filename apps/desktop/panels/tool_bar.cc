@@ -108,9 +108,10 @@ void add_strengths(Actions& actions, Studio& studio) {
   // With Shift the key is a brace on many keyboards: both name it.
   const auto strength = [&](const char* name, const QString& label, Qt::Key bracket, Qt::Key brace,
                             const QString& tip, bool up) {
-    return actions.add(QString::fromLatin1(name), label,
-                       {QKeySequence(Qt::SHIFT | bracket), QKeySequence(brace)}, tip,
-                       [&studio, up] { change_number(studio, "strength", up, true); });
+    return actions.add(
+        QString::fromLatin1(name), label,
+        {QKeySequence(Qt::SHIFT | bracket), QKeySequence(brace), QKeySequence(Qt::SHIFT | brace)},
+        tip, [&studio, up] { change_number(studio, "strength", up, true); });
   };
   strength("tool.strength_down", text(QT_TRANSLATE_NOOP("ToolActions", "Forces &weaker")),
            Qt::Key_BracketLeft, Qt::Key_BraceLeft,

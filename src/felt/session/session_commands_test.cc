@@ -218,8 +218,8 @@ TEST(SessionLayers, EachCommandIsOneStepAndUndone) {
   is_one_step({Do::kMove, {1}, "", 1}, {2, 1}, 2);
   is_one_step({Do::kMove, {2}, "", 0}, {2, 1}, 2);
   desk.layer(Do::kAdd);
-  is_one_step({Do::kMove, {1}, "", 2}, {2, 3, 1}, 2);
-  is_one_step({Do::kMove, {1}, "", 99}, {2, 3, 1}, 2);
+  is_one_step({Do::kMove, {1}, "", 2}, {3, 2, 1}, 2);
+  is_one_step({Do::kMove, {1}, "", 99}, {3, 2, 1}, 2);
   is_one_step({Do::kMove, {3}, "", 0}, {3, 1, 2}, 2);
   desk.must(UndoEvent{});
   desk.layer(Do::kHide, 1);

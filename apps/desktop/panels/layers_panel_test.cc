@@ -1,0 +1,194 @@
+#include "desktop/panels/layers_panel.h"
+
+#include <gtest/gtest.h>
+
+#include <QLineEdit>
+#include <QSignalSpy>
+#include <QTest>
+#include <random>
+
+#include "desktop/panels/layer_delegate.h"
+#include "desktop/panels/panels_fixture.h"
+
+namespace felt::desktop {
+namespace {
+
+using Do = LayerEvent::Do;
+using testing::layer_names;
+using testing::still;
+
+/// Three layers, from the top "c*", "b", "Ink", in a panel that is seen.
+struct Desk {
+  Studio studio{still()};
+  LayersPanel panel{studio};
+  QListView* list = panel.findChild<QListView*>();
+
+  Desk() {
+    studio.apply(LayerEvent{Do::kAdd, {}, "b"});
+    studio.apply(LayerEvent{Do::kAdd, {}, "c"});
+    panel.resize(240, 260);
+    panel.show();
+    panel.activateWindow();
+    static_cast<void>(QTest::qWaitForWindowActive(&panel));
+  }
+  [[nodiscard]] QRect row(int i) const { return list->visualRect(list->model()->index(i, 0)); }
+  void click(QPoint at) const { QTest::mouseClick(list->viewport(), Qt::LeftButton, {}, at); }
+  void press(const char* button) const {
+    auto* found = panel.findChild<QToolButton*>(QString::fromLatin1(button));
+    QTest::mouseClick(found, Qt::LeftButton);
+  }
+  [[nodiscard]] QString spoken(int i) const {
+    return list->model()->index(i, 0).data(Qt::AccessibleTextRole).toString();
+  }
+  [[nodiscard]] const Layer* layer(std::uint64_t id) const {
+    return studio.session().document().layer({id});
+  }
+};
+
+TEST(LayersPanel, AClickUsesALayerEyeAndLockAreAtItsEnds) {
+  Desk desk;
+  EXPECT_EQ(layer_names(desk.studio), "c* b Ink");
+  desk.click(desk.row(2).center());
+  EXPECT_EQ(layer_names(desk.studio), "c b Ink*");
+  desk.click(LayerDelegate::eye_of(desk.row(1)).center());
+  EXPECT_FALSE(desk.layer(2)->visible);
+  EXPECT_EQ(layer_names(desk.studio), "c b Ink*") << "an eye does not use the layer";
+  desk.click(desk.row(1).center());
+  EXPECT_EQ(layer_names(desk.studio), "c b Ink*") << "nor can a hidden one be used";
+  EXPECT_EQ(desk.panel.chosen(), LayerId{2}) << "but be chosen, to show it again";
+  desk.click(LayerDelegate::eye_of(desk.row(1)).center());
+  EXPECT_TRUE(desk.layer(2)->visible);
+  desk.click(LayerDelegate::lock_of(desk.row(2)).center());
+  EXPECT_TRUE(desk.layer(1)->locked);
+  EXPECT_EQ(layer_names(desk.studio), "c* b Ink") << "the session uses the highest open one";
+}
+
+TEST(LayersPanel, SaysItAllToAScreenReader) {
+  Desk desk;
+  desk.studio.apply(LayerEvent{Do::kHide, {2}});
+  desk.studio.apply(LayerEvent{Do::kLock, {1}});
+  EXPECT_EQ(desk.spoken(0), QStringLiteral("c, visible, unlocked, in use"));
+  EXPECT_EQ(desk.spoken(1), QStringLiteral("b, hidden, unlocked"));
+  EXPECT_EQ(desk.spoken(2), QStringLiteral("Ink, visible, locked"));
+  EXPECT_EQ(testing::nameless(desk.panel), std::vector<std::string>{});
+}
+
+TEST(LayersPanel, ButtonsAddRaiseLowerAndRemove) {
+  Desk desk;
+  desk.press("lower");
+  EXPECT_EQ(layer_names(desk.studio), "b c* Ink");
+  desk.press("lower");
+  EXPECT_EQ(layer_names(desk.studio), "b Ink c*");
+  EXPECT_FALSE(desk.panel.findChild<QToolButton*>(QStringLiteral("lower"))->isEnabled());
+  desk.press("raise");
+  EXPECT_EQ(layer_names(desk.studio), "b c* Ink");
+  desk.press("layer-add");
+  EXPECT_EQ(layer_names(desk.studio), "b Layer 4* c Ink");
+  EXPECT_EQ(desk.panel.chosen(), LayerId{4});
+  desk.press("delete");
+  EXPECT_EQ(layer_names(desk.studio), "b* c Ink");
+  desk.studio.apply(UndoEvent{});
+  EXPECT_EQ(desk.list->model()->rowCount(), 4);
+}
+
+TEST(LayersPanel, KeysChooseShowAndUse) {
+  Desk desk;
+  desk.list->setFocus();
+  QTest::keyClick(desk.list, Qt::Key_Down);
+  QTest::keyClick(desk.list, Qt::Key_Down);
+  EXPECT_EQ(desk.panel.chosen(), LayerId{1});
+  EXPECT_EQ(layer_names(desk.studio), "c* b Ink") << "walking through the list uses nothing";
+  QTest::keyClick(desk.list, Qt::Key_Space);
+  EXPECT_FALSE(desk.layer(1)->visible);
+  EXPECT_EQ(desk.panel.chosen(), LayerId{1});
+  QTest::keyClick(desk.list, Qt::Key_Space);
+  QTest::keyClick(desk.list, Qt::Key_Return);
+  EXPECT_EQ(layer_names(desk.studio), "c b Ink*");
+}
+
+TEST(LayersPanel, RenamesInPlaceAsOneStep) {
+  Desk desk;
+  const std::size_t steps = desk.studio.session().history().undo_count();
+  desk.panel.rename();
+  auto* field = desk.list->findChild<QLineEdit*>();
+  ASSERT_NE(field, nullptr);
+  field->selectAll();
+  QTest::keyClicks(field, QStringLiteral("Faces"));
+  QTest::keyClick(field, Qt::Key_Return);
+  QCoreApplication::processEvents();
+  EXPECT_EQ(layer_names(desk.studio), "Faces* b Ink");
+  EXPECT_EQ(desk.studio.session().history().undo_count(), steps + 1);
+  EXPECT_FALSE(desk.list->model()->setData(desk.list->model()->index(0, 0), QStringLiteral("  ")))
+      << "a layer has a name";
+}
+
+TEST(LayersPanel, ADragOverManyPlacesIsOneStep) {
+  std::mt19937 random(5);
+  Desk desk;
+  desk.studio.apply(LayerEvent{Do::kAdd, {}, "d"});
+  QAbstractItemModel* model = desk.list->model();
+  for (int i = 0; i < 200; ++i) {
+    SCOPED_TRACE(i);
+    const int count = model->rowCount();
+    const int from = int(random() % unsigned(count)), before = int(random() % unsigned(count + 1));
+    std::vector<QString> wanted;
+    for (int row = 0; row < count; ++row) wanted.push_back(model->index(row, 0).data().toString());
+    const QString moved = wanted[std::size_t(from)];
+    wanted.insert(wanted.begin() + before, moved);
+    wanted.erase(wanted.begin() + from + (before <= from ? 1 : 0));
+    const std::size_t steps = desk.studio.session().history().undo_count();
+    const bool done = model->moveRow({}, from, {}, before);
+    EXPECT_EQ(done, before != from && before != from + 1);
+    EXPECT_EQ(desk.studio.session().history().undo_count(), steps + (done ? 1 : 0));
+    for (int row = 0; row < count; ++row) {
+      EXPECT_EQ(model->index(row, 0).data().toString(), wanted[std::size_t(row)]);
+    }
+  }
+}
+
+TEST(LayersPanel, IsReadAnewOnlyWhenALayerChanges) {
+  Desk desk;
+  QSignalSpy resets(desk.list->model(), &QAbstractItemModel::modelReset);
+  testing::draw_lines(desk.studio, 20);
+  desk.studio.apply(UndoEvent{});
+  EXPECT_EQ(resets.count(), 0);
+  desk.studio.apply(LayerEvent{Do::kHide, {2}});
+  EXPECT_EQ(resets.count(), 1);
+  desk.studio.open(Document{}, SheetPage{});
+  EXPECT_EQ(desk.list->model()->rowCount(), 1);
+}
+
+TEST(LayerActions, ActOnTheChosenLayerAndFollowIt) {
+  Desk desk;
+  QWidget window;
+  Actions actions(&window);
+  add_layer_actions(actions, desk.studio, desk.panel);
+  const auto find = [&actions](const char* name) {
+    return actions.find(QString::fromLatin1(name));
+  };
+  EXPECT_FALSE(find("layer.raise")->isEnabled()) << "it is the topmost";
+  find("layer.lower")->trigger();
+  EXPECT_EQ(layer_names(desk.studio), "b c* Ink");
+  EXPECT_TRUE(find("layer.raise")->isEnabled());
+  find("layer.use_below")->trigger();
+  EXPECT_EQ(layer_names(desk.studio), "b c Ink*");
+  find("layer.use_below")->trigger();
+  EXPECT_EQ(layer_names(desk.studio), "b c Ink*");
+  desk.studio.apply(LayerEvent{Do::kLock, {3}});
+  find("layer.use_above")->trigger();
+  EXPECT_EQ(layer_names(desk.studio), "b* c Ink") << "a locked one is passed over";
+  desk.panel.choose({3});
+  EXPECT_TRUE(find("layer.lock")->isChecked());
+  find("layer.lock")->trigger();
+  EXPECT_FALSE(desk.layer(3)->locked);
+  find("layer.show")->trigger();
+  EXPECT_FALSE(desk.layer(3)->visible);
+  desk.studio.apply(UndoEvent{});
+  EXPECT_TRUE(find("layer.show")->isChecked()) << "undo shows in the action";
+  find("layer.add")->trigger();
+  find("layer.remove")->trigger();
+  EXPECT_EQ(desk.list->model()->rowCount(), 3);
+}
+
+}  // namespace
+}  // namespace felt::desktop

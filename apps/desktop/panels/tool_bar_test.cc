@@ -1,0 +1,186 @@
+#include "desktop/panels/tool_bar.h"
+
+#include <gtest/gtest.h>
+
+#include <QTest>
+#include <QToolButton>
+#include <QWidget>
+#include <set>
+
+#include "desktop/panels/edit_actions.h"
+#include "desktop/panels/panels_fixture.h"
+
+namespace felt::desktop {
+namespace {
+
+using testing::still;
+
+/// A window with the actions of this room.
+struct Desk {
+  Studio studio{still()};
+  QWidget window;
+  Actions actions{&window};
+
+  Desk() {
+    add_tool_actions(actions, studio);
+    add_edit_actions(actions, studio);
+    window.show();
+    window.activateWindow();
+    static_cast<void>(QTest::qWaitForWindowActive(&window));
+  }
+  [[nodiscard]] QAction* find(const char* name) const {
+    return actions.find(QString::fromLatin1(name));
+  }
+  [[nodiscard]] std::string tool() const { return std::string(studio.session().tool().info().id); }
+  [[nodiscard]] double number(const std::string& id) const {
+    return std::get<double>(studio.session().option(id).value());
+  }
+};
+
+TEST(ToolActions, KeysTakeTheToolsOfTheTables) {
+  Desk desk;
+  std::set<QString> keys;
+  for (const auto& tool : desk.studio.session().tools()) {
+    const ToolInfo& info = tool->info();
+    const QString name = QStringLiteral("tool.") + QString::fromStdString(std::string(info.id));
+    const QAction* action = desk.actions.find(name);
+    ASSERT_NE(action, nullptr) << info.id;
+    EXPECT_FALSE(action->icon().isNull());
+    EXPECT_TRUE(keys.insert(action->shortcut().toString()).second);
+    QTest::keyClick(&desk.window, info.shortcut);
+    EXPECT_EQ(desk.tool(), info.id);
+    EXPECT_TRUE(action->isChecked());
+  }
+}
+
+TEST(ToolActions, NoTwoActionsHaveTheSameKeys) {
+  Desk desk;
+  std::set<QString> keys;
+  for (const QAction* action : desk.actions.all()) {
+    for (const QKeySequence& key : action->shortcuts()) {
+      EXPECT_TRUE(keys.insert(key.toString()).second) << key.toString().toStdString();
+    }
+  }
+}
+
+TEST(ToolActions, SizesClimbAndFallWithinTheRangeOfEveryTool) {
+  Desk desk;
+  for (const auto& tool : desk.studio.session().tools()) {
+    const ToolInfo& info = tool->info();
+    SCOPED_TRACE(info.id);
+    desk.studio.apply(SelectTool{std::string(info.id)});
+    const QString option = size_option(desk.studio.session());
+    ASSERT_FALSE(option.isEmpty());
+    const std::string id = std::string(info.id) + "." + option.toStdString();
+    const double start = desk.number(id);
+    QTest::keyClick(&desk.window, Qt::Key_BracketRight);
+    const double larger = desk.number(id);
+    EXPECT_GT(larger, start);
+    EXPECT_LT(larger, 1.6 * start);
+    QTest::keyClick(&desk.window, Qt::Key_BracketLeft);
+    EXPECT_NEAR(desk.number(id), start, 0.2 * start);
+    for (int i = 0; i < 60; ++i) desk.find("tool.size_up")->trigger();
+    const double most = desk.number(id);
+    for (int i = 0; i < 99; ++i) desk.find("tool.size_down")->trigger();
+    EXPECT_LT(desk.number(id), start);
+    const auto* row =
+        std::find_if(info.options.data(), info.options.data() + info.options.size(),
+                     [&](const OptionSpec& spec) { return spec.id == option.toStdString(); });
+    EXPECT_EQ(most, row->max);
+    EXPECT_EQ(desk.number(id), row->min);
+  }
+}
+
+TEST(ToolActions, SizeIsThatOfTheModeInHand) {
+  Desk desk;
+  desk.studio.apply(SelectTool{"pull"});
+  EXPECT_EQ(size_option(desk.studio.session()), QStringLiteral("radius_mm"));
+  desk.studio.apply(SetOption{"pull.mode", std::string("push")});
+  EXPECT_EQ(size_option(desk.studio.session()), QStringLiteral("nib_radius_mm"));
+}
+
+TEST(ToolActions, StrengthGoesInTenthsFromNoneToAll) {
+  Desk desk;
+  EXPECT_EQ(desk.number("pencil.strength"), 1.0);
+  desk.find("tool.strength_up")->trigger();
+  EXPECT_EQ(desk.number("pencil.strength"), 1.0);
+  QTest::keyClick(&desk.window, Qt::Key_BraceLeft, Qt::ShiftModifier);
+  EXPECT_NEAR(desk.number("pencil.strength"), 0.9, 1e-12);
+  for (int i = 0; i < 20; ++i) desk.find("tool.strength_down")->trigger();
+  EXPECT_EQ(desk.number("pencil.strength"), 0.0);
+}
+
+TEST(ToolBar, AClickTakesTheToolAndTheBarFollowsKeys) {
+  Desk desk;
+  ToolBar bar(desk.studio, desk.actions);
+  bar.show();
+  for (const auto& tool : desk.studio.session().tools()) {
+    const QString name =
+        QStringLiteral("tool.") + QString::fromStdString(std::string(tool->info().id));
+    auto* button = qobject_cast<QToolButton*>(bar.widgetForAction(desk.actions.find(name)));
+    ASSERT_NE(button, nullptr);
+    QTest::mouseClick(button, Qt::LeftButton);
+    EXPECT_EQ(desk.tool(), tool->info().id);
+    int pressed = 0;
+    for (auto* one : bar.findChildren<QToolButton*>()) pressed += one->isChecked() ? 1 : 0;
+    EXPECT_EQ(pressed, 1);
+    EXPECT_TRUE(button->isChecked());
+  }
+  EXPECT_EQ(testing::nameless(bar), std::vector<std::string>{});
+}
+
+TEST(ToolBar, ShowsABorrowedToolAndTheOneThatComesBack) {
+  Desk desk;
+  ToolBar bar(desk.studio, desk.actions);
+  const QWidget* pencil = bar.widgetForAction(desk.find("tool.pencil"));
+  const QWidget* eraser = bar.widgetForAction(desk.find("tool.eraser"));
+  desk.studio.borrow_tool(QStringLiteral("eraser"));
+  EXPECT_TRUE(desk.find("tool.eraser")->isChecked());
+  EXPECT_TRUE(eraser->font().italic());
+  EXPECT_TRUE(pencil->font().underline());
+  desk.studio.give_back_tool();
+  EXPECT_TRUE(desk.find("tool.pencil")->isChecked());
+  EXPECT_FALSE(eraser->font().italic() || pencil->font().underline());
+}
+
+TEST(EditActions, NameTheStepAndDoItByKeys) {
+  Desk desk;
+  EXPECT_FALSE(desk.find("edit.undo")->isEnabled());
+  testing::draw_lines(desk.studio, 2);
+  desk.studio.apply(LayerEvent{});
+  EXPECT_EQ(desk.find("edit.undo")->text(), QStringLiteral("&Undo Add layer"));
+  QTest::keyClick(&desk.window, Qt::Key_Z, Qt::ControlModifier);
+  EXPECT_EQ(desk.find("edit.undo")->text(), QStringLiteral("&Undo Import"));
+  EXPECT_EQ(desk.find("edit.redo")->text(), QStringLiteral("&Redo Add layer"));
+  QTest::keyClick(&desk.window, Qt::Key_Z, Qt::ControlModifier);
+  EXPECT_EQ(desk.studio.session().document().stroke_count(), 1U);
+  QTest::keyClick(&desk.window, Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
+  EXPECT_EQ(desk.studio.session().document().stroke_count(), 2U);
+  QTest::keyClick(&desk.window, Qt::Key_Y, Qt::ControlModifier);
+  EXPECT_EQ(desk.studio.session().document().layers().size(), 2U);
+  EXPECT_FALSE(desk.find("edit.redo")->isEnabled());
+  desk.studio.open(Document{}, SheetPage{});
+  EXPECT_FALSE(desk.find("edit.undo")->isEnabled());
+}
+
+TEST(EditActions, SelectDeleteAndDuplicateByKeys) {
+  Desk desk;
+  testing::draw_lines(desk.studio, 3);
+  EXPECT_FALSE(desk.find("edit.delete")->isEnabled());
+  QTest::keyClick(&desk.window, Qt::Key_A, Qt::ControlModifier);
+  EXPECT_EQ(desk.studio.session().selection().strokes().size(), 3U);
+  EXPECT_TRUE(desk.find("edit.delete")->isEnabled());
+  QTest::keyClick(&desk.window, Qt::Key_D, Qt::ControlModifier);
+  EXPECT_EQ(desk.studio.session().document().stroke_count(), 6U);
+  QTest::keyClick(&desk.window, Qt::Key_I, Qt::ControlModifier);
+  EXPECT_EQ(desk.studio.session().selection().strokes().size(), 3U);
+  QTest::keyClick(&desk.window, Qt::Key_Delete);
+  EXPECT_EQ(desk.studio.session().document().stroke_count(), 3U);
+  QTest::keyClick(&desk.window, Qt::Key_A, Qt::ControlModifier);
+  QTest::keyClick(&desk.window, Qt::Key_A, Qt::ControlModifier | Qt::ShiftModifier);
+  EXPECT_TRUE(desk.studio.session().selection().empty());
+  EXPECT_FALSE(desk.find("edit.delete")->isEnabled());
+}
+
+}  // namespace
+}  // namespace felt::desktop
