@@ -73,8 +73,8 @@ class ColorsPanel : public QWidget {
   std::vector<PaletteSource> sources_;  // as in palettes_
 };
 
-/// Adds color.open_palette, color.export_palette, color.keep, color.drop. Both must live as long as
-/// the actions.
+/// Adds edit.palette_open, edit.palette_export, edit.palette_keep, edit.palette_drop. Both must
+/// live as long as the actions.
 void add_color_actions(Actions& actions, ColorsPanel& panel);
 
 }  // namespace felt::desktop

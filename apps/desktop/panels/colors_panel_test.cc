@@ -201,11 +201,11 @@ TEST_F(ColorsPanelTest, KeepsColoursOfThePersonsOwn) {
   Actions actions(&window);
   add_color_actions(actions, *panel);
   studio.apply(SetOption{"sheet.color", std::string("#0a0b0c")});
-  actions.find(QStringLiteral("color.keep"))->trigger();
-  actions.find(QStringLiteral("color.keep"))->trigger();
+  actions.find(QStringLiteral("edit.palette_keep"))->trigger();
+  actions.find(QStringLiteral("edit.palette_keep"))->trigger();
   ASSERT_EQ(swatches(1)->colors().size(), 1U);
   EXPECT_EQ(swatches(1)->colors()[0].color, (Rgba{10, 11, 12}));
-  actions.find(QStringLiteral("color.drop"))->trigger();
+  actions.find(QStringLiteral("edit.palette_drop"))->trigger();
   EXPECT_GT(swatches(1)->colors().size(), 1U) << "an empty palette is not offered";
 }
 

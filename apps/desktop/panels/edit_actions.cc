@@ -72,14 +72,15 @@ void add_history(Actions& actions, Studio& studio) {
       [&studio] { studio.apply(RedoEvent{}); });
   redo->setIcon(icon_of("redo"));
   new UndoTexts(undo, redo, studio, &actions);
-  actions
-      .add(QStringLiteral("edit.cancel"),
-           text(QT_TRANSLATE_NOOP("EditActions", "&Cancel the line in work")),
-           {QKeySequence(Qt::Key_Escape)},
-           text(QT_TRANSLATE_NOOP("EditActions",
-                                  "What the pen is doing now never was; lift it to go on.")),
-           [&studio] { studio.apply(CancelEvent{}); })
-      ->setIcon(icon_of("close"));
+  QAction* cancel =
+      actions.add(QStringLiteral("edit.cancel"),
+                  text(QT_TRANSLATE_NOOP("EditActions", "&Cancel the line in work")),
+                  {QKeySequence(Qt::Key_Escape)},
+                  text(QT_TRANSLATE_NOOP("EditActions",
+                                         "What the pen is doing now never was; lift it to go on.")),
+                  [&studio] { studio.apply(CancelEvent{}); });
+  cancel->setIcon(icon_of("close"));
+  cancel->setAutoRepeat(false);
 }
 
 void add_selected(Actions& actions, Studio& studio) {

@@ -105,20 +105,17 @@ void add_sizes(Actions& actions, Studio& studio) {
 }
 
 void add_strengths(Actions& actions, Studio& studio) {
-  // With Shift the key is a brace on many keyboards: both name it.
-  const auto strength = [&](const char* name, const QString& label, Qt::Key bracket, Qt::Key brace,
+  const auto strength = [&](const char* name, const QString& label, Qt::Key bracket,
                             const QString& tip, bool up) {
-    return actions.add(
-        QString::fromLatin1(name), label,
-        {QKeySequence(Qt::SHIFT | bracket), QKeySequence(brace), QKeySequence(Qt::SHIFT | brace)},
-        tip, [&studio, up] { change_number(studio, "strength", up, true); });
+    return actions.add(QString::fromLatin1(name), label, {QKeySequence(Qt::SHIFT | bracket)}, tip,
+                       [&studio, up] { change_number(studio, "strength", up, true); });
   };
   strength("tool.strength_down", text(QT_TRANSLATE_NOOP("ToolActions", "Forces &weaker")),
-           Qt::Key_BracketLeft, Qt::Key_BraceLeft,
+           Qt::Key_BracketLeft,
            text(QT_TRANSLATE_NOOP("ToolActions", "The tool in hand pushes back less.")), false)
       ->setIcon(icon_of("force-on"));
   strength("tool.strength_up", text(QT_TRANSLATE_NOOP("ToolActions", "Forces &stronger")),
-           Qt::Key_BracketRight, Qt::Key_BraceRight,
+           Qt::Key_BracketRight,
            text(QT_TRANSLATE_NOOP("ToolActions", "The tool in hand pushes back more.")), true)
       ->setIcon(icon_of("force-on"));
 }

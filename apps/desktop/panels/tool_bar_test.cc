@@ -104,7 +104,7 @@ TEST(ToolActions, StrengthGoesInTenthsFromNoneToAll) {
   EXPECT_EQ(desk.number("pencil.strength"), 1.0);
   desk.find("tool.strength_up")->trigger();
   EXPECT_EQ(desk.number("pencil.strength"), 1.0);
-  QTest::keyClick(&desk.window, Qt::Key_BraceLeft, Qt::ShiftModifier);
+  QTest::keyClick(&desk.window, Qt::Key_BracketLeft, Qt::ShiftModifier);
   EXPECT_NEAR(desk.number("pencil.strength"), 0.9, 1e-12);
   for (int i = 0; i < 20; ++i) desk.find("tool.strength_down")->trigger();
   EXPECT_EQ(desk.number("pencil.strength"), 0.0);

@@ -12,12 +12,13 @@
 #include "desktop/feel/force_panel.h"
 #include "desktop/help/help_actions.h"
 #include "desktop/panels/colors_panel.h"
+#include "desktop/panels/edit_actions.h"
 #include "desktop/panels/history_panel.h"
 #include "desktop/panels/layers_panel.h"
 #include "desktop/panels/options_panel.h"
+#include "desktop/panels/tool_bar.h"
 #include "desktop/pens/pen_actions.h"
 #include "desktop/pens/pen_input.h"
-#include "desktop/window/edit_actions.h"
 #include "desktop/window/menus.h"
 #include "desktop/window/preferences.h"
 #include "desktop/window/settings_keys.h"
@@ -44,6 +45,7 @@ MainWindow::MainWindow(StudioOptions options, QWidget* parent)
   setCentralWidget(canvas_);
   auto* pens = new PenInput(*canvas_);
   add_edit_actions(*actions_, *studio_);
+  add_tool_actions(*actions_, *studio_);
   add_view_actions(*actions_, *canvas_);
   add_pen_actions(*actions_, *pens);
   auto* help = new HelpActions(*actions_, this);
@@ -57,14 +59,7 @@ MainWindow::MainWindow(StudioOptions options, QWidget* parent)
   add_window_actions();
   set_action_icons(*actions_);
   addToolBar(Qt::TopToolBarArea, new TopBar(*actions_, *canvas_, this));
-  auto* tools = new QToolBar(tr("Tools"), this);
-  tools->setObjectName(QStringLiteral("tools"));
-  for (QAction* action : actions_->all()) {
-    if (action->objectName().startsWith(QStringLiteral("tool.")) && action->isCheckable()) {
-      tools->addAction(action);
-    }
-  }
-  addToolBar(Qt::LeftToolBarArea, tools);
+  addToolBar(Qt::LeftToolBarArea, new ToolBar(*studio_, *actions_, this));
   setStatusBar(new StatusLine(*studio_, *canvas_, this));
   make_menus(*this, *actions_);
   connect(studio_, &Studio::modified_changed, this, &MainWindow::show_title);
@@ -106,8 +101,12 @@ void MainWindow::make_panels() {
   setTabPosition(Qt::AllDockWidgetAreas, QTabWidget::North);
   add_panel(QStringLiteral("options"), tr("Options"), new OptionsPanel(*studio_));
   add_panel(QStringLiteral("feel"), tr("Feel"), new FeelPanel(*studio_));
-  add_panel(QStringLiteral("layers"), tr("Layers"), new LayersPanel(*studio_));
-  add_panel(QStringLiteral("colors"), tr("Colours"), new ColorsPanel(*studio_));
+  auto* layers = new LayersPanel(*studio_);
+  add_panel(QStringLiteral("layers"), tr("Layers"), layers);
+  add_layer_actions(*actions_, *studio_, *layers);
+  auto* colors = new ColorsPanel(*studio_);
+  add_panel(QStringLiteral("colors"), tr("Colours"), colors);
+  add_color_actions(*actions_, *colors);
   add_panel(QStringLiteral("history"), tr("History"), new HistoryPanel(*studio_));
   add_panel(QStringLiteral("forces"), tr("Forces"), new ForcePanel(*studio_));
 }

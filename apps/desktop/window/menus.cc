@@ -29,10 +29,11 @@ constexpr std::array kMenus{
             "file.new file.new_window file.open file.recent file.recent* - file.save file.save_as "
             "file.revert - file.import file.export* file.page file.print* - file.* - file.close "
             "file.quit"},
-    MenuRow{"edit", QT_TRANSLATE_NOOP("Menus", "&Edit"),
-            "edit.undo edit.redo - edit.cut edit.copy edit.copy* edit.paste edit.duplicate "
-            "edit.delete - edit.select_all edit.select_none edit.select_invert edit.select* - "
-            "edit.* - edit.cancel - edit.preferences"},
+    MenuRow{
+        "edit", QT_TRANSLATE_NOOP("Menus", "&Edit"),
+        "edit.undo edit.redo - edit.cut edit.copy edit.copy* edit.paste edit.duplicate "
+        "edit.delete - edit.select_all edit.select_none edit.invert_selection - edit.palette_* - "
+        "edit.* - edit.cancel - edit.preferences"},
     MenuRow{"view", QT_TRANSLATE_NOOP("Menus", "&View"),
             "view.zoom_in view.zoom_out view.zoom_100 view.life_size view.zoom* view.fit_selection "
             "view.fit_all view.fit_page view.fit* - view.rotate* view.turn* view.mirror "
@@ -54,6 +55,7 @@ constexpr std::array kSubmenus{
     SubmenuRow{"file.recent_", QT_TRANSLATE_NOOP("Menus", "Open &recent")},
     SubmenuRow{"file.export_", QT_TRANSLATE_NOOP("Menus", "&Export")},
     SubmenuRow{"edit.copy_as_", QT_TRANSLATE_NOOP("Menus", "Copy &as")},
+    SubmenuRow{"edit.palette_", QT_TRANSLATE_NOOP("Menus", "Pal&ette")},
     SubmenuRow{"view.panel_", QT_TRANSLATE_NOOP("Menus", "&Panels")},
     SubmenuRow{"help.example_", QT_TRANSLATE_NOOP("Menus", "&Example drawings")},
 };

@@ -73,7 +73,8 @@ void ToolKeys::choose(const QString& tool) {
 
 /// Takes the tool; whether for good is seen when the key is released.
 void ToolKeys::borrow(const QString& tool, bool always) {
-  const QString former = held_.key ? held_.former : tool_in_hand();
+  // The action may have taken the tool already.
+  const QString former = held_.key ? held_.former : last_key_ ? before_ : tool_in_hand();
   owed_.clear();
   if (tool_in_hand() != tool) studio_.apply(SelectTool{tool.toStdString()});
   held_ = {};
@@ -106,6 +107,7 @@ bool ToolKeys::eventFilter(QObject* watched, QEvent* event) {
     case QEvent::KeyPress: {
       const auto* key = static_cast<QKeyEvent*>(event);
       last_key_ = key->isAutoRepeat() ? 0 : key->key();
+      if (event->type() == QEvent::ShortcutOverride) before_ = tool_in_hand();
       break;
     }
     case QEvent::KeyRelease: {

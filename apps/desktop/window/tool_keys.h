@@ -48,6 +48,7 @@ class ToolKeys : public QObject {
   Studio& studio_;
   QWidget* window_;
   Held held_;
+  QString before_;    // the tool in hand when that key was pressed
   int last_key_ = 0;  // the key event that is being turned into a shortcut
   QString owed_;      // the tool that comes back when the pen is lifted
 };
