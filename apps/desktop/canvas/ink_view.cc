@@ -128,8 +128,13 @@ void InkView::State::choose_plane() {
     const InkStyle look{grain, is_outline ? kHairPx * std::max(1.0, dpr) : 0.0};
     planes.push_back({{++last_plane, now, look}, style, {}});
     if (planes.size() > kMostPlanes) {
-      worker.forget(planes.front().spec.id);
-      planes.erase(planes.begin());
+      // Given up is what can stand in least: while somebody zooms faster than tiles come, the last
+      // full picture stays.
+      const auto least = std::min_element(
+          planes.begin(), planes.end() - 1,
+          [&](const Plane& a, const Plane& b) { return covered(a, now) < covered(b, now); });
+      worker.forget(least->spec.id);
+      planes.erase(least);
     }
   }
   const Vec at = planes.back().spec.view.to_px(now.origin_mm);
