@@ -127,7 +127,7 @@ void paint_normal(QPainter& painter, const Mark& mark, const MarkLook& look) {
 }  // namespace
 
 MarkLook::MarkLook(QColor paper) : paper_(std::move(paper)) {
-  const QColor over = mixed(Qt::white, paper_, paper_.alphaF());
+  const QColor over = mixed(Qt::white, paper_, static_cast<double>(paper_.alphaF()));
   paper_ = over;
   on_dark_ = qGray(over.rgb()) < 110;
   halo_ = on_dark_ ? QColor(0, 0, 0, 150) : QColor(255, 255, 255, 190);

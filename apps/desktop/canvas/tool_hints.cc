@@ -51,7 +51,7 @@ QString words(const char* text) {
 
 /// "Shift", as this system calls the key.
 QString key_name(Qt::KeyboardModifier modifier) {
-  QString name = QKeySequence(modifier).toString(QKeySequence::NativeText);
+  QString name = QKeySequence(static_cast<int>(modifier)).toString(QKeySequence::NativeText);
   while (name.endsWith(QLatin1Char('+'))) name.chop(1);
   return name;
 }
