@@ -23,8 +23,7 @@ constexpr std::array<ToolHint, 8> kHints{{
                        "join it."),
      nullptr, nullptr},
     {"pull", QT_TRANSLATE_NOOP("ToolHint", "Drag a line to bend it; it goes back as you go back."),
-     QT_TRANSLATE_NOOP("ToolHint", "ends and corners go along or stay, the other way round"),
-     nullptr},
+     QT_TRANSLATE_NOOP("ToolHint", "ends and corners go along, or stay"), nullptr},
     {"smooth",
      QT_TRANSLATE_NOOP("ToolHint",
                        "Rub along a line to iron the tremor out; press to "
