@@ -1,6 +1,7 @@
 #include <memory>
 
 #include "commands.h"
+#include "felt/store/felt_file.h"
 #include "sketch_input.h"
 #include "sketch_output.h"
 
@@ -17,13 +18,27 @@ struct ConvertArguments {
 };
 
 void add_options(CLI::App& command, ConvertArguments& args, const char* output_help) {
-  command.add_option("IN", args.input, "The sketch, .ndjson; '-' is stdin")->required();
+  command
+      .add_option("IN", args.input, "The sketch: .ndjson, .felt, .svg of Feltline; '-' is stdin")
+      ->required();
   command.add_option("-o,--output", args.output, output_help)->required();
   command.add_option("--to", args.to, "Format of the output, instead of by its extension");
   args.picture.add_to(command);
 }
 
+/// From .felt to .felt nothing is lost: layers, sheet and ids come along.
+void copy_felt(const ConvertArguments& args, Console& console) {
+  const Result<void> done = read_felt(args.input).and_then([&](const StoredDrawing& d) {
+    return write_felt(args.output, d);
+  });
+  if (!done) console.error(done.error().message);
+}
+
 void convert(const ConvertArguments& args, Format format, Console& console) {
+  if (format == Format::kFelt && format_of_path(args.input).value_or(format) == format &&
+      args.input != "-") {
+    return copy_felt(args, console);
+  }
   const Result<PictureOptions> picture = args.picture.parse();
   if (!picture) throw UsageError(picture.error().message);
   Result<std::unique_ptr<SketchOutput>> output = open_sketch_output(args.output, format, *picture);
@@ -51,14 +66,17 @@ Format wanted_format(const ConvertArguments& args) {
 void add_render_command(CLI::App& app, Console& console) {
   CLI::App* command = app.add_subcommand("render", "Make a picture of a sketch");
   const auto args = std::make_shared<ConvertArguments>();
-  add_options(*command, *args, "Where the picture goes: .png or .svg; '-' is stdout (with --to)");
+  add_options(*command, *args,
+              "Where the picture goes: .png, .svg or .pdf; '-' is stdout (with --to)");
   command->footer(
       examples("feltline render sketch.ndjson -o page.png --page A4 --dpi 300\n"
                "feltline render sketch.ndjson -o ink.png --paper transparent\n"
                "feltline render - -o - --to svg < sketch.ndjson"));
   command->callback([args, &console] {
     const Format format = wanted_format(*args);
-    if (format == Format::kNdjson) throw UsageError("render makes .png or .svg; see convert");
+    if (format == Format::kNdjson || format == Format::kFelt) {
+      throw UsageError("render makes .png, .svg or .pdf; see convert");
+    }
     convert(*args, format, console);
   });
 }
@@ -66,7 +84,7 @@ void add_render_command(CLI::App& app, Console& console) {
 void add_convert_command(CLI::App& app, Console& console) {
   CLI::App* command = app.add_subcommand("convert", "Write a sketch in another format");
   const auto args = std::make_shared<ConvertArguments>();
-  add_options(*command, *args, "Where it goes: .ndjson, .svg or .png; '-' is stdout");
+  add_options(*command, *args, "Where it goes: .ndjson, .felt, .svg, .pdf or .png; '-' is stdout");
   command->footer(
       examples("feltline convert sketch.ndjson -o sketch.svg\n"
                "feltline convert sketch.ndjson -o - | wc -l"));

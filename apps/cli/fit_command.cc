@@ -48,7 +48,7 @@ void add_width_options(CLI::App& command, FitArguments& args) {
 void add_options(CLI::App& command, FitArguments& args) {
   command.add_option("IN", args.inputs, "Raw pen strokes, .ndjson; '-' is stdin")->required();
   command.add_option("-o,--output", args.output,
-                     "Where the sketch goes: .ndjson, .svg, .png; '-' is stdout");
+                     "Where the sketch goes: .ndjson, .felt, .svg, .pdf, .png; '-' is stdout");
   command.add_option("--to", args.to, "Format of the output, instead of by its extension");
   command.add_option("--tolerance", args.tolerance_mm, "Largest distance sample to curve, in mm")
       ->check(number_between(0.0, 1e9))

@@ -13,8 +13,9 @@ struct Name {
   Format format;
 };
 constexpr std::array kNames = {Name{"ndjson", Format::kNdjson}, Name{"jsonl", Format::kNdjson},
-                               Name{"svg", Format::kSvg}, Name{"png", Format::kPng}};
-constexpr const char* kKnown = "ndjson, svg or png";
+                               Name{"felt", Format::kFelt},     Name{"svg", Format::kSvg},
+                               Name{"pdf", Format::kPdf},       Name{"png", Format::kPng}};
+constexpr const char* kKnown = "ndjson, felt, svg, pdf or png";
 
 }  // namespace
 
@@ -39,7 +40,8 @@ Result<Format> format_of_path(const std::string& path) {
   Result<Format> format = format_of_name(name.substr(dot + 1));
   if (format) return format;
   return fail(ErrorCode::kUnsupported, path + ": the extension '" + name.substr(dot) +
-                                           "' is not known; there is ." + "ndjson, .svg and .png");
+                                           "' is not known; there is ." +
+                                           "ndjson, .felt, .svg, .pdf and .png");
 }
 
 Result<Format> output_format(const std::string& path, const std::string& name) {

@@ -7,6 +7,7 @@
 #include "felt/io/ndjson_parser.h"
 #include "file_summary.h"
 #include "input.h"
+#include "stored_sketch.h"
 
 namespace felt::cli {
 namespace {
@@ -40,6 +41,8 @@ class Summarizer {
     return {};
   }
 
+  void add(const Stroke& stroke) { summary_.add(stroke); }
+
   [[nodiscard]] const FileSummary& summary() const { return summary_; }
 
  private:
@@ -50,8 +53,21 @@ class Summarizer {
   FileSummary summary_;
 };
 
+/// The same of a file that is read as a whole.
+bool summarize_stored(const std::string& path, Console& console, Summarizer& summarizer) {
+  const Result<Sketch> sketch = read_stored_sketch(path);
+  if (!sketch) {
+    console.error(sketch.error().message);
+    return false;
+  }
+  if (sketch->empty()) console.error(path + ": holds no strokes");
+  for (const SketchStroke& stroke : *sketch) summarizer.add(stroke.stroke);
+  return true;
+}
+
 /// False when nothing could be read.
 bool summarize(const std::string& path, Console& console, Summarizer& summarizer) {
+  if (is_stored_sketch(path)) return summarize_stored(path, console, summarizer);
   const Result<Input> input = Input::open(path);
   if (!input) {
     console.error(input_name(path) + ": " + input.error().message);
@@ -84,7 +100,9 @@ bool summarize(const std::string& path, Console& console, Summarizer& summarizer
 void add_info_command(CLI::App& app, Console& console) {
   CLI::App* command = app.add_subcommand("info", "Say what is in a file");
   const auto args = std::make_shared<InfoArguments>();
-  command->add_option("DOC", args->input, "A sketch or raw pen strokes, .ndjson; '-' is stdin")
+  command
+      ->add_option("DOC", args->input,
+                   "A drawing, sketch or raw pen strokes: .felt, .svg, .ndjson; '-' is stdin")
       ->required();
   command->add_flag("--json", args->json, "One line of JSON");
   command->footer(

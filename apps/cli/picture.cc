@@ -51,24 +51,24 @@ void PictureArguments::add_to(CLI::App& command) {
   command.add_option("--dpi", dpi, "Resolution of a .png in dots per inch")
       ->check(number_between(1.0, 4800.0))
       ->capture_default_str()
-      ->group("Pictures (.svg, .png)");
+      ->group("Pictures (.svg, .pdf, .png)");
   command
       .add_option("--page", page,
                   "What to show: 'fit' (all ink and a margin), A0..A6, A4-landscape, or WxH in mm")
       ->capture_default_str()
-      ->group("Pictures (.svg, .png)");
+      ->group("Pictures (.svg, .pdf, .png)");
   command
       .add_option("--paper", paper,
                   "Colour behind the ink: #rrggbb, #rrggbbaa, white or transparent; without it\n"
                   "white in a .png, transparent in an .svg")
-      ->group("Pictures (.svg, .png)");
+      ->group("Pictures (.svg, .pdf, .png)");
   command
       .add_option(
           "--surface", surface,
           "Sheet whose grain shows in dry ink of a .png: paper, blackboard, felt or glass\n"
           "(smooth), the same that the hand feels; without it, ink is solid. Felt-tip, which\n"
           "is wet, shows none")
-      ->group("Pictures (.svg, .png)");
+      ->group("Pictures (.svg, .pdf, .png)");
 }
 
 Result<PictureOptions> PictureArguments::parse() const {

@@ -51,9 +51,9 @@ void add_output_options(CLI::App& command, ReplayCommandArguments& args) {
                   "Event scripts, raw pen strokes, or both in one, .ndjson; '-' is stdin")
       ->required();
   command.add_option("-o,--output", args.output,
-                     "Where the sketch goes: .ndjson, .svg, .png; '-' is stdout");
+                     "Where the sketch goes: .ndjson, .felt, .svg, .pdf, .png; '-' is stdout");
   command.add_option("--to", args.to, "Format of the output, instead of by its extension");
-  command.add_option("--on", args.on, "A sketch to begin with, .ndjson");
+  command.add_option("--on", args.on, "A drawing to begin with: .felt, .ndjson, .svg of Feltline");
   command.add_option("--forces", args.forces,
                      "Pose, force asked, force sent and each force term, a row a tick, .csv");
   command.add_option("--plot", args.plot, "The same over time as a picture, .png");
@@ -241,11 +241,11 @@ void check_as_recorded(const ReplayCommandArguments& args, const CLI::App& comma
 }
 
 void run_as_recorded(const ReplayCommandArguments& args, Console& console) {
-  const Result<Sketch> start = args.on.empty() ? Sketch{} : read_sketch(args.on);
+  Result<Document> start = args.on.empty() ? Document() : read_document(args.on);
   if (!start) return console.error(start.error().message);
   Result<ReplayOutputs> outputs = open_outputs(args, args.pen.settings());
   if (!outputs) return console.error(outputs.error().message);
-  Session session(make_tools(), {.device = {}, .document = document_of(*start)});
+  Session session(make_tools(), {.device = {}, .document = *std::move(start)});
   Result<void> done = tell_recording(args.scripts.front(), session);
   if (done) done = write_strokes(session.sketch(), *outputs->format, *outputs->sketch);
   if (!done) console.error(done.error().message);
@@ -257,9 +257,9 @@ void run_replay(const ReplayCommandArguments& args, Console& console) {
   const ReplaySettings settings = args.pen.settings();
   Document document;
   if (!args.on.empty()) {
-    const Result<Sketch> sketch = read_sketch(args.on);
-    if (!sketch) return console.error(sketch.error().message);
-    document = document_of(*sketch);
+    Result<Document> drawing = read_document(args.on);
+    if (!drawing) return console.error(drawing.error().message);
+    document = *std::move(drawing);
   }
   Result<ReplayOutputs> outputs = open_outputs(args, settings);
   if (!outputs) return console.error(outputs.error().message);

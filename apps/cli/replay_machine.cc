@@ -9,8 +9,11 @@
 
 #include "felt/base/check.h"
 #include "felt/io/ndjson_parser.h"
+#include "felt/store/felt_file.h"
 #include "felt/tools/pressing.h"
+#include "format.h"
 #include "input.h"
+#include "stored_sketch.h"
 
 namespace felt::cli {
 namespace {
@@ -248,7 +251,15 @@ void ReplayMachine::compare_ink() {
   ink_.clear();
 }
 
+Result<Document> read_document(const std::string& path) {
+  if (format_of_path(path).value_or(Format::kNdjson) == Format::kFelt) {
+    return read_felt(path).map([](StoredDrawing drawing) { return std::move(drawing.document); });
+  }
+  return read_sketch(path).map([](const Sketch& sketch) { return document_of(sketch); });
+}
+
 Result<Sketch> read_sketch(const std::string& path) {
+  if (is_stored_sketch(path)) return read_stored_sketch(path);
   const Result<Input> input = Input::open(path);
   if (!input) return fail(input.error().code, input_name(path) + ": " + input.error().message);
   LineReader reader(input->reader());

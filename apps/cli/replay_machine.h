@@ -114,7 +114,11 @@ class ReplayMachine {
   ReplayStats stats_;
 };
 
-/// The strokes of a sketch file, .ndjson. Messages begin with "PATH:LINE: ".
+/// The strokes of a sketch file: .ndjson, .felt (of visible layers), .svg of ours. Messages begin
+/// with "PATH:LINE: " or "PATH: ".
 Result<Sketch> read_sketch(const std::string& path);
+
+/// The same as a document: of a .felt file as it is, layers and ids included; else one layer.
+Result<Document> read_document(const std::string& path);
 
 }  // namespace felt::cli

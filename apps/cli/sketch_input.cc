@@ -4,6 +4,7 @@
 
 #include "felt/io/ndjson_parser.h"
 #include "input.h"
+#include "stored_sketch.h"
 
 namespace felt::cli {
 namespace {
@@ -49,10 +50,32 @@ bool read_pieces(const Input& input, Format format, Console& console,
   return true;
 }
 
+/// The same of a file that is read as a whole.
+bool read_stored_pieces(const std::string& path, Format format, Console& console,
+                        const std::function<bool(const SketchPiece&)>& take) {
+  const Result<Sketch> sketch = read_stored_sketch(path);
+  if (!sketch) {
+    console.error(sketch.error().message);
+    return false;
+  }
+  if (sketch->empty()) console.error(path + ": holds no strokes");
+  SketchPiece piece;
+  std::int64_t number = 0;
+  for (const SketchStroke& stroke : *sketch) {
+    const Result<void> added = encode(stroke, ++number, format, piece);
+    if (!added) console.error(fmt::format("{}: {}: {}", path, stroke.id, added.error().message));
+    if (piece.text.size() < kBatchBytes) continue;
+    if (!take(piece)) return false;
+    piece.clear();
+  }
+  return piece.text.empty() || take(piece);
+}
+
 }  // namespace
 
 bool for_each_piece(const std::string& path, Format format, Console& console,
                     const std::function<bool(const SketchPiece&)>& take) {
+  if (is_stored_sketch(path)) return read_stored_pieces(path, format, console, take);
   const Result<Input> input = Input::open(path);
   if (!input) {
     console.error(input_name(path) + ": " + input.error().message);

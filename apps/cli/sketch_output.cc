@@ -1,11 +1,16 @@
 #include "sketch_output.h"
 
+#include <functional>
+
 #include "felt/io/ndjson_writer.h"
+#include "felt/io/pdf_writer.h"
 #include "felt/io/png.h"
 #include "felt/io/svg_text.h"
 #include "felt/io/svg_writer.h"
 #include "felt/render/page.h"
 #include "felt/render/raster.h"
+#include "felt/session/session.h"
+#include "felt/store/felt_file.h"
 #include "sketch_spool.h"
 
 namespace felt::cli {
@@ -62,6 +67,54 @@ class PngOutput final : public SketchOutput {
   Rect bounds_;
 };
 
+/// What is written as a whole, by a function of all strokes.
+class WholeOutput final : public SketchOutput {
+ public:
+  using ToBytes = std::function<Result<std::string>(const Sketch&)>;
+
+  WholeOutput(Output output, ToBytes to_bytes)
+      : output_(std::move(output)), to_bytes_(std::move(to_bytes)) {}
+
+  Result<void> append(const SketchPiece& piece) override { return spool_.add_lines(piece.text); }
+
+  Result<void> finish() override {
+    Sketch sketch;
+    Result<void> read = spool_.for_each([&](const SketchStroke& stroke) -> Result<void> {
+      sketch.push_back(stroke);
+      return {};
+    });
+    if (!read) return read;
+    const Result<std::string> bytes = to_bytes_(sketch);
+    if (!bytes) return tl::unexpected(bytes.error());
+    if (Result<void> written = output_.write(*bytes); !written) return written;
+    return output_.commit();
+  }
+
+ private:
+  Output output_;
+  ToBytes to_bytes_;
+  SketchSpool spool_;
+};
+
+/// One layer with the strokes, on the sheet that was asked for.
+Result<std::string> felt_of(const Sketch& sketch, const PictureOptions& picture) {
+  StoredDrawing drawing;
+  drawing.document = document_of(sketch);
+  if (picture.sheet) {
+    drawing.page.width_mm = picture.sheet->width();
+    drawing.page.height_mm = picture.sheet->height();
+  }
+  drawing.page.paper = picture.paper.value_or(drawing.page.paper);
+  return felt_bytes(drawing);
+}
+
+Result<std::string> pdf_of(const Sketch& sketch, const PictureOptions& picture) {
+  PdfOptions options;
+  options.sheet = picture.sheet;
+  options.paper = picture.paper.value_or(options.paper);
+  return pdf_text(sketch, options);
+}
+
 /// The SVG writer mends the head of its file at the end, so strokes go straight to it.
 class SvgOutput final : public SketchOutput {
  public:
@@ -107,7 +160,11 @@ Result<std::unique_ptr<SketchOutput>> open_sketch_output(const std::string& path
   Result<Output> output = Output::create(path);
   if (!output) return tl::unexpected(output.error());
   if (format == Format::kPng) return std::make_unique<PngOutput>(*std::move(output), picture);
-  return std::make_unique<NdjsonOutput>(*std::move(output));
+  if (format == Format::kNdjson) return std::make_unique<NdjsonOutput>(*std::move(output));
+  const auto to_bytes = format == Format::kFelt ? felt_of : pdf_of;
+  return std::make_unique<WholeOutput>(
+      *std::move(output),
+      [to_bytes, picture](const Sketch& sketch) { return to_bytes(sketch, picture); });
 }
 
 Result<void> write_strokes(const Sketch& sketch, Format format, SketchOutput& output) {

@@ -33,7 +33,8 @@ class SketchOutput {
   virtual Result<void> finish() = 0;
 };
 
-/// Opens the output for a format. The picture options count for .svg and .png.
+/// Opens the output for a format. The picture options count for all but .ndjson; of
+/// a .felt file they say the sheet.
 Result<std::unique_ptr<SketchOutput>> open_sketch_output(const std::string& path, Format format,
                                                          const PictureOptions& picture);
 

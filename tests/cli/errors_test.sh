@@ -31,12 +31,21 @@ same out expected.ndjson
 
 # What is no .ndjson is not read line by line.
 printf '<svg>\n</svg>\n' >picture.svg
-for command in "fit picture.svg -o x.ndjson" "info picture.svg" "render picture.svg -o x.png" \
-  "convert picture.svg -o -"; do
+cp picture.svg picture.png
+for command in "fit picture.png -o x.ndjson" "info picture.png" "render picture.png -o x.png" \
+  "convert picture.png -o -"; do
   # shellcheck disable=SC2086  # words on purpose
   run 1 "$feltline" $command
   lines err 1
-  has err "feltline: picture.svg: cannot read .svg, only .ndjson"
+  has err "feltline: picture.png: cannot read .png, only .ndjson"
+done
+run 1 "$feltline" fit picture.svg -o x.ndjson
+has err "feltline: picture.svg: cannot read .svg, only .ndjson"
+for command in "info picture.svg" "render picture.svg -o x.png" "convert picture.svg -o -"; do
+  # shellcheck disable=SC2086  # words on purpose
+  run 1 "$feltline" $command
+  lines err 1
+  has err "feltline: picture.svg: is an SVG of another program"
 done
 
 # Records without a name get their number.

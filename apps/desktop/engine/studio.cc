@@ -61,8 +61,14 @@ void Studio::make_session(Document document) {
   if (options_.on_session) options_.on_session(document);
   SessionOptions options;
   options.document = std::move(document);
-  options.on_event = options_.on_event;
-  options.on_edit = [this](const Edit& edit) { edits_.push_back(edit); };
+  options.on_event = [this](const Event& event) {
+    if (options_.on_event) options_.on_event(event);
+    if (listener_.event) listener_.event(event);
+  };
+  options.on_edit = [this](const Edit& edit) {
+    edits_.push_back(edit);
+    if (listener_.edit) listener_.edit(edit);
+  };
   auto session = std::make_unique<Session>(make_tools(), std::move(options));
   // Said as events, so that whoever records them has all that the drawing depends on.
   const std::int64_t now_ns = event_time_ns();

@@ -35,6 +35,14 @@ struct StudioOptions {
   std::function<void(const Document&)> on_session = {};
 };
 
+/// Hears what happens to the sessions of a studio, in order: each event that was taken and each
+/// edit of the document, undo's and redo's too. On Qt's main thread, within the studio's call:
+/// must be quick, and must not call back.
+struct StudioListener {
+  std::function<void(const Event&)> event;
+  std::function<void(const Edit&)> edit;
+};
+
 /// Where the pen is and what it feels, for the eye.
 struct PenState {
   bool is_known = false;  ///< there has been a sample
@@ -65,6 +73,8 @@ class Studio : public QObject {
   // --- The drawing
   [[nodiscard]] const Session& session() const noexcept { return *session_; }
   [[nodiscard]] const SheetPage& page() const noexcept { return page_; }
+  /// One at a time; none: {}.
+  void listen(StudioListener listener) { listener_ = std::move(listener); }
   /// No step of undo, but a change that is to be saved.
   void set_page(const SheetPage& page);
   /// Another drawing takes the place of this one: history, selection and modification start anew;
@@ -158,6 +168,7 @@ class Studio : public QObject {
   void set_pace();
 
   StudioOptions options_;
+  StudioListener listener_;
   std::unique_ptr<PenDevice> device_;
   std::unique_ptr<Servo> servo_;
   std::unique_ptr<RealtimeThread> thread_;

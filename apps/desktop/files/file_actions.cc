@@ -12,6 +12,8 @@
 #include <utility>
 
 #include "desktop/engine/settings.h"
+#include "desktop/files/clipboard_actions.h"
+#include "desktop/files/output_actions.h"
 #include "desktop/files/settings_keys.h"
 #include "felt/stroke/color_text.h"
 
@@ -52,10 +54,17 @@ FileActions::FileActions(Studio& studio, Actions& actions, QWidget* window,
       dialogs_(dialogs ? std::move(dialogs) : std::make_unique<FileDialogs>()),
       recent_menu_(new QMenu(tr("Open &recent"), window)) {
   add_file_actions(actions);
+  new ClipboardActions(studio, actions, *dialogs_, window);
+  new OutputActions(*this, studio, actions, window);
   connect(recent_menu_, &QMenu::aboutToShow, this, &FileActions::fill_recent_menu);
   fill_recent_menu();
   connect(&studio, &Studio::edited, this, [this] { ++revision_; });
+  connect(&studio, &Studio::opened, this, &FileActions::hear_opened);
   connect(&studio, &Studio::page_changed, this, [this] { ++revision_; });
+  if (studio.loop()) {
+    keep_journal(recovery_root());
+    offer_once();
+  }
   window->setAcceptDrops(true);
   window->installEventFilter(this);
 }
@@ -152,7 +161,9 @@ void FileActions::show(Drawing drawing, const QString& path, const QString& name
   path_ = path;
   name_ = name;
   seen_on_disk_ = changed_at(path);
+  is_showing_ = true;
   studio_.open(std::move(drawing.document), drawing.page);
+  is_showing_ = false;
   if (!material.empty()) studio_.apply(SetOption{"sheet.material", material});
   studio_.apply(SetOption{"sheet.color", color_to_text(color)});
   const Layer* in_use = studio_.session().document().layer(layer);
@@ -160,7 +171,19 @@ void FileActions::show(Drawing drawing, const QString& path, const QString& name
     studio_.apply(LayerEvent{LayerEvent::Do::kUse, layer, {}});
   }
   studio_.set_modified(false);
+  if (journal_) journal_->begin(display_name(), path_);
   Q_EMIT path_changed(path_);
+  Q_EMIT drawing_changed();
+}
+
+/// Somebody else put a drawing here, an example: it has no file.
+void FileActions::hear_opened() {
+  ++revision_;
+  if (is_showing_) return;
+  name_.clear();
+  seen_on_disk_ = {};
+  set_path({});
+  if (journal_) journal_->begin(display_name(), path_);
   Q_EMIT drawing_changed();
 }
 
@@ -232,9 +255,8 @@ bool FileActions::save() {
 }
 
 bool FileActions::save_as() {
-  const QString folder = folder_.isEmpty() ? last_folder() : folder_;
   const QString suggested =
-      path_.isEmpty() ? QDir(folder).filePath(display_name() + QStringLiteral(".felt")) : path_;
+      path_.isEmpty() ? QDir(folder()).filePath(display_name() + QStringLiteral(".felt")) : path_;
   const QString chosen =
       dialogs_->save_name(window_, tr("Save the drawing"), suggested,
                           tr("Feltline drawings (*.felt)"), QStringLiteral("felt"));
@@ -267,6 +289,8 @@ void FileActions::end_save(const QString& path, std::uint64_t revision, const Re
   set_path(path);
   // What was drawn while the file was being written is not in it.
   if (revision == revision_) studio_.set_modified(false);
+  if (journal_) journal_->saved(display_name(), path_);
+  if (!studio_.is_modified()) forget_rescued();
   remember(path);
   Q_EMIT saved(true);
 }
@@ -288,7 +312,10 @@ bool FileActions::may_replace() {
 }
 
 bool FileActions::may_close() {
-  return may_replace();
+  if (!may_replace()) return false;
+  if (journal_) journal_->finish_clean();
+  forget_rescued();
+  return true;
 }
 
 void FileActions::set_path(const QString& path) {

@@ -6,12 +6,15 @@
 #include <QWidget>
 #include <cstdint>
 #include <memory>
+#include <vector>
 
 #include "desktop/engine/actions.h"
 #include "desktop/engine/studio.h"
 #include "desktop/files/drawing_file.h"
 #include "desktop/files/file_dialogs.h"
 #include "desktop/files/file_worker.h"
+#include "desktop/files/journal.h"
+#include "desktop/files/recovery.h"
 
 class QMenu;
 
@@ -56,6 +59,12 @@ class FileActions : public QObject {
   /// A drawing that was rescued: it has changes and this name, and no file.
   void adopt(Drawing drawing, const QString& name);
 
+  /// From now on nothing is lost by a crash. A live studio's window does so by itself.
+  void keep_journal(const QString& root);
+  [[nodiscard]] Journal* journal() const noexcept { return journal_.get(); }
+  /// Asks what to do with drawings that a crash left behind, if there are any.
+  void offer_recovery(const QString& root);
+
   /// "Open recent", kept up to date; owned by the window.
   [[nodiscard]] QMenu* recent_menu() const noexcept { return recent_menu_; }
   /// Waits until no file is being written.
@@ -63,6 +72,8 @@ class FileActions : public QObject {
   /// The whole drawing, to be written elsewhere.
   [[nodiscard]] Drawing drawing() const;
   [[nodiscard]] FileWorker& worker() noexcept { return worker_; }
+  /// Where files of this drawing are looked for first.
+  [[nodiscard]] QString folder() const { return folder_.isEmpty() ? last_folder() : folder_; }
   [[nodiscard]] FileDialogs& dialogs() noexcept { return *dialogs_; }
 
  Q_SIGNALS:
@@ -86,22 +97,30 @@ class FileActions : public QObject {
   bool begin_save(const QString& path);
   void end_save(const QString& path, std::uint64_t revision, const Result<void>& done);
   void show(Drawing drawing, const QString& path, const QString& name);
+  void hear_opened();
   void set_path(const QString& path);
   void remember(const QString& path);
   void fill_recent_menu();
+  void show_offers(std::vector<AbandonedFolder> folders, std::vector<Result<Recovered>> drawings);
+  void take_over(AbandonedFolder folder, Recovered recovered);
+  void forget_rescued();
+  void offer_once();
+  void warn(const QString& why);
   [[nodiscard]] QString last_folder() const;
 
   Studio& studio_;
   QWidget* window_;
   std::unique_ptr<FileDialogs> dialogs_;
   FileWorker worker_;
+  std::unique_ptr<Journal> journal_;
+  std::vector<AbandonedFolder> rescued_;  // until what was in them is saved
   QMenu* recent_menu_;
   QString path_;
   QString name_;                // of a drawing without a path; "" is "Untitled"
   QString folder_;              // where it came from
   QDateTime seen_on_disk_;      // of path_, when it was read or written here
   std::uint64_t revision_ = 0;  // of the drawing
-  bool last_save_failed_ = false;
+  bool last_save_failed_ = false, is_showing_ = false;
 };
 
 }  // namespace felt::desktop

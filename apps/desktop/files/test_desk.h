@@ -35,6 +35,7 @@ struct TestDesk {
   [[nodiscard]] QString at(const char* name) const {
     return folder.filePath(QString::fromUtf8(name));
   }
+  void journal_flush() const { files->journal()->flush(); }
   [[nodiscard]] const Document& document() const { return studio.session().document(); }
 
   QTemporaryDir folder;

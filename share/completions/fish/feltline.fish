@@ -15,7 +15,7 @@ complete -c feltline -n "not __fish_seen_subcommand_from $commands" -f -a bench 
 
 set -l makes_output fit render convert replay
 complete -c feltline -n "__fish_seen_subcommand_from $makes_output" -s o -l output -r -d 'Where it goes'
-complete -c feltline -n "__fish_seen_subcommand_from $makes_output" -l to -x -a 'ndjson svg png' -d 'Format of the output'
+complete -c feltline -n "__fish_seen_subcommand_from $makes_output" -l to -x -a 'ndjson felt svg pdf png' -d 'Format of the output'
 complete -c feltline -n "__fish_seen_subcommand_from $makes_output" -l dpi -x -d 'Resolution of a .png'
 complete -c feltline -n "__fish_seen_subcommand_from $makes_output" -l page -x -a 'fit A3 A4 A5 A4-landscape' -d 'What to show'
 complete -c feltline -n "__fish_seen_subcommand_from $makes_output" -l paper -x -a 'white transparent' -d 'Colour behind the ink in a .png'
@@ -35,7 +35,7 @@ complete -c feltline -n '__fish_seen_subcommand_from replay demo' -l device -x -
 complete -c feltline -n '__fish_seen_subcommand_from replay demo' -l hand -x -a 'light soft typical firm' -d 'Who holds it'
 complete -c feltline -n '__fish_seen_subcommand_from demo' -s o -l output -x -a '(__fish_complete_directories)' -d 'Where the pictures go'
 complete -c feltline -n '__fish_seen_subcommand_from demo' -l size -x -d 'Width of the pictures in pixels'
-complete -c feltline -n '__fish_seen_subcommand_from replay' -l on -r -d 'A sketch to begin with'
+complete -c feltline -n '__fish_seen_subcommand_from replay' -l on -r -d 'A drawing to begin with'
 complete -c feltline -n '__fish_seen_subcommand_from replay' -l forces -r -d 'A row for each tick, .csv'
 complete -c feltline -n '__fish_seen_subcommand_from replay' -l plot -r -d 'Pose, width and forces over time, .png'
 complete -c feltline -n '__fish_seen_subcommand_from replay' -l stats -x -a json -d 'Print counts, forces and closeness'

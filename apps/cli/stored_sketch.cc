@@ -1,0 +1,40 @@
+#include "stored_sketch.h"
+
+#include <utility>
+
+#include "felt/io/svg_reader.h"
+#include "felt/store/felt_file.h"
+#include "format.h"
+
+namespace felt::cli {
+namespace {
+
+/// None for a name that tells no format.
+Format format_or(const std::string& path, Format fallback) {
+  return format_of_path(path).value_or(fallback);
+}
+
+}  // namespace
+
+bool is_stored_sketch(const std::string& path) {
+  const Format format = format_or(path, Format::kNdjson);
+  return format == Format::kFelt || format == Format::kSvg;
+}
+
+Result<Sketch> read_stored_sketch(const std::string& path) {
+  if (format_or(path, Format::kNdjson) == Format::kSvg) {
+    return read_svg(path).map([](SvgDrawing drawing) { return std::move(drawing.sketch); });
+  }
+  return read_felt(path).map([](const StoredDrawing& drawing) {
+    Sketch sketch;
+    for (const Layer& layer : drawing.document.layers()) {
+      if (!layer.visible) continue;
+      for (const StrokeId id : layer.strokes) {
+        sketch.push_back({"s" + std::to_string(id.value), *drawing.document.find(id)});
+      }
+    }
+    return sketch;
+  });
+}
+
+}  // namespace felt::cli

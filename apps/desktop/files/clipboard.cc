@@ -1,0 +1,106 @@
+#include "desktop/files/clipboard.h"
+
+#include <QByteArray>
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "desktop/files/sheet_picture.h"
+#include "felt/io/ndjson_parser.h"
+#include "felt/io/ndjson_writer.h"
+#include "felt/io/svg_reader.h"
+#include "felt/io/svg_writer.h"
+#include "felt/render/page.h"
+#include "felt/render/view.h"
+
+namespace felt::desktop {
+namespace {
+
+constexpr double kDpi = 300.0;
+constexpr double kMostPixels = 16e6;
+constexpr double kMarginMm = 1.0;
+constexpr std::size_t kBatchBytes = std::size_t{64} << 10;
+const QString kSvgMime = QStringLiteral("image/svg+xml");
+
+QByteArray bytes_of(const std::string& text) {
+  return QByteArray(text.data(), qsizetype(text.size()));
+}
+
+QByteArray ndjson_of(const Sketch& sketch) {
+  std::string text;
+  for (const SketchStroke& s : sketch) append_sketch_line(text, s.id, s.stroke.data());
+  return bytes_of(text);
+}
+
+QByteArray svg_of(const Sketch& sketch) {
+  const Result<std::string> text = svg_text(sketch, {.margin_mm = kMarginMm});
+  return text ? bytes_of(*text) : QByteArray();
+}
+
+QImage picture_of(const Sketch& sketch) {
+  const Rect area = ink_area(sketch);
+  const double fits = std::sqrt(kMostPixels / std::max(1.0, area.width() * area.height()));
+  return sheet_picture(sketch, area, std::min(kDpi / kMmPerInch, fits), {255, 255, 255, 0});
+}
+
+Result<Sketch> sketch_of(const QByteArray& bytes) {
+  LineReader lines(read_text({bytes.constData(), static_cast<std::size_t>(bytes.size())}));
+  LineBatch batch;
+  NdjsonParser parser;
+  Sketch sketch;
+  for (;;) {
+    const Result<bool> more = lines.fill(batch, kBatchBytes);
+    if (!more) return tl::unexpected(more.error());
+    if (!*more) return sketch;
+    for (std::size_t i = 0; i < batch.size(); ++i) {
+      SketchRecord record;
+      const Result<NdjsonKind> kind = parser.sketch_stroke(batch.line(i), record);
+      if (!kind) return tl::unexpected(kind.error());
+      if (*kind == NdjsonKind::kHeader) continue;
+      Result<Stroke> stroke = Stroke::create(std::move(record.data));
+      if (!stroke) return tl::unexpected(stroke.error());
+      sketch.push_back({std::move(record.id), *std::move(stroke)});
+    }
+  }
+}
+
+}  // namespace
+
+Rect ink_area(const Sketch& sketch) {
+  Rect ink;
+  for (const SketchStroke& s : sketch) ink.extend(s.stroke.bounds());
+  return (ink.empty() ? Rect{0.0, 0.0, 0.0, 0.0} : ink).inflated(kMarginMm);
+}
+
+std::unique_ptr<QMimeData> strokes_mime(const Sketch& sketch) {
+  auto data = std::make_unique<QMimeData>();
+  data->setData(QString::fromLatin1(kStrokesMime), ndjson_of(sketch));
+  data->setData(kSvgMime, svg_of(sketch));
+  data->setImageData(picture_of(sketch));
+  return data;
+}
+
+std::unique_ptr<QMimeData> svg_mime(const Sketch& sketch) {
+  auto data = std::make_unique<QMimeData>();
+  const QByteArray svg = svg_of(sketch);
+  data->setData(kSvgMime, svg);
+  data->setText(QString::fromUtf8(svg));
+  return data;
+}
+
+std::unique_ptr<QMimeData> png_mime(const Sketch& sketch) {
+  auto data = std::make_unique<QMimeData>();
+  data->setImageData(picture_of(sketch));
+  return data;
+}
+
+Result<Sketch> strokes_of(const QMimeData& data) {
+  const QString own = QString::fromLatin1(kStrokesMime);
+  if (data.hasFormat(own)) return sketch_of(data.data(own));
+  if (!data.hasFormat(kSvgMime)) return Sketch();
+  const QByteArray svg = data.data(kSvgMime);
+  return parse_svg({svg.constData(), static_cast<std::size_t>(svg.size())})
+      .map([](SvgDrawing drawing) { return std::move(drawing.sketch); });
+}
+
+}  // namespace felt::desktop

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <QMimeData>
+#include <memory>
+
+#include "felt/base/result.h"
+#include "felt/geometry/rect.h"
+#include "felt/stroke/sketch.h"
+
+namespace felt::desktop {
+
+/// Type of our own strokes on the clipboard: lines of .ndjson, exact.
+inline constexpr const char* kStrokesMime = "application/x-feltline-strokes";
+
+/// Strokes for the clipboard: our own type, image/svg+xml and a picture at 300 dots per inch (less
+/// where that would be a very large one).
+std::unique_ptr<QMimeData> strokes_mime(const Sketch& sketch);
+/// One of the two alone, for programs that choose the wrong one.
+std::unique_ptr<QMimeData> svg_mime(const Sketch& sketch);
+std::unique_ptr<QMimeData> png_mime(const Sketch& sketch);
+
+/// The strokes that a clipboard carries: our own type, else an SVG of ours. Empty where it has
+/// neither; error where it is damaged.
+Result<Sketch> strokes_of(const QMimeData& data);
+
+/// What the ink covers, with a margin of a millimetre.
+Rect ink_area(const Sketch& sketch);
+
+}  // namespace felt::desktop

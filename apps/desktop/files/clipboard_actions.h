@@ -1,0 +1,39 @@
+#pragma once
+
+#include <QByteArray>
+#include <QObject>
+#include <QWidget>
+
+#include "desktop/engine/actions.h"
+#include "desktop/engine/studio.h"
+#include "desktop/files/file_dialogs.h"
+#include "felt/stroke/sketch.h"
+
+namespace felt::desktop {
+
+/// Copy, cut and paste of strokes: "edit.copy", "edit.cut", "edit.paste", "edit.copy_as_svg",
+/// "edit.copy_as_png". What is copied is what is selected: whole strokes; without a selection, all
+/// that is visible. A paste is one step of undo; what was copied here comes a little beside.
+class ClipboardActions : public QObject {
+  Q_OBJECT
+
+ public:
+  ClipboardActions(Studio& studio, Actions& actions, FileDialogs& dialogs, QWidget* window);
+
+ private:
+  [[nodiscard]] Sketch chosen() const;
+  void copy();
+  void cut();
+  void paste();
+  void keep_up();
+  void remember_and_put(const Sketch& sketch);
+
+  Studio& studio_;
+  FileDialogs& dialogs_;
+  QWidget* window_;
+  QAction* cut_;
+  QByteArray copied_;  // fingerprint of what this window put there
+  int pastes_ = 0;     // since the last copy or cut here
+};
+
+}  // namespace felt::desktop

@@ -1,0 +1,155 @@
+#include "desktop/files/export_dialog.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDialogButtonBox>
+#include <QDoubleSpinBox>
+#include <QFormLayout>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLocale>
+#include <QPainter>
+#include <QPushButton>
+#include <QVBoxLayout>
+#include <algorithm>
+#include <cmath>
+
+#include "desktop/engine/settings.h"
+#include "desktop/files/settings_keys.h"
+#include "desktop/files/sheet_picture.h"
+#include "felt/render/view.h"
+
+namespace felt::desktop {
+namespace {
+
+constexpr QSize kPicture(280, 220);
+constexpr int kCheck = 8;  // squares that stand for "transparent"
+// A preview that took longer would be in the way: the strokes that are drawn last are seen best.
+constexpr std::size_t kMostPreviewStrokes = 5000;
+
+struct FormatRow {
+  DrawingFormat format;
+  const char* label;
+  const char* key;
+};
+constexpr FormatRow kFormats[] = {
+    {DrawingFormat::kSvg, QT_TRANSLATE_NOOP("felt::desktop::ExportDialog", "SVG drawing"), "svg"},
+    {DrawingFormat::kPdf, QT_TRANSLATE_NOOP("felt::desktop::ExportDialog", "PDF page"), "pdf"},
+    {DrawingFormat::kPng, QT_TRANSLATE_NOOP("felt::desktop::ExportDialog", "PNG picture"), "png"},
+    {DrawingFormat::kSketch, QT_TRANSLATE_NOOP("felt::desktop::ExportDialog", "Strokes (ndjson)"),
+     "ndjson"}};
+
+/// The picture on squares where it is transparent.
+QPixmap on_squares(const QImage& picture, double ratio) {
+  QPixmap pixmap(picture.size());
+  pixmap.fill(Qt::white);
+  QPainter painter(&pixmap);
+  const int side = int(std::lround(kCheck * ratio));
+  for (int y = 0; y < picture.height(); y += side) {
+    for (int x = (y / side % 2) * side; x < picture.width(); x += 2 * side) {
+      painter.fillRect(x, y, side, side, QColor(225, 225, 225));
+    }
+  }
+  painter.drawImage(0, 0, picture);
+  painter.end();
+  pixmap.setDevicePixelRatio(ratio);
+  return pixmap;
+}
+
+}  // namespace
+
+ExportDialog::ExportDialog(const Drawing& drawing, QWidget* parent)
+    : QDialog(parent),
+      sketch_(visible_strokes(drawing.document)),
+      page_(drawing.page),
+      format_(new QComboBox(this)),
+      area_(new QComboBox(this)),
+      dpi_(new QDoubleSpinBox(this)),
+      background_(new QCheckBox(tr("With the &paper’s colour"), this)),
+      picture_(new QLabel(this)),
+      size_(new QLabel(this)),
+      form_(new QFormLayout) {
+  setWindowTitle(tr("Export"));
+  Settings& settings = Settings::the();
+  for (const FormatRow& row : kFormats) format_->addItem(tr(row.label), QLatin1String(row.key));
+  format_->setCurrentIndex(
+      std::max(0, format_->findData(settings.text(files_keys::kExportFormat))));
+  area_->addItems({tr("The page"), tr("The ink only")});
+  area_->setCurrentIndex(settings.flag(files_keys::kExportInkOnly, false) ? 1 : 0);
+  dpi_->setRange(10.0, 2400.0);
+  dpi_->setDecimals(0);
+  dpi_->setSuffix(tr(" dots per inch"));
+  dpi_->setValue(settings.number(files_keys::kExportDpi, files_keys::kExportDpiDefault));
+  background_->setChecked(settings.flag(files_keys::kExportBackground, true));
+  picture_->setFixedSize(kPicture);
+  picture_->setAlignment(Qt::AlignCenter);
+  picture_->setAccessibleName(tr("Preview"));
+  size_->setWordWrap(true);
+  form_->addRow(tr("&Format:"), format_);
+  form_->addRow(tr("&Show:"), area_);
+  form_->addRow(tr("&Resolution:"), dpi_);
+  form_->addRow(QString(), background_);
+  form_->addRow(tr("Size:"), size_);
+  auto* columns = new QHBoxLayout;
+  columns->setSpacing(18);
+  columns->addWidget(picture_);
+  columns->addLayout(form_, 1);
+  auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel, this);
+  QPushButton* go = buttons->addButton(tr("&Export…"), QDialogButtonBox::AcceptRole);
+  go->setDefault(true);
+  connect(buttons, &QDialogButtonBox::accepted, this, &ExportDialog::accept);
+  connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+  auto* all = new QVBoxLayout(this);
+  all->addLayout(columns);
+  all->addWidget(buttons);
+  connect(format_, &QComboBox::currentIndexChanged, this, &ExportDialog::show_result);
+  connect(area_, &QComboBox::currentIndexChanged, this, &ExportDialog::show_result);
+  connect(dpi_, &QDoubleSpinBox::valueChanged, this, &ExportDialog::show_result);
+  connect(background_, &QCheckBox::toggled, this, &ExportDialog::show_result);
+  if (sketch_.size() > kMostPreviewStrokes) {
+    sketch_.erase(sketch_.begin(), sketch_.end() - kMostPreviewStrokes);
+  }
+  show_result();
+}
+
+ExportOptions ExportDialog::options() const {
+  return {kFormats[format_->currentIndex()].format, dpi_->value(), background_->isChecked(),
+          area_->currentIndex() == 1};
+}
+
+void ExportDialog::accept() {
+  Settings& settings = Settings::the();
+  settings.set(files_keys::kExportFormat, format_->currentData());
+  settings.set(files_keys::kExportInkOnly, area_->currentIndex() == 1);
+  settings.set(files_keys::kExportDpi, dpi_->value());
+  settings.set(files_keys::kExportBackground, background_->isChecked());
+  QDialog::accept();
+}
+
+void ExportDialog::show_result() {
+  const ExportOptions chosen = options();
+  const bool is_picture = chosen.format != DrawingFormat::kSketch;
+  const bool is_png = chosen.format == DrawingFormat::kPng;
+  dpi_->setEnabled(is_png);
+  area_->setEnabled(is_picture);
+  background_->setEnabled(is_picture && page_.paper.a > 0);
+  const Rect area = export_area(sketch_, page_, chosen);
+  const Rgba paper = chosen.background ? page_.paper : Rgba{255, 255, 255, 0};
+  const double ratio = devicePixelRatioF();
+  const QImage picture = sheet_thumbnail(sketch_, area, kPicture * ratio, paper);
+  picture_->setPixmap(on_squares(picture, ratio));
+  const QLocale locale;
+  QString text =
+      tr("%1 × %2 mm")
+          .arg(locale.toString(area.width(), 'f', 1), locale.toString(area.height(), 'f', 1));
+  if (is_png) {
+    const double scale = chosen.dpi / kMmPerInch;
+    text += QLatin1Char('\n') + tr("%1 × %2 pixels")
+                                    .arg(locale.toString(std::ceil(area.width() * scale), 'f', 0),
+                                         locale.toString(std::ceil(area.height() * scale), 'f', 0));
+  }
+  if (!is_picture) text = tr("All strokes, exactly");
+  size_->setText(text);
+}
+
+}  // namespace felt::desktop

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <QDialog>
+
+#include "desktop/files/export_file.h"
+
+class QCheckBox;
+class QComboBox;
+class QDoubleSpinBox;
+class QFormLayout;
+class QLabel;
+
+namespace felt::desktop {
+
+/// How the drawing is exported, with a small picture and the size of what comes out. Remembers
+/// what was chosen.
+class ExportDialog : public QDialog {
+  Q_OBJECT
+
+ public:
+  ExportDialog(const Drawing& drawing, QWidget* parent);
+
+  [[nodiscard]] ExportOptions options() const;
+  void accept() override;
+
+ private:
+  void show_result();
+
+  Sketch sketch_;
+  SheetPage page_;
+  QComboBox* format_;
+  QComboBox* area_;
+  QDoubleSpinBox* dpi_;
+  QCheckBox* background_;
+  QLabel* picture_;
+  QLabel* size_;
+  QFormLayout* form_;
+};
+
+}  // namespace felt::desktop

@@ -1,0 +1,79 @@
+// Pictures of the dialogs for a person to look at: FELT_LOOK=FOLDER files_desktop_test.
+#include <gtest/gtest.h>
+
+#include <QAccessible>
+#include <QApplication>
+#include <QPalette>
+#include <QStyleFactory>
+
+#include "desktop/files/export_dialog.h"
+#include "desktop/files/page_dialog.h"
+#include "desktop/files/recovery_dialog.h"
+#include "desktop/files/test_desk.h"
+
+namespace felt::desktop {
+namespace {
+
+QPalette dark() {
+  QPalette palette;
+  const QColor window(45, 45, 48), base(32, 32, 34), text(230, 230, 230);
+  for (const auto role : {QPalette::Window, QPalette::Button}) palette.setColor(role, window);
+  palette.setColor(QPalette::Base, base);
+  for (const auto role : {QPalette::WindowText, QPalette::Text, QPalette::ButtonText}) {
+    palette.setColor(role, text);
+  }
+  palette.setColor(QPalette::Mid, QColor(90, 90, 90));
+  palette.setColor(QPalette::Disabled, QPalette::Text, QColor(120, 120, 120));
+  palette.setColor(QPalette::Disabled, QPalette::ButtonText, QColor(120, 120, 120));
+  palette.setColor(QPalette::Disabled, QPalette::WindowText, QColor(120, 120, 120));
+  return palette;
+}
+
+/// Every control says what it is, by its text or by a name.
+void check_names(const QDialog& dialog) {
+  for (const QWidget* widget : dialog.findChildren<QWidget*>()) {
+    if (widget->focusPolicy() == Qt::NoFocus || !widget->isVisibleTo(&dialog)) continue;
+    QAccessibleInterface* spoken =
+        QAccessible::queryAccessibleInterface(const_cast<QWidget*>(widget));
+    if (!spoken || spoken->role() == QAccessible::Pane) continue;
+    if (widget->inherits("QLineEdit") || widget->inherits("QScrollArea")) continue;
+    EXPECT_FALSE(spoken->text(QAccessible::Name).isEmpty())
+        << widget->metaObject()->className() << " in " << dialog.metaObject()->className();
+  }
+}
+
+TEST(Looks, EveryControlOfEveryDialogHasAName) {
+  TestDesk desk;
+  desk.draw(1, 12);
+  const QString folder = qEnvironmentVariable("FELT_LOOK");
+  const QPalette light = QApplication::palette();
+  if (!folder.isEmpty()) QApplication::setStyle(QStyleFactory::create(QStringLiteral("Fusion")));
+  for (const bool is_dark : {false, true}) {
+    QApplication::setPalette(is_dark ? dark() : light);
+    ExportDialog export_dialog(desk.files->drawing(), nullptr);
+    PageDialog page_dialog(desk.studio.page(), nullptr);
+    std::vector<RecoveryDialog::Offer> offers(2);
+    for (RecoveryDialog::Offer& offer : offers) {
+      offer.recovered.drawing = desk.files->drawing();
+      offer.recovered.name = QStringLiteral("Harbour.felt");
+      offer.recovered.when = QDateTime::currentDateTime();
+    }
+    RecoveryDialog recovery_dialog(std::move(offers), nullptr);
+    for (QDialog* dialog :
+         {static_cast<QDialog*>(&export_dialog), static_cast<QDialog*>(&page_dialog),
+          static_cast<QDialog*>(&recovery_dialog)}) {
+      dialog->ensurePolished();
+      dialog->adjustSize();
+      check_names(*dialog);
+      if (folder.isEmpty()) continue;
+      dialog->grab().save(
+          folder + QLatin1Char('/') +
+          QString::fromLatin1(dialog->metaObject()->className()).section(QStringLiteral("::"), -1) +
+          QLatin1String(is_dark ? "-dark.png" : "-light.png"));
+    }
+  }
+  QApplication::setPalette(light);
+}
+
+}  // namespace
+}  // namespace felt::desktop

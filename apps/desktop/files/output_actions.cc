@@ -1,0 +1,156 @@
+#include "desktop/files/output_actions.h"
+
+#include <QDir>
+#include <QFileInfo>
+#include <QPainter>
+#include <QPainterPath>
+#include <QPrintDialog>
+#include <QPrintPreviewDialog>
+#include <QPrinter>
+#include <memory>
+
+#include "desktop/files/export_dialog.h"
+#include "desktop/files/file_actions.h"
+#include "desktop/files/page_dialog.h"
+#include "felt/render/view.h"
+#include "felt/stroke/outline_path.h"
+
+namespace felt::desktop {
+namespace {
+
+constexpr double kPrintToleranceMm = 0.005;
+
+QColor color_of(Rgba c) {
+  return QColor(c.r, c.g, c.b, c.a);
+}
+
+QPainterPath path_of(const Stroke& stroke) {
+  const OutlinePath outline = outline_path(stroke, kPrintToleranceMm);
+  QPainterPath path;
+  path.setFillRule(Qt::WindingFill);
+  const Point* p = outline.points.data();
+  const auto point = [](const Point& q) { return QPointF(q.x, q.y); };
+  for (const OutlinePath::Verb verb : outline.verbs) {
+    switch (verb) {
+      case OutlinePath::Verb::kMove:
+        path.moveTo(point(*p++));
+        break;
+      case OutlinePath::Verb::kLine:
+        path.lineTo(point(*p++));
+        break;
+      case OutlinePath::Verb::kCubic:
+        path.cubicTo(point(p[0]), point(p[1]), point(p[2]));
+        p += 3;
+        break;
+      case OutlinePath::Verb::kClose:
+        path.closeSubpath();
+        break;
+    }
+  }
+  return path;
+}
+
+/// A printer whose page is the sheet.
+std::unique_ptr<QPrinter> printer_for(const Drawing& drawing, const QString& name) {
+  auto printer = std::make_unique<QPrinter>(QPrinter::HighResolution);
+  const SheetPage& page = drawing.page;
+  const bool lies = page.width_mm > page.height_mm;
+  const QSizeF upright(lies ? page.height_mm : page.width_mm,
+                       lies ? page.width_mm : page.height_mm);
+  printer->setPageSize(QPageSize(upright, QPageSize::Millimeter, {}, QPageSize::FuzzyMatch));
+  printer->setPageOrientation(lies ? QPageLayout::Landscape : QPageLayout::Portrait);
+  printer->setFullPage(true);  // the sheet's corner is the paper's
+  printer->setDocName(name);
+  return printer;
+}
+
+}  // namespace
+
+void paint_sheet(QPainter& painter, const Drawing& drawing, double dpi) {
+  painter.save();
+  painter.setRenderHint(QPainter::Antialiasing);
+  painter.scale(dpi / kMmPerInch, dpi / kMmPerInch);
+  const SheetPage& page = drawing.page;
+  const QRectF sheet(0.0, 0.0, page.width_mm, page.height_mm);
+  painter.setClipRect(sheet);
+  // White paper is there already.
+  if (page.paper.a > 0 && page.paper != Rgba{255, 255, 255, 255}) {
+    painter.fillRect(sheet, color_of(page.paper));
+  }
+  painter.setPen(Qt::NoPen);
+  for (const SketchStroke& s : visible_strokes(drawing.document)) {
+    painter.setBrush(color_of(s.stroke.color()));
+    painter.drawPath(path_of(s.stroke));
+  }
+  painter.restore();
+}
+
+void print_drawing(QPrinter& printer, const Drawing& drawing) {
+  QPainter painter(&printer);
+  paint_sheet(painter, drawing, printer.resolution());
+}
+
+OutputActions::OutputActions(FileActions& files, Studio& studio, Actions& actions, QWidget* window)
+    : QObject(window), files_(files), studio_(studio), window_(window) {
+  actions.add(QStringLiteral("file.export"), tr("&Export…"),
+              {QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_E)},
+              tr("Write the drawing as SVG, PDF or PNG for other programs"),
+              [this] { ask_export(); });
+  actions.add(QStringLiteral("file.page_setup"), tr("Pa&ge setup…"), {},
+              tr("Size, orientation and colour of the sheet"), [this] { ask_page(); });
+  actions.add(QStringLiteral("file.print_preview"), tr("Print pre&view…"), {},
+              tr("See what will be printed"), [this] { preview(); });
+  actions.add(QStringLiteral("file.print"), tr("&Print…"), {QKeySequence::Print},
+              tr("Print the sheet at its true size"), [this] { print(); });
+}
+
+void OutputActions::ask_export() {
+  ExportDialog dialog(files_.drawing(), window_);
+  if (dialog.exec() != QDialog::Accepted) return;
+  const ExportOptions options = dialog.options();
+  const QString suffix = suffix_of(options.format);
+  const QString base = QFileInfo(files_.display_name()).completeBaseName();
+  const QString chosen = files_.dialogs().save_name(
+      window_, tr("Export"), QDir(files_.folder()).filePath(base + suffix),
+      tr("%1 files (*%2)").arg(suffix.mid(1).toUpper(), suffix), suffix.mid(1));
+  if (!chosen.isEmpty()) export_to(with_suffix(chosen, options.format), options);
+}
+
+void OutputActions::export_to(const QString& path, const ExportOptions& options) {
+  files_.worker().start([this, path, options, drawing = files_.drawing()]() -> FileWorker::Answer {
+    const Result<void> done = export_drawing(path, drawing, options);
+    return [this, path, done] {
+      if (!done) {
+        files_.dialogs().show_error(window_,
+                                    tr("“%1” was not exported").arg(QFileInfo(path).fileName()),
+                                    QString::fromStdString(done.error().message));
+      }
+      Q_EMIT exported(path, done.has_value());
+    };
+  });
+}
+
+void OutputActions::ask_page() {
+  PageDialog dialog(studio_.page(), window_);
+  if (dialog.exec() == QDialog::Accepted) studio_.set_page(dialog.page());
+}
+
+void OutputActions::print() {
+  const Drawing drawing = files_.drawing();
+  const auto printer = printer_for(drawing, files_.display_name());
+  QPrintDialog dialog(printer.get(), window_);
+  dialog.setWindowTitle(tr("Print"));
+  if (dialog.exec() == QDialog::Accepted) print_drawing(*printer, drawing);
+}
+
+void OutputActions::preview() {
+  const Drawing drawing = files_.drawing();
+  const auto printer = printer_for(drawing, files_.display_name());
+  QPrintPreviewDialog dialog(printer.get(), window_);
+  dialog.setWindowTitle(tr("Print preview"));
+  connect(&dialog, &QPrintPreviewDialog::paintRequested, this,
+          [&drawing](QPrinter* target) { print_drawing(*target, drawing); });
+  dialog.exec();
+}
+
+}  // namespace felt::desktop

@@ -1,0 +1,110 @@
+#include <gtest/gtest.h>
+
+#include <QAction>
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QImageReader>
+#include <QLabel>
+#include <QPainter>
+#include <QRadioButton>
+#include <QTest>
+
+#include "desktop/files/export_dialog.h"
+#include "desktop/files/output_actions.h"
+#include "desktop/files/page_dialog.h"
+#include "desktop/files/sheet_picture.h"
+#include "desktop/files/test_desk.h"
+#include "felt/base/read_file.h"
+
+namespace felt::desktop {
+namespace {
+
+TEST(Export, EveryFormatIsWritten) {
+  TestDesk desk;
+  desk.draw(1, 4);
+  const Drawing drawing = desk.files->drawing();
+  ASSERT_TRUE(export_drawing(desk.at("a.svg"), drawing, {.format = DrawingFormat::kSvg}));
+  EXPECT_EQ(read_drawing(desk.at("a.svg")).value().document.stroke_count(), 4u);
+  ASSERT_TRUE(export_drawing(desk.at("a.pdf"), drawing, {.format = DrawingFormat::kPdf}));
+  EXPECT_EQ(read_file(desk.at("a.pdf").toStdString(), 1 << 24).value().substr(0, 8), "%PDF-1.4");
+  ASSERT_TRUE(
+      export_drawing(desk.at("a.png"), drawing, {.format = DrawingFormat::kPng, .dpi = 254.0}));
+  EXPECT_EQ(QImageReader(desk.at("a.png")).size(), QSize(2970, 2100));
+  ASSERT_TRUE(export_drawing(
+      desk.at("b.png"), drawing,
+      {.format = DrawingFormat::kPng, .dpi = 254.0, .background = false, .ink_only = true}));
+  const QImage ink(desk.at("b.png"));
+  EXPECT_LT(ink.width(), 2970);
+  EXPECT_EQ(ink.pixelColor(0, 0).alpha(), 0);
+  EXPECT_FALSE(export_drawing(desk.at("no/a.pdf"), drawing, {.format = DrawingFormat::kPdf}));
+}
+
+TEST(Export, TheDialogSaysWhatComesOut) {
+  TestDesk desk;
+  desk.draw(1, 4);
+  ExportDialog dialog(desk.files->drawing(), nullptr);
+  const auto combos = dialog.findChildren<QComboBox*>();
+  const auto shows = [&dialog](const QString& text) {
+    for (const QLabel* label : dialog.findChildren<QLabel*>()) {
+      if (label->text().contains(text)) return true;
+    }
+    return false;
+  };
+  combos[0]->setCurrentIndex(2);
+  dialog.findChild<QDoubleSpinBox*>()->setValue(254.0);
+  EXPECT_TRUE(shows(QStringLiteral("pixels")));
+  EXPECT_EQ(dialog.options().format, DrawingFormat::kPng);
+  EXPECT_EQ(dialog.options().dpi, 254.0);
+  combos[0]->setCurrentIndex(1);
+  EXPECT_FALSE(shows(QStringLiteral("pixels")));
+  EXPECT_FALSE(dialog.findChild<QDoubleSpinBox*>()->isEnabled());
+  dialog.findChild<QCheckBox*>()->setChecked(false);
+  EXPECT_FALSE(dialog.options().background);
+}
+
+TEST(PageSetup, PresetsAndOrientationAgreeWithTheSides) {
+  PageDialog dialog({297.0, 210.0, {255, 255, 255, 255}}, nullptr);
+  auto* preset = dialog.findChild<QComboBox*>();
+  const auto sides = dialog.findChildren<QDoubleSpinBox*>();
+  const auto ways = dialog.findChildren<QRadioButton*>();
+  EXPECT_EQ(preset->currentText(), QStringLiteral("A4"));
+  EXPECT_TRUE(ways[1]->isChecked());
+  ways[0]->setChecked(true);
+  EXPECT_EQ(dialog.page(), (SheetPage{210.0, 297.0, {255, 255, 255, 255}}));
+  preset->setCurrentIndex(0);
+  Q_EMIT preset->activated(0);
+  EXPECT_EQ(dialog.page(), (SheetPage{148.0, 210.0, {255, 255, 255, 255}}));
+  sides[0]->setValue(300.0);
+  EXPECT_EQ(preset->currentText(), QStringLiteral("Custom"));
+  EXPECT_TRUE(ways[1]->isChecked());
+  sides[0]->setValue(420.0);
+  sides[1]->setValue(594.0);
+  EXPECT_EQ(preset->currentText(), QStringLiteral("A2"));
+}
+
+TEST(Print, TheSheetIsPaintedAtItsTrueSize) {
+  TestDesk desk;
+  desk.draw(3, 6);
+  desk.studio.set_page({60.0, 40.0, {255, 255, 255, 255}});
+  const Drawing drawing = desk.files->drawing();
+  constexpr double kDpi = 254.0;  // ten pixels a millimetre
+  QImage painted(600, 400, QImage::Format_RGBA8888_Premultiplied);
+  painted.fill(Qt::white);
+  QPainter painter(&painted);
+  paint_sheet(painter, drawing, kDpi);
+  painter.end();
+  const QImage ours = sheet_picture(visible_strokes(drawing.document), drawing.page.area(), 10.0,
+                                    {255, 255, 255, 255});
+  ASSERT_EQ(ours.size(), painted.size());
+  double sum = 0.0;
+  for (int y = 0; y < ours.height(); ++y) {
+    for (int x = 0; x < ours.width(); ++x) {
+      sum += std::abs(ours.pixelColor(x, y).green() - painted.pixelColor(x, y).green());
+    }
+  }
+  EXPECT_LT(sum / (600 * 400), 1.0);
+}
+
+}  // namespace
+}  // namespace felt::desktop

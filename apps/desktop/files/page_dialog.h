@@ -1,0 +1,42 @@
+#pragma once
+
+#include <QColor>
+#include <QDialog>
+
+#include "felt/document/sheet_page.h"
+
+class QComboBox;
+class QDoubleSpinBox;
+class QPushButton;
+class QRadioButton;
+
+namespace felt::desktop {
+
+/// Size, orientation and colour of the sheet.
+class PageDialog : public QDialog {
+  Q_OBJECT
+
+ public:
+  PageDialog(const SheetPage& page, QWidget* parent);
+
+  [[nodiscard]] SheetPage page() const;
+
+ private:
+  void take_preset();
+  void take_orientation();
+  void find_preset();
+  void choose_color();
+  void show_color();
+
+  QComboBox* preset_;
+  QDoubleSpinBox* width_;
+  QDoubleSpinBox* height_;
+  QRadioButton* portrait_;
+  QRadioButton* landscape_;
+  QPushButton* color_key_;
+  QPushButton* no_paper_;
+  QColor color_;
+  bool is_changing_ = false;
+};
+
+}  // namespace felt::desktop

@@ -1,0 +1,33 @@
+#include "desktop/files/sheet_picture.h"
+
+#include <algorithm>
+#include <memory>
+#include <utility>
+
+#include "felt/render/page.h"
+#include "felt/render/view.h"
+
+namespace felt::desktop {
+
+QImage to_qimage(Image image) {
+  auto* kept = new Image(std::move(image));
+  const Pixels pixels = kept->pixels();
+  return QImage(
+      pixels.data, pixels.width, pixels.height, pixels.stride,
+      QImage::Format_RGBA8888_Premultiplied, [](void* held) { delete static_cast<Image*>(held); },
+      kept);
+}
+
+QImage sheet_picture(const Sketch& sketch, const Rect& area, double px_per_mm, Rgba paper) {
+  Result<Image> image =
+      render_page(sketch, {.dpi = px_per_mm * kMmPerInch, .sheet = area, .paper = paper});
+  return image ? to_qimage(*std::move(image)) : QImage();
+}
+
+QImage sheet_thumbnail(const Sketch& sketch, const Rect& area, QSize size, Rgba paper) {
+  if (!(area.width() > 0.0) || !(area.height() > 0.0)) return {};
+  const double scale = std::min(size.width() / area.width(), size.height() / area.height());
+  return sheet_picture(sketch, area, scale, paper);
+}
+
+}  // namespace felt::desktop

@@ -1,0 +1,72 @@
+# Drawings: .felt in and out, .svg in, .pdf out.
+. "$(dirname "$0")/helpers.sh"
+
+strokes 20 >in.ndjson
+run 0 "$feltline" fit in.ndjson -o a.ndjson
+sed 's/"id":"[^"]*"/"id":"x"/' a.ndjson >plain.ndjson
+nameless() { sed 's/"id":"[^"]*"/"id":"x"/' "$1" >"$1.plain"; same "$1.plain" plain.ndjson; }
+
+# To .felt and back nothing changes but the names, which are numbers there.
+run 0 "$feltline" convert a.ndjson -o a.felt --page A5-landscape
+run 0 "$feltline" convert a.felt -o b.ndjson
+nameless b.ndjson
+[ "$(head -c 15 a.felt)" = "SQLite format 3" ] || fail "no database"
+[ "$(ls -A | grep -c felt)" = 1 ] || fail "files beside a.felt: $(ls -A)"
+run 0 "$feltline" fit in.ndjson -o fitted.felt --page A5-landscape --jobs 2
+same fitted.felt a.felt
+run 0 "$feltline" convert a.felt -o copy.felt
+same copy.felt a.felt
+run 0 "$feltline" convert a.ndjson -o - --to felt --page A5-landscape
+same out a.felt
+
+# .svg: ours is read back exactly, others are not read.
+run 0 "$feltline" convert a.ndjson -o a.svg
+run 0 "$feltline" convert a.svg -o c.ndjson
+same c.ndjson a.ndjson
+echo '<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 1 1"><circle r="1"/></svg>' >other.svg
+run 1 "$feltline" convert other.svg -o d.ndjson
+has err "feltline: other.svg: is an SVG of another program"
+[ ! -e d.ndjson ] || fail "a sketch of nothing"
+
+# What is drawn of each is the same picture.
+for file in a.ndjson a.felt a.svg; do
+  run 0 "$feltline" render "$file" -o "$file.png" --dpi 50
+  same "$file.png" a.ndjson.png
+done
+run 0 "$feltline" info a.felt --json
+cp out felt.info
+run 0 "$feltline" info a.ndjson --json
+same out felt.info
+
+# .pdf: the same bytes each time, nothing but a PDF, and never read.
+run 0 "$feltline" render a.felt -o a.pdf --page A4
+run 0 "$feltline" convert a.ndjson -o b.pdf --page A4
+same a.pdf b.pdf
+has a.pdf "%PDF-1.4"
+has a.pdf "/MediaBox [0 0 595.2756 841.8898 ]"
+run 1 "$feltline" convert a.pdf -o e.ndjson
+run 1 "$feltline" convert a.ndjson -o huge.pdf --page 9000x10
+has err "5080 mm"
+[ ! -e huge.pdf ] || fail "a page that no PDF may have"
+
+# A drawing to begin with keeps its layers and ids; what is drawn comes on top.
+printf '%s\n' '{"t_ms":0,"event":"layer","do":"add","name":"Ideas"}' \
+  '{"t_ms":0,"event":"pen","x":10,"y":10,"z":1}' '{"t_ms":1,"event":"pen","x":10,"y":10,"z":-0.5}' \
+  '{"t_ms":50,"event":"pen","x":40,"y":20,"z":-0.5}' '{"t_ms":51,"event":"pen","x":40,"y":20,"z":1}' \
+  >script.ndjson
+run 0 "$feltline" replay script.ndjson --on a.felt -o on.ndjson
+run 0 "$feltline" replay script.ndjson --on a.ndjson -o on2.ndjson
+same on.ndjson on2.ndjson
+lines on.ndjson 21
+
+# Damage is an error that names the file; nothing is written.
+head -c 3000 a.felt >cut.felt
+run 1 "$feltline" convert cut.felt -o f.ndjson
+has err "feltline: cut.felt: is damaged or cut off"
+echo nonsense >no.felt
+run 1 "$feltline" info no.felt
+has err "feltline: no.felt: is no Feltline drawing"
+run 1 "$feltline" render none.felt -o f.png
+has err "feltline: none.felt: "
+[ ! -e f.ndjson ] && [ ! -e f.png ] || fail "written from nothing"
+finish

@@ -1,0 +1,52 @@
+// Whatever the bytes: a drawing that reads back equal, or an error with a message. Bytes that begin
+// like a file are read as one; others are tried as a stroke and as an edit, with a right checksum,
+// so that the fuzzer gets behind it.
+#include <cstdint>
+#include <cstdlib>
+#include <string>
+
+#include "felt/store/crc32c.h"
+#include "felt/store/edit_blob.h"
+#include "felt/store/felt_file.h"
+#include "felt/store/journal_log.h"
+#include "felt/store/stroke_blob.h"
+
+namespace {
+
+void must(bool condition) {
+  if (!condition) std::abort();
+}
+
+void try_file(std::string_view bytes) {
+  const felt::Result<felt::StoredDrawing> drawing = felt::parse_felt(bytes);
+  if (!drawing) return must(!drawing.error().message.empty());
+  must(felt::parse_felt(felt::felt_bytes(*drawing).value()).value() == *drawing);
+}
+
+void try_stroke(std::string bytes) {
+  const std::uint32_t crc = felt::crc32c(bytes);
+  for (int i = 0; i < 4; ++i) bytes += static_cast<char>((crc >> (8 * i)) & 0xff);
+  const felt::Result<felt::Stroke> stroke = felt::read_stroke_blob(bytes);
+  if (!stroke) return must(!stroke.error().message.empty());
+  std::string again;
+  must(felt::append_stroke_blob(again, *stroke).has_value());
+  must(again == bytes);
+}
+
+void try_edit(std::string_view bytes) {
+  felt::Document document;
+  if (const auto edit = felt::read_edit_blob(bytes, document)) {
+    static_cast<void>(document.apply(*edit));
+  }
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  const std::string_view bytes(reinterpret_cast<const char*>(data), size);
+  try_file(bytes);
+  try_stroke(std::string(bytes));
+  try_edit(bytes);
+  for (const felt::LogRecord& record : felt::read_log(bytes)) must(record.bytes.size() < size);
+  return 0;
+}
