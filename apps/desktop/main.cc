@@ -9,6 +9,7 @@
 #include <span>
 
 #include "desktop/engine/recording_file.h"
+#include "desktop/files/instance.h"
 #include "desktop/window/language.h"
 #include "desktop/window/picture.h"
 #include "desktop/window/start_options.h"
@@ -75,10 +76,27 @@ void dress() {
   QApplication::setWindowIcon(QIcon::fromTheme(QStringLiteral("org.feltline.Feltline"), ours));
 }
 
+/// Another start wants these files here, or only to see the program.
+void serve(Windows& windows, const QStringList& files) {
+  for (const QString& file : files) {
+    if (MainWindow* window = windows.open_file(file)) bring_forward(*window);
+  }
+  if (!files.isEmpty()) return;
+  const QWidgetList shown = QApplication::topLevelWidgets();
+  for (QWidget* widget : shown) {
+    if (auto* window = qobject_cast<MainWindow*>(widget)) return bring_forward(*window);
+  }
+}
+
 int run(const StartOptions& options) {
+  Instance instance;
+  const bool is_apart = options.new_window || !options.record.isEmpty() || options.measure_start;
+  if (!is_apart && instance.hand_over(options.files)) return 0;
   StudioOptions studio;
   const std::unique_ptr<RecordingFile> recording = record_into(options.record, studio);
   Windows windows(std::move(studio));
+  QObject::connect(&instance, &Instance::wanted, &windows,
+                   [&windows](const QStringList& files) { serve(windows, files); });
   QStringList files = options.files;
   if (files.isEmpty() && !options.new_window) files.push_back(Windows::last_file());
   if (files.isEmpty()) files.push_back(QString());
