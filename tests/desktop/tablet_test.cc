@@ -1,0 +1,189 @@
+// A real window, driven by a tablet that only Qt knows: what comes of it, and that its recording
+// gives the same.
+#include <gtest/gtest.h>
+
+#include <QApplication>
+#include <QTemporaryDir>
+#include <QTest>
+#include <QTimer>
+#include <atomic>
+#include <cmath>
+#include <memory>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "desktop/engine/recording_file.h"
+#include "desktop/files/drawing_file.h"
+#include "desktop/window/main_window.h"
+#include "felt/io/ndjson_writer.h"
+#include "tests/desktop/injected_pen.h"
+#include "tests/desktop/recording_check.h"
+
+namespace felt::desktop {
+namespace {
+
+constexpr int kMostMs = 20'000;  // for anything to happen on a machine that is busy
+
+std::string text_of(const Sketch& sketch) {
+  std::string text;
+  for (const SketchStroke& stroke : sketch) {
+    append_sketch_line(text, stroke.id, stroke.stroke.data());
+  }
+  return text;
+}
+
+class DesktopTablet : public testing::Test {
+ protected:
+  DesktopTablet() : recording_path_(folder_.filePath(QStringLiteral("recording.ndjson"))) {
+    StudioOptions options;
+    recording_ = record_into(recording_path_, options);
+    window_ = std::make_unique<MainWindow>(std::move(options));
+    window_->resize(1200, 800);
+    window_->show();
+    EXPECT_TRUE(QTest::qWaitForWindowExposed(window_.get()));
+    pen_ = std::make_unique<InjectedPen>(window_->canvas());
+  }
+  ~DesktopTablet() override {
+    window_->studio().set_modified(false);  // nobody is there to be asked
+    window_.reset();
+  }
+
+  Studio& studio() { return window_->studio(); }
+  std::size_t strokes() { return studio().session().document().stroke_count(); }
+  std::string tool() { return std::string(studio().session().tool().info().id); }
+  [[nodiscard]] QPointF px(Point mm) { return window_->canvas().view().to_px(mm); }
+
+  void point(Point mm, double pressure) {
+    pen_->point(px(mm), pressure);
+    QTest::qWait(2);
+  }
+  /// A stroke, lifted at its end, and waits until the session has seen that.
+  void draw(const std::vector<Point>& places, double pressure = 0.5) {
+    point(places.front(), 0.0);
+    for (const Point& place : places) point(place, pressure);
+    point(places.back(), 0.0);
+    EXPECT_TRUE(QTest::qWaitFor(
+        [this] { return studio().pen().is_known && !in_contact(studio().pen().sample); }, kMostMs));
+    QTest::qWait(250);  // a tool may wait whether the pen comes down again
+  }
+  static std::vector<Point> line(Point a, Point b, double wave_mm = 0.0) {
+    std::vector<Point> places;
+    for (int i = 0; i <= 60; ++i) {
+      const double t = i / 60.0;
+      places.push_back(
+          {std::lerp(a.x, b.x, t), std::lerp(a.y, b.y, t) + wave_mm * std::sin(9 * t)});
+    }
+    return places;
+  }
+  /// The recording so far, played by the command line program.
+  std::string replay() {
+    recording_->flush();
+    const Result<std::string> text = replayed(QStringLiteral(FELTLINE), recording_path_);
+    EXPECT_TRUE(text.has_value()) << text.error().message;
+    return text.value_or("");
+  }
+
+  QTemporaryDir folder_;
+  QString recording_path_;
+  std::unique_ptr<RecordingFile> recording_;
+  std::unique_ptr<MainWindow> window_;
+  std::unique_ptr<InjectedPen> pen_;
+};
+
+// Strokes drawn, pulled, erased, selected and turned, undone, saved and reopened; and the recording
+// of it all gives the same drawing.
+TEST_F(DesktopTablet, ADrawingIsMadeSavedAndPlayedAgain) {
+  draw(line({40, 40}, {120, 60}, 4.0));
+  draw(line({40, 90}, {120, 90}));
+  draw(line({40, 120}, {120, 130}, 3.0));
+  ASSERT_EQ(strokes(), 3u);
+
+  std::string before = text_of(studio().session().sketch());
+  studio().apply(SelectTool{"pull"});
+  draw(line({80, 90}, {80, 105}), 0.8);
+  EXPECT_NE(text_of(studio().session().sketch()), before) << "nothing was pulled";
+
+  studio().apply(SelectTool{"pencil"});
+  pen_->turn_over(true);
+  point({80, 30}, 0.0);
+  EXPECT_EQ(tool(), "eraser");
+  draw(line({80, 30}, {80, 70}), 0.9);
+  pen_->turn_over(false);
+  point({150, 150}, 0.0);
+  EXPECT_TRUE(QTest::qWaitFor([this] { return tool() == "pencil"; }, kMostMs));
+  EXPECT_EQ(strokes(), 4u) << "the first line is cut in two";
+
+  before = text_of(studio().session().sketch());
+  studio().apply(SelectStrokes{SelectStrokes::What::kAll});
+  studio().apply(SetOption{"transform.mode", std::string("rotate")});
+  studio().apply(SelectTool{"transform"});
+  const Rect box = studio().session().selection().bounds(studio().session().document());
+  draw(line({box.x1 - 4, box.y0 + 4}, {box.x1 - 4, box.y0 + 30}), 0.6);
+  const std::string turned = text_of(studio().session().sketch());
+  EXPECT_NE(turned, before) << "nothing was turned";
+
+  studio().apply(UndoEvent{});
+  EXPECT_EQ(text_of(studio().session().sketch()), before);
+  studio().apply(RedoEvent{});
+  EXPECT_EQ(text_of(studio().session().sketch()), turned);
+
+  const QString path = folder_.filePath(QStringLiteral("drawing.felt"));
+  ASSERT_TRUE(write_drawing(path, window_->files().drawing()).has_value());
+  const Result<Drawing> again = read_drawing(path);
+  ASSERT_TRUE(again.has_value()) << again.error().message;
+  EXPECT_EQ(text_of(visible_strokes(again->document)), turned);
+  EXPECT_EQ(replay(), turned) << "the recording gives another drawing";
+  studio().set_modified(false);  // it is saved
+  EXPECT_TRUE(window_->files().open(path));
+  EXPECT_EQ(text_of(studio().session().sketch()), turned);
+}
+
+// 1,000 events at 1 kHz, while the window repaints all the time and files are written beside it:
+// each place is in the ink's record.
+TEST_F(DesktopTablet, AThousandEventsAreAThousandPlaces) {
+  for (int i = 0; i < 6; ++i) draw(line({20, 20.0 + 8 * i}, {180, 24.0 + 8 * i}, 2.0));
+  QTimer repaint;
+  QObject::connect(&repaint, &QTimer::timeout, &window_->canvas(),
+                   [this] { window_->canvas().update(); });
+  repaint.start(2);
+  std::atomic<bool> done = false;
+  std::atomic<int> saves = 0;
+  const Drawing drawing = window_->files().drawing();
+  const QString path = folder_.filePath(QStringLiteral("saved.felt"));
+  std::jthread saver([&] {
+    while (!done) saves += write_drawing(path, drawing).has_value() ? 1 : 0;
+  });
+  std::vector<Point> told;
+  std::vector<QPointF> places;
+  for (int i = 0; i < 1000; ++i) {
+    const double t = i / 1000.0;
+    told.push_back({30.0 + 140.0 * t, 110.0 + 25.0 * std::sin(20.0 * t)});
+    places.push_back(px(told.back()));
+  }
+  point(told.front(), 0.0);
+  std::jthread tablet([&] {
+    auto next = std::chrono::steady_clock::now();
+    for (std::size_t i = 0; i < places.size(); ++i) {
+      std::this_thread::sleep_until(next += std::chrono::milliseconds(1));
+      pen_->point(places[i], 0.3 + 0.0005 * static_cast<double>(i));
+    }
+    done = true;
+  });
+  EXPECT_TRUE(QTest::qWaitFor([&] { return done.load(); }, kMostMs));
+  QTest::qWait(50);
+  point(told.back(), 0.0);
+  EXPECT_TRUE(QTest::qWaitFor([this] { return !in_contact(studio().pen().sample); }, kMostMs));
+  QTest::qWait(250);
+  saver.join();
+  EXPECT_GT(saves, 0);
+  EXPECT_EQ(strokes(), 7u);
+  recording_->flush();
+  const auto poses = poses_of(recording_path_);
+  ASSERT_TRUE(poses.has_value()) << poses.error().message;
+  EXPECT_EQ(count_places(*poses, told), told.size());
+  EXPECT_EQ(replay(), text_of(studio().session().sketch()));
+}
+
+}  // namespace
+}  // namespace felt::desktop

@@ -1,0 +1,132 @@
+// The program itself on a real X server, drawn in by a pen of 1 kHz: every event is a pose in the
+// recording, and the recording gives the drawing. Exit code 77: it cannot run here.
+#include <QCoreApplication>
+#include <QFile>
+#include <QProcess>
+#include <QTemporaryDir>
+#include <QThread>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <set>
+#include <thread>
+
+#include "tests/desktop/inputtest_pen.h"
+#include "tests/desktop/recording_check.h"
+#include "tests/desktop/x_server.h"
+
+namespace felt::desktop {
+namespace {
+
+constexpr int kSkipped = 77;
+constexpr int kEvents = 1000;
+constexpr int kWaitMs = 30'000;
+// In the middle of the screen, where the sheet is.
+constexpr double kLeft = 600.0 / XServer::kWidth * InputtestPen::kMostPlace;
+constexpr double kRight = 680.0 / XServer::kWidth * InputtestPen::kMostPlace;
+constexpr double kMiddle = 400.0 / XServer::kHeight * InputtestPen::kMostPlace;
+constexpr double kWave = 30.0 / XServer::kHeight * InputtestPen::kMostPlace;
+
+int failed(const std::string& why) {
+  std::fprintf(stderr, "failed: %s\n", why.c_str());
+  return 1;
+}
+
+/// Until the recording has grown, which it does with the first samples.
+bool wait_for_growth(const QString& path, qint64 from) {
+  for (int waited = 0; waited < kWaitMs; waited += 50) {
+    if (QFile(path).size() > from) return true;
+    QThread::msleep(50);
+  }
+  return false;
+}
+
+double pressure_of(int i) {
+  return 200.0 + 0.6 * i;  // all different
+}
+
+/// A stroke of kEvents motions, one a millisecond.
+bool draw(InputtestPen& pen) {
+  const auto x = [](int i) { return std::lerp(kLeft, kRight, double(i) / kEvents); };
+  const auto y = [](int i) { return kMiddle + kWave * std::sin(0.03 * i); };
+  bool ok = pen.press(true, x(0), y(0), pressure_of(0));
+  auto next = std::chrono::steady_clock::now();
+  for (int i = 0; ok && i < kEvents; ++i) {
+    std::this_thread::sleep_until(next += std::chrono::milliseconds(1));
+    ok = pen.move(x(i), y(i), pressure_of(i));
+  }
+  QThread::msleep(100);
+  return ok && pen.press(false, x(kEvents), y(kEvents), 0.0) && pen.sync();
+}
+
+/// Each pressure that the pen had is that of a pose, in order.
+int count_pressures(const std::vector<PenEvent>& poses) {
+  auto at = poses.begin();
+  int count = 0;
+  for (int i = 0; i < kEvents; ++i) {
+    const double wanted = pressure_of(i) / InputtestPen::kMostPressure;
+    const auto found = std::find_if(at, poses.end(), [wanted](const PenEvent& pose) {
+      return pose.pressure && std::fabs(*pose.pressure - wanted) < 2e-5;
+    });
+    if (found == poses.end()) continue;
+    at = found;
+    ++count;
+  }
+  return count;
+}
+
+int run(const QString& desktop, const QString& feltline) {
+  Result<std::unique_ptr<XServer>> server = XServer::start();
+  if (!server) {
+    std::fprintf(stderr, "skipped: %s\n", server.error().message.c_str());
+    return kSkipped;
+  }
+  const QTemporaryDir home;
+  const QString recording = home.filePath(QStringLiteral("recording.ndjson"));
+  QProcess program;
+  QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+  environment.insert(QStringLiteral("DISPLAY"), (*server)->display());
+  environment.insert(QStringLiteral("QT_QPA_PLATFORM"), QStringLiteral("xcb"));
+  for (const char* folder : {"HOME", "XDG_CONFIG_HOME", "XDG_DATA_HOME", "XDG_CACHE_HOME",
+                             "XDG_STATE_HOME", "XDG_RUNTIME_DIR"}) {
+    environment.insert(QString::fromLatin1(folder), home.path());
+  }
+  program.setProcessEnvironment(environment);
+  program.setProcessChannelMode(QProcess::ForwardedErrorChannel);
+  Result<InputtestPen> pen = InputtestPen::open((*server)->pen_socket());
+  if (!pen) return failed(pen.error().message);
+  program.start(desktop, {QStringLiteral("--record"), recording});
+  if (!wait_for_growth(recording, 0)) return failed("the program does not record");
+  QThread::msleep(1500);  // the window comes up
+  if (!pen->come(kLeft, kMiddle) || !pen->move(kLeft, kMiddle, 0.0) || !pen->sync()) {
+    return failed("the X server is gone");
+  }
+  QThread::msleep(300);
+  if (!draw(*pen)) return failed("the X server is gone");
+  pen->leave(kRight, kMiddle);
+  pen->sync();
+  QThread::msleep(1000);
+  program.kill();  // what happened is in the recording, whatever happens to the program
+  program.waitForFinished(kWaitMs);
+  const auto poses = poses_of(recording);
+  if (!poses) return failed(poses.error().message);
+  const int seen = count_pressures(*poses);
+  std::fprintf(stderr, "%d of %d events are poses of the recording (%zu poses)\n", seen, kEvents,
+               poses->size());
+  if (seen != kEvents) return failed("samples were lost");
+  if (!poses->empty() && poses->back().pressure.value_or(0.0) > 0.0)
+    return failed("the pen is stuck");
+  const Result<std::string> sketch = replayed(feltline, recording);
+  if (!sketch) return failed(sketch.error().message);
+  const auto lines = std::count(sketch->begin(), sketch->end(), '\n');
+  return lines == 1 ? 0 : failed(std::to_string(lines) + " strokes instead of 1");
+}
+
+}  // namespace
+}  // namespace felt::desktop
+
+int main(int argc, char** argv) {
+  const QCoreApplication app(argc, argv);
+  if (argc != 3) return felt::desktop::failed("needs the paths of feltline-desktop and feltline");
+  return felt::desktop::run(QString::fromLocal8Bit(argv[1]), QString::fromLocal8Bit(argv[2]));
+}
