@@ -93,6 +93,7 @@ int run(const StartOptions& options) {
   const bool is_apart = options.new_window || !options.record.isEmpty() || options.measure_start;
   if (!is_apart && instance.hand_over(options.files)) return 0;
   StudioOptions studio;
+  studio.device = chosen_pen_device();
   const std::unique_ptr<RecordingFile> recording = record_into(options.record, studio);
   Windows windows(std::move(studio));
   QObject::connect(&instance, &Instance::wanted, &windows,

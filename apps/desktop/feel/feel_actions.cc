@@ -7,6 +7,7 @@
 #include <QWidget>
 
 #include "desktop/engine/settings.h"
+#include "desktop/feel/friction_sound.h"
 #include "desktop/feel/material_words.h"
 #include "desktop/feel/safety_words.h"
 #include "desktop/feel/settings_keys.h"
@@ -76,6 +77,21 @@ void add_materials(Actions& actions, Studio& studio, QWidget* window) {
   }
 }
 
+void add_sound(Actions& actions, Studio& studio, QWidget* window) {
+  if (!FrictionSound::is_built_in()) return;
+  const QString key = QString::fromLatin1(feel_keys::kSound);
+  const bool on = Settings::the().flag(key, feel_keys::kSoundDefault);
+  auto* sound = new FrictionSound(studio, window);
+  sound->set_on(on);
+  actions.add_switch(QStringLiteral("feel.sound"),
+                     QCoreApplication::translate("FeelActions", "S&ound of the pen"), {},
+                     QCoreApplication::translate("FeelActions", "Hear the pen rub on the sheet"),
+                     on, [sound, key](bool now) {
+                       sound->set_on(now);
+                       Settings::the().set(key, now);
+                     });
+}
+
 /// A fault that only a person can end is told, and takes the switch along.
 void watch_faults(Studio& studio, QWidget* window) {
   QObject::connect(&studio, &Studio::ticked, window, [&studio](const TickReport& tick) {
@@ -93,6 +109,7 @@ void add_feel_actions(Actions& actions, Studio& studio, QWidget* window) {
   add_switch(actions, studio);
   add_strength(actions, studio);
   add_materials(actions, studio, window);
+  add_sound(actions, studio, window);
   watch_faults(studio, window);
   auto* escape = new DoubleEscape(window);
   QObject::connect(escape, &DoubleEscape::pressed_twice, &studio, [&studio] {

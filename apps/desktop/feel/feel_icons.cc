@@ -66,6 +66,54 @@ void draw_stop(QPainter& painter) {
   painter.drawRect(QRectF(4, 6.8, 8, 2.4));
 }
 
+QPixmap material_swatch(const SurfaceMaterial& material, const QPalette& palette, QSize size,
+                        qreal dpr) {
+  const Grain grain(surface_grain(material));
+  const QSize pixels = size * dpr;
+  QImage image(pixels, QImage::Format_ARGB32_Premultiplied);
+  image.setDevicePixelRatio(dpr);
+  image.fill(palette.color(QPalette::Base));
+  const QColor ink = palette.color(QPalette::Text), paper = palette.color(QPalette::Base);
+  const double mm = 1.0 / (kPxPerMm * dpr);
+  for (int y = 0; y < pixels.height(); ++y) {
+    auto* row = reinterpret_cast<QRgb*>(image.scanLine(y));
+    const double across = std::abs(2.0 * (y + 0.5) / pixels.height() - 1.0);
+    for (int x = 0; x < pixels.width(); ++x) {
+      const double along = (x + 0.5) / pixels.width();
+      // A broad stroke: bare above and below, fading in from the left.
+      const double within = std::clamp((0.72 - across) * pixels.height() / 4.0, 0.0, 1.0);
+      const double pressure = 0.05 + 0.75 * along;
+      const double seen = 0.85 * within *
+                          grain.alpha({mm * x, mm * y}, pressure, grain.is_smooth() ? 0.0 : 1.0) *
+                          (grain.is_smooth() ? pressure : 1.0);
+      const auto mix = [&](int from, int to) {
+        return static_cast<int>(from + seen * (to - from));
+      };
+      row[x] = qRgb(mix(paper.red(), ink.red()), mix(paper.green(), ink.green()),
+                    mix(paper.blue(), ink.blue()));
+    }
+  }
+  return QPixmap::fromImage(image);
+}
+
+/// The same, chosen.
+QPixmap framed(QPixmap swatch, const QPalette& palette) {
+  QPainter painter(&swatch);
+  painter.setRenderHint(QPainter::Antialiasing);
+  const QColor color = palette.color(QPalette::Highlight);
+  const QRectF all(QPointF(0, 0), swatch.deviceIndependentSize());
+  painter.setPen(QPen(color, 4, Qt::SolidLine, Qt::SquareCap, Qt::MiterJoin));
+  painter.drawRect(all.adjusted(1, 1, -1, -1));
+  const QPointF middle = all.bottomRight() - QPointF(9, 9);
+  painter.setPen(Qt::NoPen);
+  painter.setBrush(color);
+  painter.drawEllipse(middle, 8, 8);
+  painter.setPen(QPen(palette.color(QPalette::HighlightedText), 1.8, Qt::SolidLine, Qt::RoundCap));
+  painter.drawPolyline(QPolygonF{middle + QPointF(-3.6, 0.4), middle + QPointF(-0.9, 3.2),
+                                 middle + QPointF(3.8, -3.0)});
+  return swatch;
+}
+
 }  // namespace
 
 QPixmap level_icon(FeelLevel level, const QPalette& palette, int size, qreal dpr) {
@@ -98,34 +146,12 @@ QPixmap level_icon(FeelLevel level, const QPalette& palette, int size, qreal dpr
   return pixmap;
 }
 
-QPixmap material_swatch(const SurfaceMaterial& material, const QPalette& palette, QSize size,
-                        qreal dpr) {
-  const Grain grain(surface_grain(material));
-  const QSize pixels = size * dpr;
-  QImage image(pixels, QImage::Format_ARGB32_Premultiplied);
-  image.setDevicePixelRatio(dpr);
-  image.fill(palette.color(QPalette::Base));
-  const QColor ink = palette.color(QPalette::Text), paper = palette.color(QPalette::Base);
-  const double mm = 1.0 / (kPxPerMm * dpr);
-  for (int y = 0; y < pixels.height(); ++y) {
-    auto* row = reinterpret_cast<QRgb*>(image.scanLine(y));
-    const double across = std::abs(2.0 * (y + 0.5) / pixels.height() - 1.0);
-    for (int x = 0; x < pixels.width(); ++x) {
-      const double along = (x + 0.5) / pixels.width();
-      // A broad stroke: bare above and below, fading in from the left.
-      const double within = std::clamp((0.72 - across) * pixels.height() / 4.0, 0.0, 1.0);
-      const double pressure = 0.05 + 0.75 * along;
-      const double seen = 0.85 * within *
-                          grain.alpha({mm * x, mm * y}, pressure, grain.is_smooth() ? 0.0 : 1.0) *
-                          (grain.is_smooth() ? pressure : 1.0);
-      const auto mix = [&](int from, int to) {
-        return static_cast<int>(from + seen * (to - from));
-      };
-      row[x] = qRgb(mix(paper.red(), ink.red()), mix(paper.green(), ink.green()),
-                    mix(paper.blue(), ink.blue()));
-    }
-  }
-  return QPixmap::fromImage(image);
+QIcon material_icon(const SurfaceMaterial& material, const QPalette& palette, QSize size,
+                    qreal dpr) {
+  const QPixmap swatch = material_swatch(material, palette, size, dpr);
+  QIcon icon(swatch);
+  icon.addPixmap(framed(swatch, palette), QIcon::Normal, QIcon::On);
+  return icon;
 }
 
 }  // namespace felt::desktop

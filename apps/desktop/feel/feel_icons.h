@@ -14,7 +14,8 @@ QPixmap level_icon(FeelLevel level, const QPalette& palette, int size, qreal dpr
 
 /// How a material looks under chalk that is pressed on harder from left to right: the very relief
 /// that the hand feels (felt/render/grain.h), in life size.
-QPixmap material_swatch(const SurfaceMaterial& material, const QPalette& palette, QSize size,
-                        qreal dpr);
+/// The one of the chosen material has a frame and a check mark.
+QIcon material_icon(const SurfaceMaterial& material, const QPalette& palette, QSize size,
+                    qreal dpr);
 
 }  // namespace felt::desktop

@@ -164,7 +164,7 @@ void FeelPanel::draw_swatches() {
   int index = 0;
   for (const SurfaceMaterial& material : surface_materials()) {
     materials_->button(index++)->setIcon(
-        material_swatch(material, palette(), kSwatchPx, devicePixelRatioF()));
+        material_icon(material, palette(), kSwatchPx, devicePixelRatioF()));
   }
 }
 

@@ -112,7 +112,7 @@ QSize ForceGraph::minimumSizeHint() const {
 
 QRectF ForceGraph::axes() const {
   const QFontMetricsF metrics(font());
-  const qreal left = metrics.horizontalAdvance(QStringLiteral("10.0 N")) + 6;
+  const qreal left = metrics.horizontalAdvance(QStringLiteral("0.375 N")) + 6;
   return QRectF(rect()).adjusted(left, 0.6 * metrics.height(), -6, -1.3 * metrics.height());
 }
 

@@ -8,6 +8,7 @@
 
 #include "desktop/canvas/view_actions.h"
 #include "desktop/engine/settings.h"
+#include "desktop/feel/feel_actions.h"
 #include "desktop/feel/feel_panel.h"
 #include "desktop/feel/force_panel.h"
 #include "desktop/help/help_actions.h"
@@ -48,6 +49,7 @@ MainWindow::MainWindow(StudioOptions options, QWidget* parent)
   add_tool_actions(*actions_, *studio_);
   add_view_actions(*actions_, *canvas_);
   add_pen_actions(*actions_, *pens);
+  add_feel_actions(*actions_, *studio_, this);
   auto* help = new HelpActions(*actions_, this);
   connect(help, &HelpActions::wants_drawing, this, &MainWindow::wants_drawing);
   connect(help, &HelpActions::wants_sheet, this, [this] {

@@ -4,6 +4,7 @@
 #include <QDialogButtonBox>
 #include <QScrollArea>
 
+#include "desktop/feel/device_page.h"
 #include "desktop/pens/pens_page.h"
 #include "desktop/window/general_page.h"
 #include "desktop/window/shortcuts_page.h"
@@ -20,6 +21,8 @@ Preferences::Preferences(MainWindow& window)
   Actions& actions = window.actions();
   add(QStringLiteral("general"), tr("General"), [] { return new GeneralPage; });
   add(QStringLiteral("pen"), tr("Pen"), [] { return new PensPage; });
+  add(QStringLiteral("device"), tr("Device"),
+      [&window] { return new DevicePage(window.studio()); });
   add(QStringLiteral("shortcuts"), tr("Shortcuts"),
       [&actions] { return new ShortcutsPage(actions); });
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, this);
