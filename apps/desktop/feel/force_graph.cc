@@ -15,12 +15,18 @@ constexpr std::int64_t kBinsToMark = 50;
 constexpr std::int64_t kBinsToBridge = 20;  // without a tick: a line goes on across them
 constexpr double kLeastContrast = 3.0;      // WCAG 2.1 for graphics
 
+/// Red, green and blue, 0..1.
+std::array<double, 3> channels(const QColor& color) {
+  return {static_cast<double>(color.redF()), static_cast<double>(color.greenF()),
+          static_cast<double>(color.blueF())};
+}
+
 double luminance(const QColor& color) {
   const auto linear = [](double c) {
     return c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4);
   };
-  return 0.2126 * linear(color.redF()) + 0.7152 * linear(color.greenF()) +
-         0.0722 * linear(color.blueF());
+  const auto [red, green, blue] = channels(color);
+  return 0.2126 * linear(red) + 0.7152 * linear(green) + 0.0722 * linear(blue);
 }
 
 double contrast(const QColor& a, const QColor& b) {
@@ -33,7 +39,8 @@ QColor seen_on(const QColor& ground, QColor color) {
   const double towards = luminance(ground) < 0.2 ? 1.0 : 0.0;
   for (int i = 0; i < 20 && contrast(color, ground) < kLeastContrast; ++i) {
     const auto mixed = [&](double c) { return static_cast<float>(c + 0.1 * (towards - c)); };
-    color = QColor::fromRgbF(mixed(color.redF()), mixed(color.greenF()), mixed(color.blueF()));
+    const auto [red, green, blue] = channels(color);
+    color = QColor::fromRgbF(mixed(red), mixed(green), mixed(blue));
   }
   return color;
 }

@@ -31,7 +31,8 @@ struct Axes {
 Axes principal_axes(std::array<std::array<double, 3>, 3> m) noexcept {
   std::array<std::array<double, 3>, 3> v{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
   for (int sweep = 0; sweep < 30; ++sweep) {
-    for (const auto& [p, q] : {std::pair{0, 1}, std::pair{0, 2}, std::pair{1, 2}}) {
+    for (std::size_t turn = 0; turn < 3; ++turn) {
+      const std::size_t p = turn == 2 ? 1 : 0, q = turn == 0 ? 1 : 2;
       if (m[p][q] == 0.0) continue;
       const double theta = (m[q][q] - m[p][p]) / (2.0 * m[p][q]);
       const double t = std::copysign(1.0, theta) / (std::fabs(theta) + std::hypot(theta, 1.0));
