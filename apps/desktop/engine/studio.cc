@@ -282,9 +282,14 @@ void Studio::drain() {
     for (PenSample& sample : std::span(batch).first(n)) take(sample);
     pen_.sample = batch[n - 1];
   }
-  if (!any) return;
-  pen_.is_known = true;
   const TickReport& tick = servo_->latest();
+  // A device that fails gives no samples, but a person must know.
+  const bool is_other = std::exchange(told_safety_, tick.safety.state) != tick.safety.state;
+  if (!any) {
+    if (is_other) Q_EMIT ticked(tick);
+    return;
+  }
+  pen_.is_known = true;
   pen_.asked = tick.asked;
   pen_.sent = tick.sent;
   if (!hand_) pen_.hand = {pen_.sample.position.x, pen_.sample.position.y};

@@ -192,6 +192,7 @@ class Studio : public QObject {
   bool in_turn_ = false;
   bool has_news_ = false;
   // What the signals told last.
+  SafetyState told_safety_ = SafetyState::kOff;
   std::string told_tool_;
   LayerId told_layer_;
   std::uint64_t told_selection_ = 0;

@@ -3,11 +3,14 @@
 #include <gtest/gtest.h>
 
 #include <QLabel>
+#include <QMainWindow>
 #include <QTest>
 #include <cmath>
 
 #include "desktop/engine/settings.h"
 #include "desktop/feel/calibration_dialog.h"
+#include "desktop/feel/feel_actions.h"
+#include "desktop/feel/feel_panel.h"
 #include "felt/devices/simulated/simulated_stylus.h"
 
 namespace felt::desktop {
@@ -28,6 +31,7 @@ class FakePen final : public PenDevice, public Device {
     return info_.capabilities;
   }
   tl::expected<PenSample, DeviceFault> read(std::int64_t now_ns) noexcept override {
+    if (is_unplugged) return tl::unexpected(DeviceFault::kDisconnected);
     PenSample sample = at;
     sample.time_ns = now_ns;
     return sample;
@@ -40,6 +44,7 @@ class FakePen final : public PenDevice, public Device {
 
   static inline PenSample at;
   static inline Force sent;
+  static inline bool is_unplugged = false;
 
  private:
   PenDeviceInfo info_;
@@ -60,6 +65,7 @@ struct FakeDriver {
                              }});
     Settings::the().set(QStringLiteral("devices/plane/fake:1"), {});
     FakePen::at = {};
+    FakePen::is_unplugged = false;
     FakePen::at.position.z = 30;
   }
   ~FakeDriver() {
@@ -135,6 +141,35 @@ TEST(PenDevices, APersonsDeviceIsSeenThroughItsPlaneAndStaysOffUntilItIsSwitched
   FakePen::at.position = leaning().to_device(Vec3{20, 30, 4});
   studio.advance(50'000'000);
   EXPECT_NEAR(norm(studio.pen().sample.position - Vec3{20, 30, 4}), 0.0, 1e-9);
+}
+
+TEST(PenDevices, AFaultThatNeedsAPersonIsToldWithWhatToDoAndForcesStayOff) {
+  const FakeDriver driver;
+  QMainWindow window;
+  Studio studio(by_hand());
+  Actions actions(&window);
+  add_feel_actions(actions, studio, &window);
+  FeelPanel panel(studio);
+  QStringList told;
+  QObject::connect(&studio, &Studio::refused, &window, [&](const QString& why) { told << why; });
+  ASSERT_TRUE(studio.use_device(driver.info.id));
+  actions.find(QStringLiteral("feel.forces"))->trigger();
+  studio.advance(1'000'000'000);
+  ASSERT_EQ(studio.tick().safety.state, SafetyState::kActive);
+  FakePen::is_unplugged = true;
+  studio.advance(20'000'000);
+  EXPECT_EQ(studio.tick().safety.state, SafetyState::kLatched);
+  EXPECT_FALSE(studio.forces_are_on());
+  EXPECT_FALSE(actions.find(QStringLiteral("feel.forces"))->isChecked());
+  ASSERT_EQ(told.size(), 1);
+  EXPECT_TRUE(told.front().contains(QStringLiteral("Check the cable")));
+  QString text;
+  for (const auto* label : panel.findChildren<QLabel*>()) text += label->text();
+  EXPECT_TRUE(text.contains(QStringLiteral("Check the cable"))) << text.toStdString();
+  FakePen::is_unplugged = false;
+  actions.find(QStringLiteral("feel.forces"))->trigger();
+  studio.advance(1'000'000'000);
+  EXPECT_EQ(studio.tick().safety.state, SafetyState::kActive);
 }
 
 struct Corners {

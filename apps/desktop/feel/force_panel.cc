@@ -12,6 +12,7 @@ namespace {
 
 constexpr int kFrameMs = 33;   // between two repaints of the plot
 constexpr int kWordsMs = 250;  // between two readings of numbers
+constexpr int kTablesToTell = 12;  // 3 s
 constexpr int kIconPx = 22;
 constexpr int kNameColumn = 0, kNowColumn = 1, kMostColumn = 2;
 
@@ -177,6 +178,12 @@ void ForcePanel::tell_table() {
     table_->item(row, kMostColumn)->setText(newton(history_.most(track)));
     ++row;
   }
+  // For those who do not see the plot; seldom, or it would be all that is said.
+  if (++told_tables_ % kTablesToTell != 1) return;
+  graph_->setAccessibleDescription(
+      tr("Asked: %L1 N, at most %L2 N of late. The table has each force.")
+          .arg(static_cast<double>(history_.now(ForceHistory::kAsked)), 0, 'f', 1)
+          .arg(static_cast<double>(history_.most(ForceHistory::kAsked)), 0, 'f', 1));
 }
 
 void ForcePanel::tell_state() {

@@ -55,6 +55,7 @@ class ForcePanel : public QWidget {
   QTimer frame_;  // single shot: the next repaint
   QTimer words_;
   bool has_motors_ = false;
+  int told_tables_ = 0;
 };
 
 }  // namespace felt::desktop
