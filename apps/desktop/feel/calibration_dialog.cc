@@ -5,6 +5,7 @@
 #include <QPainter>
 #include <QVBoxLayout>
 #include <array>
+#include <utility>
 
 namespace felt::desktop {
 namespace {
@@ -79,17 +80,21 @@ void CalibrationDialog::run(Studio& studio, QWidget* parent) {
   studio.use_device(id);
 }
 
-void CalibrationDialog::look() {
+std::uint32_t CalibrationDialog::read() {
   const auto sample = device_->device().read(clock_.nsecsElapsed());
   place_.reset();
   if (sample && is_finite(sample->position)) place_ = old_.to_device(sample->position);
-  const std::uint32_t pressed = sample ? sample->buttons & ~buttons_ : 0;
-  buttons_ = sample ? sample->buttons : 0;
-  if ((pressed & 1u) != 0) take();
+  const std::uint32_t before = std::exchange(buttons_, sample ? sample->buttons : 0);
+  return buttons_ & ~before;
+}
+
+void CalibrationDialog::look() {
+  if ((read() & 1u) != 0) take();
   tell();
 }
 
 void CalibrationDialog::take() {
+  read();  // where it is now, not where it was when it was looked at last
   if (!place_ || corners_.size() == kCorners) return;
   corners_.push_back(*place_);
   if (corners_.size() == kCorners) {

@@ -37,6 +37,8 @@ class CalibrationDialog : public QDialog {
   [[nodiscard]] const std::optional<PlaneFit>& found() const noexcept { return found_; }
 
  private:
+  /// Where the pen is; returns the buttons that went down.
+  std::uint32_t read();
   void look();
   void tell();
   void draw_corners();

@@ -175,7 +175,6 @@ TEST(PenDevices, AFaultThatNeedsAPersonIsToldWithWhatToDoAndForcesStayOff) {
 struct Corners {
   static void touch(CalibrationDialog& dialog, const Vec3& sheet_mm) {
     FakePen::at.position = leaning().to_device(sheet_mm);
-    QTest::qWait(60);
     dialog.take();
   }
 };

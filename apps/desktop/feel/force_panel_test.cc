@@ -138,9 +138,9 @@ TEST(ForcePanel, ShowsWhatTheLoopDoesInAPlotAndInATable) {
   panel.resize(900, 220);
   panel.show();
   drawing.draw(3000);
-  QTest::qWait(400);
   const auto* table = panel.findChild<QTableWidget*>();
   ASSERT_NE(table, nullptr);
+  EXPECT_TRUE(QTest::qWaitFor([&] { return table->rowCount() > 3; }));
   QStringList names;
   for (int row = 0; row < table->rowCount(); ++row) names << table->item(row, 0)->text();
   EXPECT_TRUE(names.contains(QStringLiteral("Sheet")));
@@ -204,7 +204,6 @@ TEST(ForcePanel, WithoutMotorsItSaysSoAndPlotsWhatWouldBeAsked) {
   ForcePanel panel(*drawing.studio);
   panel.show();
   drawing.draw(2500);
-  QTest::qWait(300);
   QString text;
   for (const auto* label : panel.findChildren<QLabel*>()) text += label->text();
   EXPECT_TRUE(text.contains(QStringLiteral("Shown, not felt"))) << text.toStdString();
