@@ -106,7 +106,7 @@ install(FILES ${PROJECT_SOURCE_DIR}/share/man/feltline.1 COMPONENT bin OPTIONAL
 install(FILES ${PROJECT_SOURCE_DIR}/LICENSE ${PROJECT_SOURCE_DIR}/README.md
   DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT bin)
 
-# `./dev package`: one .deb for the program, one for the library.
+# `./dev package`: one .deb for each program, one for the library.
 set(CPACK_GENERATOR DEB TGZ)
 set(CPACK_PACKAGE_NAME feltline)
 set(CPACK_PACKAGE_CONTACT "Feltline maintainers <maintainers@feltline.invalid>")
@@ -116,9 +116,18 @@ set(CPACK_PACKAGE_DIRECTORY ${CMAKE_BINARY_DIR}/packages)
 set(CPACK_STRIP_FILES ON)
 set(CPACK_DEB_COMPONENT_INSTALL ON)
 set(CPACK_COMPONENTS_ALL bin dev)
+if(TARGET feltline-desktop)
+  list(APPEND CPACK_COMPONENTS_ALL desktop)
+endif()
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_BIN_PACKAGE_NAME feltline)
 set(CPACK_DEBIAN_DEV_PACKAGE_NAME libfeltline-dev)
+set(CPACK_DEBIAN_DESKTOP_PACKAGE_NAME feltline-desktop)
+set(CPACK_DEBIAN_DESKTOP_PACKAGE_SECTION graphics)
+set(CPACK_DEBIAN_DESKTOP_PACKAGE_SHLIBDEPS ON)
+# Qt's own words in German and Dutch; printing.
+set(CPACK_DEBIAN_DESKTOP_PACKAGE_RECOMMENDS "qt6-translations-l10n, libqt6printsupport6")
+set(CPACK_COMPONENT_DESKTOP_DESCRIPTION "Draw lines that push back, and pull them into shape")
 set(CPACK_DEBIAN_BIN_PACKAGE_SECTION graphics)
 set(CPACK_DEBIAN_DEV_PACKAGE_SECTION libdevel)
 set(CPACK_DEBIAN_BIN_PACKAGE_SHLIBDEPS ON)

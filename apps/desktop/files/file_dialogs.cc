@@ -10,7 +10,7 @@ namespace felt::desktop {
 namespace {
 
 QString tr(const char* text) {
-  return QCoreApplication::translate("FileDialogs", text);
+  return QCoreApplication::translate("felt::desktop::FileDialogs", text);
 }
 
 }  // namespace

@@ -1,0 +1,52 @@
+#!/usr/bin/env bash
+# check_desktop_files.sh ROOT: are the files in share/ what the desktop's own tools take, and do they
+# agree with each other and with the sources? A tool that is not installed is skipped, by name.
+set -euo pipefail
+cd "${1:-.}"
+id=org.feltline.Feltline
+status=0
+complain() { echo "$*"; status=1; }
+
+# check TOOL ARGUMENTS...: runs it where it is there.
+check() {
+  command -v "$1" >/dev/null || { echo "$1 is not installed, so it does not look"; return; }
+  "$@" || complain "$*: see above"
+}
+
+# want FILE TEXT: the file contains it.
+want() { grep -qF -- "$2" "$1" || complain "$1: there is no '$2'"; }
+
+entry=share/applications/$id.desktop
+mime=share/mime/$id.xml
+metainfo=share/metainfo/$id.metainfo.xml
+check desktop-file-validate $entry
+check appstreamcli validate --no-net --explain $metainfo
+for file in $mime $metainfo share/icons/*.svg; do check xmllint --noout "$file"; done
+
+want $entry "MimeType=application/x-feltline;"
+want $entry "Icon=$id"
+want $metainfo "<launchable type=\"desktop-id\">$id.desktop</launchable>"
+want $mime '<glob pattern="*.felt"/>'
+want CMakeLists.txt "$(sed -n 's/.*<release version="\([^"]*\)".*/VERSION \1/p' $metainfo | head -n 1) "
+
+# The magic is what the store writes.
+number=$(sed -n 's/.*kFeltApplicationId = \(0x[0-9a-f]*\).*/\1/p' src/felt/store/felt_file.h)
+want $mime "value=\"$number\" offset=\"68\""
+
+# Every option of --help is in the man page and in the completions.
+while read -r option; do
+  want share/man/feltline-desktop.1 "${option//-/\\-}"
+  want share/completions/bash/feltline-desktop "--$option"
+  want share/completions/zsh/_feltline-desktop "--$option"
+  want share/completions/fish/feltline-desktop.fish "-l $option"
+done < <(sed -n '/kRows\[\]/,/^};/p' apps/desktop/window/start_options.cc |
+  tr '\n' ' ' | grep -oE '\{"[a-z-]+", "[A-Za-z]*", +QT_TRANSLATE_NOOP' | sed 's/{"\([^"]*\)".*/\1/'
+  echo help; echo version)
+
+# The icon can be drawn, small as well.
+if command -v rsvg-convert >/dev/null; then
+  rsvg-convert -w 16 -h 16 share/icons/$id.svg >/dev/null || complain "the icon cannot be drawn"
+else
+  echo "rsvg-convert is not installed, so the icon is not drawn"
+fi
+exit $status
