@@ -10,6 +10,7 @@
 
 #include "desktop/engine/recording_file.h"
 #include "desktop/files/instance.h"
+#include "desktop/help/examples.h"
 #include "desktop/window/language.h"
 #include "desktop/window/picture.h"
 #include "desktop/window/start_options.h"
@@ -102,6 +103,11 @@ int run(const StartOptions& options) {
   if (files.isEmpty() && !options.new_window) files.push_back(Windows::last_file());
   if (files.isEmpty()) files.push_back(QString());
   MainWindow* first = nullptr;
+  if (!options.picture.example.isEmpty()) {
+    const QString& id = options.picture.example;
+    first = windows.open_drawing(example_document(id), id, nullptr);
+    files.clear();
+  }
   for (const QString& file : files) {
     MainWindow* window = windows.open_file(file);
     if (!first) first = window;

@@ -1,10 +1,11 @@
 #include "desktop/window/top_bar.h"
 
 #include <QComboBox>
-#include <QCoreApplication>
 #include <QLabel>
 #include <QToolButton>
 
+#include "desktop/feel/feel_actions.h"
+#include "desktop/feel/material_words.h"
 #include "felt/haptics/material.h"
 
 namespace felt::desktop {
@@ -57,11 +58,8 @@ void TopBar::add_material(Studio& studio) {
   box->setToolTip(tr("What the sheet feels and looks like"));
   box->setFocusPolicy(Qt::TabFocus);
   label->setBuddy(box);
-  for (const OptionSpec& row : SheetOptions::table()) {
-    if (row.id != "material") continue;
-    for (const std::string_view choice : row.choices) {
-      box->addItem(QCoreApplication::translate("tools", choice.data()), text_of(choice));
-    }
+  for (const SurfaceMaterial& material : surface_materials()) {
+    box->addItem(material_label(material), text_of(material.id));
   }
   const auto show = [box, &studio] {
     const Result<OptionValue> value = studio.session().option(kMaterial);
@@ -69,9 +67,8 @@ void TopBar::add_material(Studio& studio) {
     if (name) box->setCurrentIndex(box->findData(QString::fromStdString(*name)));
   };
   show();
-  connect(box, &QComboBox::activated, this, [box, &studio] {
-    studio.apply(SetOption{kMaterial, box->currentData().toString().toStdString()});
-  });
+  connect(box, &QComboBox::activated, this,
+          [box, &studio] { choose_material(studio, box->currentData().toString()); });
   connect(&studio, &Studio::option_changed, this, [show](const QString& id) {
     if (id.toStdString() == kMaterial) show();
   });
