@@ -12,6 +12,8 @@
 namespace felt::desktop {
 namespace {
 
+constexpr int kRowPx = 6;
+
 /// Fusion with a ring around what has the focus that can be seen across a desk.
 class DeskStyle final : public QProxyStyle {
  public:
@@ -35,6 +37,14 @@ class DeskStyle final : public QProxyStyle {
                    const QWidget* widget) const override {
     if (element != CE_ToolBar) return QProxyStyle::drawControl(element, option, painter, widget);
     painter->fillRect(option->rect, option->palette.color(QPalette::Window));
+  }
+
+  QSize sizeFromContents(ContentsType type, const QStyleOption* option, const QSize& size,
+                         const QWidget* widget) const override {
+    QSize needed = QProxyStyle::sizeFromContents(type, option, size, widget);
+    // Rows that a pen can hit.
+    if (type == CT_ItemViewItem) needed.rheight() += kRowPx;
+    return needed;
   }
 
   int styleHint(StyleHint hint, const QStyleOption* option, const QWidget* widget,

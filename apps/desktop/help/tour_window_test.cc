@@ -1,0 +1,69 @@
+#include "desktop/help/tour_window.h"
+
+#include <gtest/gtest.h>
+
+#include <QTest>
+
+#include "desktop/help/examples.h"
+
+namespace felt::desktop {
+namespace {
+
+constexpr std::int64_t kFrameNs = 16'000'000;
+
+void play_to(TourWindow& tour, int act) {
+  for (int i = 0; tour.act() < act && i < 100'000; ++i) tour.play(kFrameNs);
+  ASSERT_EQ(tour.act(), act);
+}
+
+TEST(TourWindow, DrawsByItselfAndGoesBack) {
+  TourWindow tour;
+  EXPECT_EQ(tour.act_count(), 8);
+  EXPECT_EQ(tour.studio().session().document().stroke_count(), 0U);
+  tour.go_to(1);
+  play_to(tour, 1);
+  const std::size_t drawn = tour.studio().session().document().stroke_count();
+  EXPECT_GT(drawn, 50U);  // the cat and the ball
+  EXPECT_EQ(tour.studio().session().tool().info().id, "pencil");
+  tour.play(kFrameNs);
+  EXPECT_EQ(tour.studio().session().tool().info().id, "pull");
+  tour.go_to(0);
+  EXPECT_EQ(tour.act(), 0);
+  EXPECT_EQ(tour.studio().session().document().stroke_count(), 0U);
+}
+
+TEST(TourWindow, EveryActChangesTheDrawingOrWhatIsSelected) {
+  TourWindow tour;
+  for (int act = 0; act < tour.act_count(); ++act) {
+    const std::uint64_t edits = tour.studio().session().edit_count();
+    const std::uint64_t selections = tour.studio().session().selection_count();
+    tour.go_to(act + 1);
+    play_to(tour, act + 1);
+    EXPECT_TRUE(tour.studio().session().edit_count() > edits ||
+                tour.studio().session().selection_count() > selections)
+        << "act " << act + 1;
+  }
+}
+
+TEST(TourWindow, KeysPauseAndLeaf) {
+  TourWindow tour;
+  tour.show();
+  tour.setFocus();
+  QTest::keyClick(&tour, Qt::Key_Space);
+  EXPECT_TRUE(tour.is_paused());
+  QTest::keyClick(&tour, Qt::Key_Space);
+  EXPECT_FALSE(tour.is_paused());
+  QTest::keyClick(&tour, Qt::Key_Left);
+  EXPECT_EQ(tour.act(), 0);
+}
+
+TEST(Examples, AreDrawings) {
+  for (const Example& example : examples()) {
+    EXPECT_FALSE(example.title.isEmpty());
+    EXPECT_GT(example_document(example.id).stroke_count(), 10U) << example.id.toStdString();
+  }
+  EXPECT_EQ(example_document(QStringLiteral("no such")).stroke_count(), 0U);
+}
+
+}  // namespace
+}  // namespace felt::desktop

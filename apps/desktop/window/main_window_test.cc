@@ -1,0 +1,234 @@
+#include "desktop/window/main_window.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <QMenuBar>
+#include <QTest>
+#include <QToolBar>
+#include <memory>
+
+#include "desktop/engine/settings.h"
+#include "desktop/help/about_dialog.h"
+#include "desktop/help/guide_dialog.h"
+#include "desktop/help/shortcut_sheet.h"
+#include "desktop/help/tour_window.h"
+#include "desktop/test_support/accessible_names.h"
+#include "desktop/window/preferences.h"
+#include "desktop/window/shortcuts_page.h"
+#include "desktop/window/tool_keys.h"
+
+namespace felt::desktop {
+namespace {
+
+using ::testing::IsEmpty;
+
+StudioOptions still() {
+  return {.device = QStringLiteral("tablet"), .live = false};
+}
+
+std::string tool_of(MainWindow& window) {
+  return std::string(window.studio().session().tool().info().id);
+}
+
+void collect(const QList<QAction*>& actions, QSet<QAction*>& all) {
+  for (QAction* action : actions) {
+    all.insert(action);
+    if (action->menu()) collect(action->menu()->actions(), all);
+  }
+}
+
+std::unique_ptr<MainWindow> shown_window() {
+  auto window = std::make_unique<MainWindow>(still());
+  window->show();
+  window->activateWindow();
+  static_cast<void>(QTest::qWaitForWindowActive(window.get()));
+  window->canvas().setFocus();
+  return window;
+}
+
+/// The pen touches the sheet and is lifted.
+void touch(MainWindow& window, bool down) {
+  Studio& studio = window.studio();
+  studio.point(
+      {.time_ns = studio.now_ns(), .position = {50, 50}, .touching = down, .pressure = 0.5});
+  studio.advance(40'000'000);
+}
+
+TEST(MainWindow, EveryActionIsInAMenuOrABar) {
+  MainWindow window(still());
+  QSet<QAction*> reachable;
+  collect(window.menuBar()->actions(), reachable);
+  for (QToolBar* bar : window.findChildren<QToolBar*>()) collect(bar->actions(), reachable);
+  ASSERT_FALSE(window.actions().all().isEmpty());
+  for (QAction* action : window.actions().all()) {
+    EXPECT_TRUE(reachable.contains(action)) << action->objectName().toStdString();
+  }
+}
+
+TEST(MainWindow, EveryActionHasATextAndATip) {
+  MainWindow window(still());
+  for (const QAction* action : window.actions().all()) {
+    EXPECT_FALSE(action->text().isEmpty()) << action->objectName().toStdString();
+    EXPECT_FALSE(action->statusTip().isEmpty()) << action->objectName().toStdString();
+  }
+}
+
+TEST(MainWindow, NoTwoActionsShareAKey) {
+  MainWindow window(still());
+  QMap<QString, QString> owners;
+  for (const QAction* action : window.actions().all()) {
+    for (const QKeySequence& key : action->shortcuts()) {
+      QString& owner = owners[key.toString()];
+      EXPECT_TRUE(owner.isEmpty()) << key.toString().toStdString() << ": " << owner.toStdString()
+                                   << " and " << action->objectName().toStdString();
+      owner = action->objectName();
+    }
+  }
+}
+
+TEST(MainWindow, TheKeysOfThePeersDoWhatPeopleExpect) {
+  MainWindow window(still());
+  const std::pair<const char*, const char*> expected[] = {
+      {"P", "tool.pencil"},       {"E", "tool.eraser"},          {"V", "tool.lasso"},
+      {"A", "tool.pull"},         {"W", "tool.width"},           {"S", "tool.smooth"},
+      {"C", "tool.connect"},      {"T", "tool.transform"},       {"Ctrl+Z", "edit.undo"},
+      {"Ctrl+Y", "edit.redo"},    {"Ctrl+Shift+Z", "edit.redo"}, {"Esc", "edit.cancel"},
+      {"X", "tool.swap"},         {"?", "help.shortcuts"},       {"Tab", "view.hide_panels"},
+      {"F11", "view.full_screen"}};
+  for (const auto& [key, name] : expected) {
+    const QAction* owner = window.actions().owner_of(QKeySequence(QString::fromLatin1(key)));
+    ASSERT_TRUE(owner) << key;
+    EXPECT_EQ(owner->objectName().toStdString(), name) << key;
+  }
+}
+
+TEST(MainWindow, EveryControlHasAName) {
+  MainWindow window(still());
+  Preferences preferences(window);
+  for (const QString& page : preferences.page_names()) preferences.page(page);
+  GuideDialog guide(window.actions());
+  ShortcutSheet sheet(window.actions());
+  AboutDialog about;
+  TourWindow tour;
+  for (QWidget* widget :
+       std::initializer_list<QWidget*>{&window, &preferences, &guide, &sheet, &about, &tour}) {
+    EXPECT_THAT(nameless_controls(*widget).join(QStringLiteral(", ")).toStdString(), IsEmpty())
+        << widget->metaObject()->className();
+  }
+}
+
+TEST(MainWindow, HidesAllPanelsAndShowsTheSameOnesAgain) {
+  const auto window = shown_window();
+  QAction* hide = window->actions().find(QStringLiteral("view.hide_panels"));
+  QStringList before, after;
+  const auto seen = [&window](QStringList& names) {
+    for (QDockWidget* panel : window->findChildren<QDockWidget*>()) {
+      if (!panel->isHidden()) names.push_back(panel->objectName());
+    }
+  };
+  seen(before);
+  hide->trigger();
+  QStringList none;
+  seen(none);
+  EXPECT_TRUE(none.isEmpty());
+  hide->trigger();
+  seen(after);
+  EXPECT_EQ(before, after);
+  EXPECT_FALSE(before.contains(QStringLiteral("forces")));
+}
+
+TEST(ToolKeys, ATapTakesTheToolForGood) {
+  const auto window = shown_window();
+  QTest::keyPress(&window->canvas(), Qt::Key_E);
+  EXPECT_EQ(tool_of(*window), "eraser");
+  QTest::keyRelease(&window->canvas(), Qt::Key_E);
+  touch(*window, true);
+  touch(*window, false);
+  EXPECT_EQ(tool_of(*window), "eraser");
+}
+
+TEST(ToolKeys, AKeyThatIsHeldWhileItsToolIsUsedGivesTheFormerToolBack) {
+  const auto window = shown_window();
+  QTest::keyPress(&window->canvas(), Qt::Key_E);
+  touch(*window, true);
+  QTest::qWait(ToolKeys::kHoldMs + 50);
+  touch(*window, false);
+  EXPECT_EQ(tool_of(*window), "eraser");
+  QTest::keyRelease(&window->canvas(), Qt::Key_E);
+  EXPECT_EQ(tool_of(*window), "pencil");
+}
+
+TEST(ToolKeys, AGestureThatGoesOnKeepsItsToolUntilThePenIsLifted) {
+  const auto window = shown_window();
+  QTest::keyPress(&window->canvas(), Qt::Key_E);
+  touch(*window, true);
+  QTest::qWait(ToolKeys::kHoldMs + 50);
+  QTest::keyRelease(&window->canvas(), Qt::Key_E);
+  EXPECT_EQ(tool_of(*window), "eraser");
+  touch(*window, false);
+  EXPECT_EQ(tool_of(*window), "pencil");
+}
+
+TEST(ToolKeys, AKeyThatIsHeldWithoutUseTakesTheToolForGood) {
+  const auto window = shown_window();
+  QTest::keyPress(&window->canvas(), Qt::Key_W);
+  QTest::qWait(ToolKeys::kHoldMs + 50);
+  QTest::keyRelease(&window->canvas(), Qt::Key_W);
+  EXPECT_EQ(tool_of(*window), "width");
+}
+
+TEST(ToolKeys, XIsTheEraserAsLongAsItIsHeld) {
+  const auto window = shown_window();
+  QTest::keyPress(&window->canvas(), Qt::Key_X);
+  EXPECT_EQ(tool_of(*window), "eraser");
+  QTest::keyRelease(&window->canvas(), Qt::Key_X);
+  EXPECT_EQ(tool_of(*window), "pencil");
+}
+
+TEST(ToolKeys, LosingTheWindowIsARelease) {
+  const auto window = shown_window();
+  QTest::keyPress(&window->canvas(), Qt::Key_X);
+  EXPECT_EQ(tool_of(*window), "eraser");
+  QEvent lost(QEvent::WindowDeactivate);
+  QApplication::sendEvent(window.get(), &lost);
+  EXPECT_EQ(tool_of(*window), "pencil");
+}
+
+TEST(ShortcutsPage, AKeyOfAnotherCommandIsTakenOverOnlyOnDemand) {
+  MainWindow window(still());
+  Actions& actions = window.actions();
+  ShortcutsPage page(actions);
+  page.select(QStringLiteral("tool.pull"));
+  page.press(QKeySequence(Qt::Key_W));
+  EXPECT_TRUE(page.has_conflict());
+  EXPECT_EQ(actions.owner_of(QKeySequence(Qt::Key_W))->objectName(), QStringLiteral("tool.width"));
+  page.take_over();
+  EXPECT_FALSE(page.has_conflict());
+  EXPECT_EQ(actions.owner_of(QKeySequence(Qt::Key_W))->objectName(), QStringLiteral("tool.pull"));
+  EXPECT_TRUE(actions.find(QStringLiteral("tool.width"))->shortcuts().isEmpty());
+  for (QAction* action : actions.all()) actions.reset_keys(action->objectName());
+  EXPECT_EQ(actions.owner_of(QKeySequence(Qt::Key_W))->objectName(), QStringLiteral("tool.width"));
+}
+
+TEST(ShortcutsPage, AKeyThatIsChosenCountsInEveryWindow) {
+  MainWindow one(still()), other(still());
+  one.actions().set_keys(QStringLiteral("edit.duplicate"), {QKeySequence(Qt::Key_F8)});
+  const QAction* there = other.actions().find(QStringLiteral("edit.duplicate"));
+  EXPECT_EQ(there->shortcut(), QKeySequence(Qt::Key_F8));
+  EXPECT_TRUE(there->toolTip().contains(QStringLiteral("F8")));
+  one.actions().reset_keys(QStringLiteral("edit.duplicate"));
+  EXPECT_EQ(there->shortcuts(), other.actions().default_keys(QStringLiteral("edit.duplicate")));
+}
+
+TEST(MainWindow, TheTitleSaysNameAndState) {
+  MainWindow window(still());
+  EXPECT_TRUE(window.windowTitle().contains(QStringLiteral("Feltline")));
+  EXPECT_FALSE(window.isWindowModified());
+  window.studio().set_modified(true);
+  EXPECT_TRUE(window.isWindowModified());
+  window.studio().set_modified(false);
+}
+
+}  // namespace
+}  // namespace felt::desktop

@@ -1,0 +1,19 @@
+#!/usr/bin/env bash
+# desktop.sh [FOLDER]: makes the pictures of the desktop program for README and metainfo, light and
+# dark, by the program itself: no display, nobody's settings. Needs ./dev build --preset release.
+set -euo pipefail
+root=$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/../..
+out=${1:-$root/docs/images}
+program=${FELTLINE_DESKTOP:-$root/build/release/bin/feltline-desktop}
+export QT_SCALE_FACTOR=${QT_SCALE_FACTOR:-1}
+mkdir -p "$out"
+
+shot() { echo "$1.png"; "$program" --language en --screenshot "$out/$1.png" "${@:2}" 2>/dev/null; }
+
+
+shot desktop --example cat --size 1280x800
+shot desktop-dark --example cat --size 1280x800 --theme dark --panel feel --panel forces
+shot desktop-pencil --script "$root/share/demo/1-pencil.ndjson" --size 1280x800 --panel forces
+shot desktop-keys --dialog shortcuts
+shot desktop-tour --dialog tour/1
+shot desktop-preferences --dialog preferences/shortcuts --theme dark
