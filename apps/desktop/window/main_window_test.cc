@@ -106,7 +106,7 @@ TEST(MainWindow, TheKeysOfThePeersDoWhatPeopleExpect) {
 TEST(MainWindow, EveryControlHasAName) {
   MainWindow window(still());
   Preferences preferences(window);
-  for (const QString& page : preferences.page_names()) preferences.page(page);
+  for (const QString& page : preferences.page_names()) EXPECT_TRUE(preferences.page(page));
   GuideDialog guide(window.actions());
   ShortcutSheet sheet(window.actions());
   AboutDialog about;
