@@ -45,12 +45,12 @@ Source source_of(const QString& id) {
 }  // namespace
 
 std::vector<Example> examples() {
-  const auto tr = [](const char* text) { return QCoreApplication::translate("Examples", text); };
+  const auto say = [](const char* text) { return QCoreApplication::translate("Examples", text); };
   return {
-      {QStringLiteral("cat"), tr(QT_TRANSLATE_NOOP("Examples", "A cat"))},
-      {QStringLiteral("writing"), tr(QT_TRANSLATE_NOOP("Examples", "Handwriting"))},
-      {QStringLiteral("exercises"), tr(QT_TRANSLATE_NOOP("Examples", "A page of exercises"))},
-      {QStringLiteral("doodles"), tr(QT_TRANSLATE_NOOP("Examples", "Doodles"))},
+      {QStringLiteral("cat"), say(QT_TRANSLATE_NOOP("Examples", "A cat"))},
+      {QStringLiteral("writing"), say(QT_TRANSLATE_NOOP("Examples", "Handwriting"))},
+      {QStringLiteral("exercises"), say(QT_TRANSLATE_NOOP("Examples", "A page of exercises"))},
+      {QStringLiteral("doodles"), say(QT_TRANSLATE_NOOP("Examples", "Doodles"))},
   };
 }
 

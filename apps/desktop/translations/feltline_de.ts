@@ -5,963 +5,1714 @@
     <name>Arguments</name>
     <message>
         <source>Open a window of its own, with a fresh sheet.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein eigenes Fenster mit einem leeren Blatt öffnen.</translation>
     </message>
     <message>
         <source>Speak en, de or nl, whatever the system does.</source>
-        <translation type="unfinished"></translation>
+        <translation>Sprache en, de oder nl, unabhängig vom System.</translation>
     </message>
     <message>
         <source>Record all that happens to the drawing, for feltline replay --as-recorded.</source>
-        <translation type="unfinished"></translation>
+        <translation>Alles aufzeichnen, was mit der Zeichnung geschieht, für feltline replay --as-recorded.</translation>
     </message>
     <message>
         <source>Feltline: draw, and feel what you draw.</source>
-        <translation type="unfinished"></translation>
+        <translation>Feltline: zeichnen und fühlen, was man zeichnet.</translation>
     </message>
     <message>
         <source>Drawings to open: .felt, .svg, .ndjson.</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeichnungen, die geöffnet werden: .felt, .svg, .ndjson.</translation>
     </message>
     <message>
         <source>--size is WIDTHxHEIGHT, from 100 to 8000</source>
-        <translation type="unfinished"></translation>
+        <translation>--size ist BREITExHÖHE, von 100 bis 8000</translation>
     </message>
     <message>
         <source>Examples:</source>
-        <translation type="unfinished"></translation>
+        <translation>Beispiele:</translation>
     </message>
 </context>
 <context>
     <name>EditActions</name>
     <message>
         <source>&amp;Undo</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Rückgängig</translation>
     </message>
     <message>
         <source>Takes the last step back</source>
-        <translation type="unfinished"></translation>
+        <translation>Nimmt den letzten Schritt zurück</translation>
     </message>
     <message>
         <source>&amp;Redo</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Wiederholen</translation>
     </message>
     <message>
         <source>Does what was undone again</source>
-        <translation type="unfinished"></translation>
+        <translation>Macht wieder, was zurückgenommen wurde</translation>
     </message>
     <message>
         <source>&amp;Delete</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Löschen</translation>
     </message>
     <message>
         <source>Deletes the selected lines</source>
-        <translation type="unfinished"></translation>
+        <translation>Löscht die ausgewählten Linien</translation>
     </message>
     <message>
         <source>D&amp;uplicate</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Duplizieren</translation>
     </message>
     <message>
         <source>Copies the selected lines, a little beside them</source>
-        <translation type="unfinished"></translation>
+        <translation>Kopiert die ausgewählten Linien, etwas daneben</translation>
     </message>
     <message>
         <source>Select &amp;all</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Alles auswählen</translation>
     </message>
     <message>
         <source>Selects all lines of visible, unlocked layers</source>
-        <translation type="unfinished"></translation>
+        <translation>Wählt alle Linien sichtbarer, nicht gesperrter Ebenen</translation>
     </message>
     <message>
         <source>Select &amp;nothing</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Nichts auswählen</translation>
     </message>
     <message>
         <source>Nothing is selected then</source>
-        <translation type="unfinished"></translation>
+        <translation>Danach ist nichts ausgewählt</translation>
     </message>
     <message>
         <source>&amp;Invert selection</source>
-        <translation type="unfinished"></translation>
+        <translation>Auswahl &amp;umkehren</translation>
     </message>
     <message>
         <source>Selects what is not selected, and nothing else</source>
-        <translation type="unfinished"></translation>
+        <translation>Wählt, was nicht ausgewählt ist, und sonst nichts</translation>
     </message>
     <message>
         <source>&amp;Cancel the gesture</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Geste abbrechen</translation>
     </message>
     <message>
         <source>What the pen is doing never was</source>
-        <translation type="unfinished"></translation>
+        <translation>Was der Stift gerade tut, ist nie geschehen</translation>
+    </message>
+</context>
+<context>
+    <name>Examples</name>
+    <message>
+        <source>A cat</source>
+        <translation>Eine Katze</translation>
+    </message>
+    <message>
+        <source>Handwriting</source>
+        <translation>Handschrift</translation>
+    </message>
+    <message>
+        <source>A page of exercises</source>
+        <translation>Eine Seite Übungen</translation>
+    </message>
+    <message>
+        <source>Doodles</source>
+        <translation>Kritzeleien</translation>
+    </message>
+</context>
+<context>
+    <name>FeelActions</name>
+    <message>
+        <source>&amp;Forces</source>
+        <translation>&amp;Kräfte</translation>
+    </message>
+    <message>
+        <source>Let the pen be pushed, or not</source>
+        <translation>Ob der Stift geschoben wird oder nicht</translation>
+    </message>
+    <message>
+        <source>Forces &amp;off now (Esc twice)</source>
+        <translation>Kräfte sofort &amp;aus (zweimal Esc)</translation>
+    </message>
+    <message>
+        <source>No force, at once</source>
+        <translation>Keine Kraft mehr, sofort</translation>
+    </message>
+    <message>
+        <source>&amp;Stronger forces</source>
+        <translation>&amp;Stärkere Kräfte</translation>
+    </message>
+    <message>
+        <source>All forces 10 % stronger</source>
+        <translation>Alle Kräfte 10 % stärker</translation>
+    </message>
+    <message>
+        <source>&amp;Weaker forces</source>
+        <translation>S&amp;chwächere Kräfte</translation>
+    </message>
+    <message>
+        <source>All forces 10 % weaker</source>
+        <translation>Alle Kräfte 10 % schwächer</translation>
+    </message>
+    <message>
+        <source>Forces are off. The panel Feel switches them on again.</source>
+        <translation>Die Kräfte sind aus. Im Feld „Gefühl“ schaltet man sie wieder ein.</translation>
+    </message>
+</context>
+<context>
+    <name>FirstMinute</name>
+    <message>
+        <source>Draw with the pen or the mouse.</source>
+        <translation>Zeichnen Sie mit dem Stift oder der Maus.</translation>
+    </message>
+    <message>
+        <source>To correct a line, press %1 and pull it into shape.</source>
+        <translation>Um eine Linie zu verbessern, drücken Sie %1 und ziehen Sie sie in Form.</translation>
+    </message>
+    <message>
+        <source>%1 takes back a step. The Help menu has a two-minute tour.</source>
+        <translation>%1 nimmt einen Schritt zurück. Im Hilfe-Menü gibt es eine Führung von zwei Minuten.</translation>
     </message>
 </context>
 <context>
     <name>KeyTable</name>
     <message>
         <source>Tools</source>
-        <translation type="unfinished"></translation>
+        <translation>Werkzeuge</translation>
     </message>
     <message>
         <source>Edit</source>
-        <translation type="unfinished"></translation>
+        <translation>Bearbeiten</translation>
     </message>
     <message>
         <source>View</source>
-        <translation type="unfinished"></translation>
+        <translation>Ansicht</translation>
     </message>
     <message>
         <source>File</source>
-        <translation type="unfinished"></translation>
+        <translation>Datei</translation>
     </message>
     <message>
         <source>Layer</source>
-        <translation type="unfinished"></translation>
+        <translation>Ebene</translation>
     </message>
     <message>
         <source>Feel</source>
-        <translation type="unfinished"></translation>
+        <translation>Gefühl</translation>
     </message>
     <message>
         <source>Help</source>
-        <translation type="unfinished"></translation>
+        <translation>Hilfe</translation>
     </message>
     <message>
         <source>Move the sheet</source>
-        <translation type="unfinished"></translation>
+        <translation>Blatt verschieben</translation>
     </message>
     <message>
         <source>Space + drag</source>
-        <translation type="unfinished"></translation>
+        <translation>Leertaste + ziehen</translation>
     </message>
     <message>
         <source>Zoom</source>
-        <translation type="unfinished"></translation>
+        <translation>Zoom</translation>
     </message>
     <message>
         <source>Wheel</source>
-        <translation type="unfinished"></translation>
+        <translation>Mausrad</translation>
     </message>
     <message>
         <source>Zoom smoothly</source>
-        <translation type="unfinished"></translation>
+        <translation>Stufenlos zoomen</translation>
     </message>
     <message>
         <source>Ctrl + Space + drag</source>
-        <translation type="unfinished"></translation>
+        <translation>Strg + Leertaste + ziehen</translation>
     </message>
     <message>
         <source>Turn the view</source>
-        <translation type="unfinished"></translation>
+        <translation>Ansicht drehen</translation>
     </message>
     <message>
         <source>Shift + Space + drag</source>
-        <translation type="unfinished"></translation>
+        <translation>Umschalt + Leertaste + ziehen</translation>
     </message>
     <message>
         <source>Borrow a tool</source>
-        <translation type="unfinished"></translation>
+        <translation>Werkzeug ausleihen</translation>
     </message>
     <message>
         <source>Hold its key while you use it</source>
-        <translation type="unfinished"></translation>
+        <translation>Taste beim Benutzen halten</translation>
     </message>
     <message>
         <source>Pen, mouse and held keys</source>
-        <translation type="unfinished"></translation>
+        <translation>Stift, Maus und gehaltene Tasten</translation>
+    </message>
+</context>
+<context>
+    <name>Material</name>
+    <message>
+        <source>Paper</source>
+        <translation>Papier</translation>
+    </message>
+    <message>
+        <source>Blackboard</source>
+        <translation>Tafel</translation>
+    </message>
+    <message>
+        <source>Felt</source>
+        <translation>Filz</translation>
+    </message>
+    <message>
+        <source>Glass</source>
+        <translation>Glas</translation>
+    </message>
+    <message>
+        <source>Hard</source>
+        <translation>Hart</translation>
+    </message>
+    <message>
+        <source>Firm</source>
+        <translation>Fest</translation>
+    </message>
+    <message>
+        <source>Soft</source>
+        <translation>Weich</translation>
+    </message>
+    <message>
+        <source>slippery</source>
+        <translation>rutschig</translation>
+    </message>
+    <message>
+        <source>some friction</source>
+        <translation>etwas Reibung</translation>
+    </message>
+    <message>
+        <source>much friction</source>
+        <translation>viel Reibung</translation>
+    </message>
+    <message>
+        <source>strong friction</source>
+        <translation>starke Reibung</translation>
+    </message>
+    <message>
+        <source>smooth</source>
+        <translation>glatt</translation>
+    </message>
+    <message>
+        <source>fine grain</source>
+        <translation>feine Körnung</translation>
+    </message>
+    <message>
+        <source>rough grain</source>
+        <translation>raue Körnung</translation>
+    </message>
+    <message>
+        <source>coarse weave</source>
+        <translation>grobes Gewebe</translation>
+    </message>
+    <message>
+        <source>%1, %2, %3.</source>
+        <translation>%1, %2, %3.</translation>
     </message>
 </context>
 <context>
     <name>Menus</name>
     <message>
         <source>&amp;File</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Datei</translation>
     </message>
     <message>
         <source>&amp;Edit</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Bearbeiten</translation>
     </message>
     <message>
         <source>&amp;View</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Ansicht</translation>
     </message>
     <message>
         <source>&amp;Tools</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Werkzeuge</translation>
     </message>
     <message>
         <source>&amp;Layer</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Ebene</translation>
     </message>
     <message>
         <source>F&amp;eel</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Gefühl</translation>
     </message>
     <message>
         <source>&amp;Help</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Open &amp;recent</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Hilfe</translation>
     </message>
     <message>
         <source>&amp;Export</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Exportieren</translation>
     </message>
     <message>
         <source>Copy &amp;as</source>
-        <translation type="unfinished"></translation>
+        <translation>Kopieren &amp;als</translation>
     </message>
     <message>
         <source>&amp;Panels</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Felder</translation>
     </message>
     <message>
         <source>&amp;Example drawings</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Beispielzeichnungen</translation>
+    </message>
+    <message>
+        <source>&amp;Colour</source>
+        <translation>&amp;Farbe</translation>
+    </message>
+    <message>
+        <source>&amp;Scroll</source>
+        <translation>Ro&amp;llen</translation>
     </message>
 </context>
 <context>
     <name>PenDevice</name>
     <message>
         <source>The ink is exactly where the pen is; forces are shown.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Tinte ist genau, wo der Stift ist; Kräfte werden angezeigt.</translation>
     </message>
     <message>
         <source>Simulated: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Simuliert: %1</translation>
     </message>
     <message>
         <source>A simulated stylus in a simulated hand; forces move the pen.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein simulierter Stift in einer simulierten Hand; Kräfte bewegen den Stift.</translation>
+    </message>
+</context>
+<context>
+    <name>SafetyWords</name>
+    <message>
+        <source>the force limit</source>
+        <translation>die Kraftgrenze</translation>
+    </message>
+    <message>
+        <source>what the motors stand for good</source>
+        <translation>was die Motoren auf Dauer aushalten</translation>
+    </message>
+    <message>
+        <source>the speed of the pen</source>
+        <translation>das Tempo des Stifts</translation>
+    </message>
+    <message>
+        <source>how fast a force may rise</source>
+        <translation>wie schnell eine Kraft steigen darf</translation>
+    </message>
+    <message>
+        <source>how stiff the device can be</source>
+        <translation>wie steif das Gerät sein kann</translation>
+    </message>
+    <message>
+        <source>Held back by %1.</source>
+        <translation>Begrenzt durch: %1.</translation>
+    </message>
+    <message>
+        <source>, </source>
+        <translation>, </translation>
+    </message>
+    <message>
+        <source>Forces are on</source>
+        <translation>Die Kräfte sind an</translation>
+    </message>
+    <message>
+        <source>Forces were stopped</source>
+        <translation>Die Kräfte wurden angehalten</translation>
+    </message>
+    <message>
+        <source>Forces were stopped: %1</source>
+        <translation>Die Kräfte wurden angehalten: %1</translation>
+    </message>
+    <message>
+        <source>Check the cable and the power of the device, then switch the forces on again.</source>
+        <translation>Prüfen Sie Kabel und Strom des Geräts und schalten Sie die Kräfte dann wieder ein.</translation>
+    </message>
+    <message>
+        <source>Drawing goes on as before. Lift the pen and switch the forces on again.</source>
+        <translation>Das Zeichnen geht weiter wie zuvor. Heben Sie den Stift und schalten Sie die Kräfte wieder ein.</translation>
+    </message>
+    <message>
+        <source>the computer was too busy</source>
+        <translation>der Rechner war zu beschäftigt</translation>
+    </message>
+    <message>
+        <source>the pen was too fast</source>
+        <translation>der Stift war zu schnell</translation>
+    </message>
+    <message>
+        <source>the program was too busy</source>
+        <translation>das Programm war zu beschäftigt</translation>
+    </message>
+    <message>
+        <source>the computer stood still for a moment</source>
+        <translation>der Rechner stand einen Moment still</translation>
+    </message>
+    <message>
+        <source>a force made no sense</source>
+        <translation>eine Kraft ergab keinen Sinn</translation>
+    </message>
+    <message>
+        <source>the device does not answer</source>
+        <translation>das Gerät antwortet nicht</translation>
+    </message>
+    <message>
+        <source>the pen seemed to jump</source>
+        <translation>der Stift schien zu springen</translation>
+    </message>
+    <message>
+        <source>they had to fall too often</source>
+        <translation>sie mussten zu oft nachgeben</translation>
+    </message>
+    <message>
+        <source>the self-test failed</source>
+        <translation>der Selbsttest ist fehlgeschlagen</translation>
+    </message>
+    <message>
+        <source>Forces are off</source>
+        <translation>Die Kräfte sind aus</translation>
+    </message>
+    <message>
+        <source>They are not shown either.</source>
+        <translation>Sie werden auch nicht angezeigt.</translation>
+    </message>
+    <message>
+        <source>Shown, not felt: this pen has no motors</source>
+        <translation>Zu sehen, nicht zu fühlen: dieser Stift hat keine Motoren</translation>
+    </message>
+    <message>
+        <source>The plot shows what a device would be asked for.</source>
+        <translation>Das Diagramm zeigt, was von einem Gerät verlangt würde.</translation>
+    </message>
+    <message>
+        <source>Ready</source>
+        <translation>Bereit</translation>
+    </message>
+    <message>
+        <source>Lift the pen for a moment: forces then begin.</source>
+        <translation>Heben Sie den Stift kurz: dann beginnen die Kräfte.</translation>
+    </message>
+    <message>
+        <source>Forces are coming up</source>
+        <translation>Die Kräfte kommen</translation>
+    </message>
+    <message>
+        <source>The program is busy</source>
+        <translation>Das Programm ist beschäftigt</translation>
+    </message>
+    <message>
+        <source>The pen only feels a brake.</source>
+        <translation>Der Stift fühlt nur eine Bremse.</translation>
+    </message>
+    <message>
+        <source>Forces give way: %1</source>
+        <translation>Die Kräfte geben nach: %1</translation>
+    </message>
+    <message>
+        <source>They come back by themselves.</source>
+        <translation>Sie kommen von selbst wieder.</translation>
+    </message>
+    <message>
+        <source>Sum, asked</source>
+        <translation>Summe, verlangt</translation>
+    </message>
+    <message>
+        <source>Sent to the pen</source>
+        <translation>An den Stift gesendet</translation>
+    </message>
+    <message>
+        <source>Sheet</source>
+        <translation>Blatt</translation>
+    </message>
+    <message>
+        <source>Friction</source>
+        <translation>Reibung</translation>
+    </message>
+    <message>
+        <source>Grain</source>
+        <translation>Körnung</translation>
+    </message>
+    <message>
+        <source>Curve</source>
+        <translation>Kurve</translation>
+    </message>
+    <message>
+        <source>Snap</source>
+        <translation>Einrasten</translation>
+    </message>
+    <message>
+        <source>Tether</source>
+        <translation>Leine</translation>
+    </message>
+    <message>
+        <source>Stabiliser</source>
+        <translation>Stabilisator</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Anschlag</translation>
+    </message>
+    <message>
+        <source>Damping</source>
+        <translation>Dämpfung</translation>
+    </message>
+    <message>
+        <source>Other</source>
+        <translation>Andere</translation>
+    </message>
+</context>
+<context>
+    <name>ToolHint</name>
+    <message>
+        <source>Draw; press harder for a broader line. End on a line’s end to join it.</source>
+        <translation>Zeichnen; fester drücken für eine breitere Linie. An einem Linienende enden verbindet.</translation>
+    </message>
+    <message>
+        <source>Drag a line to bend it; it goes back as you go back.</source>
+        <translation>Linie ziehen, um sie zu biegen; sie geht zurück, wie Sie zurückgehen.</translation>
+    </message>
+    <message>
+        <source>ends and corners go along or stay, the other way round</source>
+        <translation>Enden und Ecken gehen mit oder bleiben, umgekehrt</translation>
+    </message>
+    <message>
+        <source>Rub along a line to iron the tremor out; press to iron harder.</source>
+        <translation>Eine Linie entlangreiben glättet Zittern; fester drücken glättet mehr.</translation>
+    </message>
+    <message>
+        <source>Rub a line to make it broader or thinner.</source>
+        <translation>Linie reiben, um sie breiter oder dünner zu machen.</translation>
+    </message>
+    <message>
+        <source>thinner</source>
+        <translation>dünner</translation>
+    </message>
+    <message>
+        <source>thicker</source>
+        <translation>dicker</translation>
+    </message>
+    <message>
+        <source>Rub out what the ring touches.</source>
+        <translation>Wegradieren, was der Ring berührt.</translation>
+    </message>
+    <message>
+        <source>up to the crossings</source>
+        <translation>bis zu den Kreuzungen</translation>
+    </message>
+    <message>
+        <source>whole lines</source>
+        <translation>ganze Linien</translation>
+    </message>
+    <message>
+        <source>Draw round what you mean, or click a line.</source>
+        <translation>Umfahren Sie, was gemeint ist, oder klicken Sie eine Linie an.</translation>
+    </message>
+    <message>
+        <source>adds</source>
+        <translation>fügt hinzu</translation>
+    </message>
+    <message>
+        <source>takes away</source>
+        <translation>nimmt weg</translation>
+    </message>
+    <message>
+        <source>Drag inside to move, a corner to scale, outside it to turn.</source>
+        <translation>Innen ziehen verschiebt, an der Ecke skaliert, außen dreht.</translation>
+    </message>
+    <message>
+        <source>along one axis, in steps of 15°</source>
+        <translation>entlang einer Achse, in Schritten von 15°</translation>
+    </message>
+    <message>
+        <source>a copy</source>
+        <translation>eine Kopie</translation>
+    </message>
+    <message>
+        <source>Drag the end of a line to another end.</source>
+        <translation>Ein Linienende zu einem anderen Ende ziehen.</translation>
+    </message>
+    <message>
+        <source>the end stays where you let it go</source>
+        <translation>das Ende bleibt, wo Sie loslassen</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <extracomment>a key that is held, and what it does: &quot;Shift: thinner&quot;</extracomment>
+        <translation>%1: %2</translation>
     </message>
 </context>
 <context>
     <name>Tour</name>
     <message>
         <source>Draw</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeichnen</translation>
     </message>
     <message>
         <source>Lines become smooth curves while you draw; press harder for a broader one. Near its start, an outline snaps shut.</source>
-        <translation type="unfinished"></translation>
+        <translation>Linien werden beim Zeichnen zu glatten Kurven; fester drücken macht sie breiter. Nahe am Anfang rastet ein Umriss ein.</translation>
     </message>
     <message>
         <source>Pull and push</source>
-        <translation type="unfinished"></translation>
+        <translation>Ziehen und schieben</translation>
     </message>
     <message>
         <source>A line is not quite right? Take hold of it and pull. It resists like a wire, the more the further you go.</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Linie stimmt nicht ganz? Fassen Sie sie und ziehen Sie. Sie widersteht wie ein Draht, je weiter, desto mehr.</translation>
     </message>
     <message>
         <source>Smooth</source>
-        <translation type="unfinished"></translation>
+        <translation>Glätten</translation>
     </message>
     <message>
         <source>Rub along a shaky line: the jitter goes, the shape stays.</source>
-        <translation type="unfinished"></translation>
+        <translation>Reiben Sie eine zittrige Linie entlang: das Zittern geht, die Form bleibt.</translation>
     </message>
     <message>
         <source>Width</source>
-        <translation type="unfinished"></translation>
+        <translation>Breite</translation>
     </message>
     <message>
         <source>Press on a line to make it broader, after it was drawn.</source>
-        <translation type="unfinished"></translation>
+        <translation>Drücken Sie auf eine Linie, um sie nachträglich breiter zu machen.</translation>
     </message>
     <message>
         <source>Erase</source>
-        <translation type="unfinished"></translation>
+        <translation>Radieren</translation>
     </message>
     <message>
         <source>Rub away what is covered, a line up to its next crossing, or all of it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wegreiben, was bedeckt ist, eine Linie bis zur nächsten Kreuzung oder ganz.</translation>
     </message>
     <message>
         <source>Select</source>
-        <translation type="unfinished"></translation>
+        <translation>Auswählen</translation>
     </message>
     <message>
         <source>Draw a loop around lines to select them; touch one to take it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Linien umfahren wählt sie aus; eine berühren nimmt sie.</translation>
     </message>
     <message>
         <source>Move and turn</source>
-        <translation type="unfinished"></translation>
+        <translation>Verschieben und drehen</translation>
     </message>
     <message>
         <source>Drag what is selected. Lines that lead out of it hold it back, and you feel how much.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ziehen Sie, was ausgewählt ist. Linien, die hinausführen, halten es zurück, und Sie fühlen, wie sehr.</translation>
     </message>
     <message>
         <source>Connect</source>
-        <translation type="unfinished"></translation>
+        <translation>Verbinden</translation>
     </message>
     <message>
         <source>Drag one end onto another: they snap, and become one line.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ziehen Sie ein Ende auf ein anderes: sie rasten ein und werden eine Linie.</translation>
+    </message>
+</context>
+<context>
+    <name>ViewActions</name>
+    <message>
+        <source>Zoom &amp;in</source>
+        <translation>Ver&amp;größern</translation>
+    </message>
+    <message>
+        <source>Shows the sheet larger, around the pointer</source>
+        <translation>Zeigt das Blatt größer, um den Zeiger</translation>
+    </message>
+    <message>
+        <source>Zoom &amp;out</source>
+        <translation>Ver&amp;kleinern</translation>
+    </message>
+    <message>
+        <source>Shows the sheet smaller, around the pointer</source>
+        <translation>Zeigt das Blatt kleiner, um den Zeiger</translation>
+    </message>
+    <message>
+        <source>&amp;Life size</source>
+        <translation>&amp;Originalgröße</translation>
+    </message>
+    <message>
+        <source>A millimetre on the sheet is one on the screen</source>
+        <translation>Ein Millimeter auf dem Blatt ist einer auf dem Bildschirm</translation>
+    </message>
+    <message>
+        <source>Fit &amp;selection</source>
+        <translation>&amp;Auswahl einpassen</translation>
+    </message>
+    <message>
+        <source>Shows what is selected as large as it can</source>
+        <translation>Zeigt das Ausgewählte so groß wie möglich</translation>
+    </message>
+    <message>
+        <source>Fit &amp;page</source>
+        <translation>&amp;Blatt einpassen</translation>
+    </message>
+    <message>
+        <source>Shows the whole sheet</source>
+        <translation>Zeigt das ganze Blatt</translation>
+    </message>
+    <message>
+        <source>Fit &amp;drawing</source>
+        <translation>&amp;Zeichnung einpassen</translation>
+    </message>
+    <message>
+        <source>Shows all ink, beside the sheet too</source>
+        <translation>Zeigt alle Tinte, auch neben dem Blatt</translation>
+    </message>
+    <message>
+        <source>Turn l&amp;eft</source>
+        <translation>Nach &amp;links drehen</translation>
+    </message>
+    <message>
+        <source>Turns the view anticlockwise; the drawing stays</source>
+        <translation>Dreht die Ansicht gegen den Uhrzeigersinn; die Zeichnung bleibt</translation>
+    </message>
+    <message>
+        <source>Turn ri&amp;ght</source>
+        <translation>Nach &amp;rechts drehen</translation>
+    </message>
+    <message>
+        <source>Turns the view clockwise; the drawing stays</source>
+        <translation>Dreht die Ansicht im Uhrzeigersinn; die Zeichnung bleibt</translation>
+    </message>
+    <message>
+        <source>&amp;Upright</source>
+        <translation>Au&amp;frecht</translation>
+    </message>
+    <message>
+        <source>Turns the view back, so that the sheet is upright</source>
+        <translation>Dreht die Ansicht zurück, so dass das Blatt aufrecht steht</translation>
+    </message>
+    <message>
+        <source>&amp;Mirror view</source>
+        <translation>Ansicht &amp;spiegeln</translation>
+    </message>
+    <message>
+        <source>Swaps left and right of the view, which shows what is askew; the drawing stays</source>
+        <translation>Vertauscht links und rechts in der Ansicht und zeigt so, was schief ist; die Zeichnung bleibt</translation>
+    </message>
+    <message>
+        <source>Scroll left</source>
+        <translation>Nach links rollen</translation>
+    </message>
+    <message>
+        <source>Shows what is further to the left</source>
+        <translation>Zeigt, was weiter links ist</translation>
+    </message>
+    <message>
+        <source>Scroll right</source>
+        <translation>Nach rechts rollen</translation>
+    </message>
+    <message>
+        <source>Shows what is further to the right</source>
+        <translation>Zeigt, was weiter rechts ist</translation>
+    </message>
+    <message>
+        <source>Scroll up</source>
+        <translation>Nach oben rollen</translation>
+    </message>
+    <message>
+        <source>Shows what is further up</source>
+        <translation>Zeigt, was weiter oben ist</translation>
+    </message>
+    <message>
+        <source>Scroll down</source>
+        <translation>Nach unten rollen</translation>
+    </message>
+    <message>
+        <source>Shows what is further down</source>
+        <translation>Zeigt, was weiter unten ist</translation>
+    </message>
+    <message>
+        <source>Ou&amp;tlines</source>
+        <translation>&amp;Umrisse</translation>
+    </message>
+    <message>
+        <source>Shows the middle of each line only, hair-thin</source>
+        <translation>Zeigt nur die Mitte jeder Linie, haarfein</translation>
+    </message>
+    <message>
+        <source>&amp;Force arrow</source>
+        <translation>Kraft&amp;pfeil</translation>
+    </message>
+    <message>
+        <source>Shows at the nib where the force pushes</source>
+        <translation>Zeigt an der Spitze, wohin die Kraft drückt</translation>
+    </message>
+    <message>
+        <source>&amp;Nib gives way to forces</source>
+        <translation>Spitze gibt Kräften &amp;nach</translation>
+    </message>
+    <message>
+        <source>With a simulated stylus, the nib is shown where forces move it</source>
+        <translation>Mit einem simulierten Stift steht die Spitze, wohin Kräfte sie bewegen</translation>
+    </message>
+    <message>
+        <source>G&amp;rain of the sheet</source>
+        <translation>&amp;Körnung des Blatts</translation>
+    </message>
+    <message>
+        <source>Dry ink shows the relief of the sheet</source>
+        <translation>Trockene Tinte zeigt das Relief des Blatts</translation>
     </message>
 </context>
 <context>
     <name>felt::desktop::AboutDialog</name>
     <message>
         <source>About Feltline</source>
-        <translation type="unfinished"></translation>
+        <translation>Über Feltline</translation>
     </message>
     <message>
         <source>Icon of Feltline</source>
-        <translation type="unfinished"></translation>
+        <translation>Symbol von Feltline</translation>
     </message>
     <message>
         <source>Sketching that the hand feels: ink that pushes back, lines that are corrected by pulling and pushing them.</source>
-        <translation type="unfinished"></translation>
+        <translation>Skizzieren, das die Hand fühlt: Tinte, die sich wehrt, Linien, die man durch Ziehen und Schieben verbessert.</translation>
     </message>
     <message>
         <source>Begun from an idea of this paper:</source>
-        <translation type="unfinished"></translation>
+        <translation>Entstanden aus einer Idee dieses Artikels:</translation>
     </message>
     <message>
         <source>Built with Qt %1 and these libraries:</source>
-        <translation type="unfinished"></translation>
+        <translation>Gebaut mit Qt %1 und diesen Bibliotheken:</translation>
     </message>
     <message>
         <source>Free software under the Apache License 2.0. It comes without any warranty.</source>
-        <translation type="unfinished"></translation>
+        <translation>Freie Software unter der Apache-Lizenz 2.0, ohne jede Gewährleistung.</translation>
     </message>
 </context>
 <context>
     <name>felt::desktop::Canvas</name>
     <message>
         <source>Sheet</source>
-        <translation type="unfinished"></translation>
+        <translation>Blatt</translation>
     </message>
     <message>
         <source>The sheet to draw on</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Blatt, auf dem man zeichnet</translation>
+    </message>
+    <message>
+        <source>%1, %2 mm</source>
+        <translation>%1, %2 mm</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>%1°</source>
+        <translation>%1°</translation>
+    </message>
+    <message>
+        <source>mirrored</source>
+        <translation>gespiegelt</translation>
+    </message>
+    <message>
+        <source>Pressure is seen.</source>
+        <translation>Druck wird erkannt.</translation>
+    </message>
+    <message>
+        <source>No pressure seen yet: a mouse draws by its speed.</source>
+        <translation>Noch kein Druck erkannt: die Maus zeichnet nach Tempo.</translation>
+    </message>
+</context>
+<context>
+    <name>felt::desktop::CanvasPage</name>
+    <message>
+        <source>Show the &amp;force as an arrow</source>
+        <translation>Die &amp;Kraft als Pfeil zeigen</translation>
+    </message>
+    <message>
+        <source>At the nib: which way it pushes, and how strong it is</source>
+        <translation>An der Spitze: wohin sie drückt und wie stark</translation>
+    </message>
+    <message>
+        <source>The &amp;nib gives way to forces</source>
+        <translation>Die &amp;Spitze gibt Kräften nach</translation>
+    </message>
+    <message>
+        <source>With a mouse or a tablet, forces are seen in how the nib moves</source>
+        <translation>Mit Maus oder Tablett sieht man Kräfte daran, wie die Spitze sich bewegt</translation>
+    </message>
+    <message>
+        <source>Dry ink shows the &amp;grain of the sheet</source>
+        <translation>Trockene Tinte zeigt die K&amp;örnung des Blatts</translation>
+    </message>
+    <message>
+        <source>As chalk does; exported outlines stay as they are</source>
+        <translation>Wie Kreide; exportierte Umrisse bleiben, wie sie sind</translation>
+    </message>
+</context>
+<context>
+    <name>felt::desktop::FeelPanel</name>
+    <message>
+        <source>Strength of all forces</source>
+        <translation>Stärke aller Kräfte</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation> %</translation>
+    </message>
+    <message>
+        <source>Strength of all forces in per cent</source>
+        <translation>Stärke aller Kräfte in Prozent</translation>
+    </message>
+    <message>
+        <source>&amp;Strength</source>
+        <translation>&amp;Stärke</translation>
+    </message>
+    <message>
+        <source>Sh&amp;eet</source>
+        <translation>Bla&amp;tt</translation>
+    </message>
+    <message>
+        <source>Forces on</source>
+        <translation>Kräfte an</translation>
+    </message>
+    <message>
+        <source>Forces off</source>
+        <translation>Kräfte aus</translation>
+    </message>
+    <message>
+        <source>Switch all forces off (Esc twice)</source>
+        <translation>Alle Kräfte ausschalten (zweimal Esc)</translation>
+    </message>
+    <message>
+        <source>Switch the forces on</source>
+        <translation>Die Kräfte einschalten</translation>
     </message>
 </context>
 <context>
     <name>felt::desktop::FileActions</name>
     <message>
         <source>Drawings (*.felt *.svg *.ndjson *.jsonl)</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeichnungen (*.felt *.svg *.ndjson *.jsonl)</translation>
     </message>
     <message>
         <source>Feltline drawings (*.felt)</source>
-        <translation type="unfinished"></translation>
+        <translation>Feltline-Zeichnungen (*.felt)</translation>
     </message>
     <message>
         <source>All files (*)</source>
-        <translation type="unfinished"></translation>
+        <translation>Alle Dateien (*)</translation>
     </message>
     <message>
         <source>Open &amp;recent</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Zuletzt geöffnet</translation>
     </message>
     <message>
         <source>&amp;New</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Neu</translation>
     </message>
     <message>
         <source>Begin another drawing</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine andere Zeichnung beginnen</translation>
     </message>
     <message>
         <source>&amp;Open…</source>
-        <translation type="unfinished"></translation>
+        <translation>Ö&amp;ffnen …</translation>
     </message>
     <message>
         <source>Open a drawing from a file</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Zeichnung aus einer Datei öffnen</translation>
     </message>
     <message>
         <source>&amp;Save</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Speichern</translation>
     </message>
     <message>
         <source>Save the drawing to its file</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Zeichnung in ihre Datei speichern</translation>
     </message>
     <message>
         <source>Save &amp;as…</source>
-        <translation type="unfinished"></translation>
+        <translation>Speichern &amp;unter …</translation>
     </message>
     <message>
         <source>Save the drawing to another file</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Zeichnung in eine andere Datei speichern</translation>
     </message>
     <message>
         <source>&amp;Import…</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Importieren …</translation>
     </message>
     <message>
         <source>Add the strokes of another file to this drawing</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Linien einer anderen Datei hinzufügen</translation>
     </message>
     <message>
         <source>&amp;Close</source>
-        <translation type="unfinished"></translation>
+        <translation>Schl&amp;ießen</translation>
     </message>
     <message>
         <source>Close this window</source>
-        <translation type="unfinished"></translation>
+        <translation>Dieses Fenster schließen</translation>
     </message>
     <message>
         <source>&amp;Quit</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Beenden</translation>
     </message>
     <message>
         <source>Leave the program</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Programm beenden</translation>
     </message>
     <message>
         <source>Untitled</source>
-        <translation type="unfinished"></translation>
+        <translation>Ohne Namen</translation>
     </message>
     <message>
         <source>Open a drawing</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Zeichnung öffnen</translation>
     </message>
     <message>
         <source>“%1” cannot be opened</source>
-        <translation type="unfinished"></translation>
+        <translation>„%1“ lässt sich nicht öffnen</translation>
     </message>
     <message>
         <source>“%1” cannot be imported</source>
-        <translation type="unfinished"></translation>
+        <translation>„%1“ lässt sich nicht importieren</translation>
     </message>
     <message>
         <source>Import strokes</source>
-        <translation type="unfinished"></translation>
+        <translation>Linien importieren</translation>
     </message>
     <message>
         <source>Save the drawing</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Zeichnung speichern</translation>
     </message>
     <message>
         <source>“%1” was not saved</source>
-        <translation type="unfinished"></translation>
+        <translation>„%1“ wurde nicht gespeichert</translation>
     </message>
     <message>
         <source>%1
 Your drawing is still here: save it to another place.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1
+Ihre Zeichnung ist noch da: speichern Sie sie anderswo.</translation>
     </message>
     <message>
         <source>Nothing yet</source>
-        <translation type="unfinished"></translation>
+        <translation>Noch nichts</translation>
     </message>
     <message>
         <source>&amp;Clear this list</source>
-        <translation type="unfinished"></translation>
+        <translation>Diese Liste &amp;leeren</translation>
     </message>
 </context>
 <context>
     <name>felt::desktop::FileDialogs</name>
     <message>
         <source>Unsaved changes</source>
-        <translation type="unfinished"></translation>
+        <translation>Nicht gespeicherte Änderungen</translation>
     </message>
     <message>
         <source>Save the changes to “%1”?</source>
-        <translation type="unfinished"></translation>
+        <translation>Änderungen an „%1“ speichern?</translation>
     </message>
     <message>
         <source>Without saving, what you drew since the last save is lost.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ohne Speichern geht verloren, was seitdem gezeichnet wurde.</translation>
     </message>
     <message>
         <source>Changed on disk</source>
-        <translation type="unfinished"></translation>
+        <translation>Auf der Platte geändert</translation>
     </message>
     <message>
         <source>“%1” was changed by another program.</source>
-        <translation type="unfinished"></translation>
+        <translation>„%1“ wurde von einem anderen Programm geändert.</translation>
     </message>
     <message>
         <source>Saving now replaces those changes by your drawing.</source>
-        <translation type="unfinished"></translation>
+        <translation>Speichern ersetzt diese Änderungen durch Ihre Zeichnung.</translation>
     </message>
     <message>
         <source>&amp;Replace</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Ersetzen</translation>
     </message>
     <message>
         <source>Feltline</source>
-        <translation type="unfinished"></translation>
+        <translation>Feltline</translation>
+    </message>
+</context>
+<context>
+    <name>felt::desktop::ForceGraph</name>
+    <message>
+        <source>Plot of the forces of the last seconds</source>
+        <translation>Diagramm der Kräfte der letzten Sekunden</translation>
+    </message>
+    <message>
+        <source>%L1 N</source>
+        <translation>%L1 N</translation>
+    </message>
+    <message>
+        <source>now</source>
+        <translation>jetzt</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
+</context>
+<context>
+    <name>felt::desktop::ForcePanel</name>
+    <message>
+        <source>%L1 µs</source>
+        <translation>%L1 µs</translation>
+    </message>
+    <message>
+        <source>The loop does not run.</source>
+        <translation>Die Schleife läuft nicht.</translation>
+    </message>
+    <message>
+        <source>Real-time scheduling.</source>
+        <translation>Echtzeitbetrieb.</translation>
+    </message>
+    <message>
+        <source>Raised priority, no real-time scheduling.</source>
+        <translation>Höherer Vorrang, kein Echtzeitbetrieb.</translation>
+    </message>
+    <message>
+        <source>Ordinary scheduling: late when the computer is busy.</source>
+        <translation>Gewöhnlicher Betrieb: spät, wenn der Rechner beschäftigt ist.</translation>
+    </message>
+    <message>
+        <source>Forces</source>
+        <translation>Kräfte</translation>
+    </message>
+    <message>
+        <source>Force</source>
+        <translation>Kraft</translation>
+    </message>
+    <message>
+        <source>Now</source>
+        <translation>Jetzt</translation>
+    </message>
+    <message>
+        <source>Most</source>
+        <translation>Höchstens</translation>
+    </message>
+    <message>
+        <source>Forces by name</source>
+        <translation>Kräfte nach Namen</translation>
+    </message>
+    <message>
+        <source>Each force now and its largest value of the last seconds</source>
+        <translation>Jede Kraft jetzt und ihr größter Wert der letzten Sekunden</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>Pause</translation>
+    </message>
+    <message>
+        <source>Hold the plot still</source>
+        <translation>Das Diagramm anhalten</translation>
+    </message>
+    <message>
+        <source>most, %L1 N</source>
+        <translation>höchstens, %L1 N</translation>
+    </message>
+    <message>
+        <source>for long, %L1 N</source>
+        <translation>auf Dauer, %L1 N</translation>
+    </message>
+    <message>
+        <source>%L1 N</source>
+        <translation>%L1 N</translation>
+    </message>
+    <message>
+        <source>The motors are warm, so forces are kept lower for a while.</source>
+        <translation>Die Motoren sind warm, darum bleiben die Kräfte eine Weile kleiner.</translation>
+    </message>
+    <message>
+        <source>Loop: %L1 Hz, missed ticks: %L2</source>
+        <translation>Schleife: %L1 Hz, versäumte Takte: %L2</translation>
+    </message>
+    <message>
+        <source>Late: %1 as a rule, 1 in 100 %2</source>
+        <translation>Verspätung: meist %1, 1 von 100 %2</translation>
+    </message>
+    <message>
+        <source>Motors: %L1 N on average</source>
+        <translation>Motoren: im Mittel %L1 N</translation>
+    </message>
+    <message>
+        <source>Work on the hand: %L1 mJ</source>
+        <translation>Arbeit an der Hand: %L1 mJ</translation>
     </message>
 </context>
 <context>
     <name>felt::desktop::GeneralPage</name>
     <message>
         <source>As the desktop</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie der Desktop</translation>
     </message>
     <message>
         <source>Light</source>
-        <translation type="unfinished"></translation>
+        <translation>Hell</translation>
     </message>
     <message>
         <source>Dark</source>
-        <translation type="unfinished"></translation>
+        <translation>Dunkel</translation>
     </message>
     <message>
         <source>Theme</source>
-        <translation type="unfinished"></translation>
+        <translation>Farben</translation>
     </message>
     <message>
         <source>Language</source>
-        <translation type="unfinished"></translation>
+        <translation>Sprache</translation>
     </message>
     <message>
         <source>Another language is used from the next start on.</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine andere Sprache gilt ab dem nächsten Start.</translation>
     </message>
     <message>
         <source>&amp;Theme:</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Farben:</translation>
     </message>
     <message>
         <source>&amp;Language:</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Sprache:</translation>
     </message>
     <message>
         <source>At the start:</source>
-        <translation type="unfinished"></translation>
+        <translation>Beim Start:</translation>
     </message>
     <message>
         <source>&amp;Open the last drawing again</source>
-        <translation type="unfinished"></translation>
+        <translation>Die letzte Zeichnung &amp;wieder öffnen</translation>
     </message>
     <message>
         <source>Where no file is named</source>
-        <translation type="unfinished"></translation>
+        <translation>Wenn keine Datei genannt ist</translation>
     </message>
 </context>
 <context>
     <name>felt::desktop::GuideDialog</name>
     <message>
         <source>Guide</source>
-        <translation type="unfinished"></translation>
+        <translation>Anleitung</translation>
     </message>
     <message>
         <source>Draw, then correct</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeichnen, dann verbessern</translation>
     </message>
     <message>
         <source>Draw with a pen or with the mouse. A line that is not right is not drawn again: pull it, push it, smooth it, make it broader. Every step can be undone.</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeichnen Sie mit einem Stift oder der Maus. Eine Linie, die nicht stimmt, wird nicht neu gezeichnet: ziehen, schieben, glätten oder verbreitern Sie sie. Jeder Schritt lässt sich zurücknehmen.</translation>
     </message>
     <message>
         <source>A short press on a tool&apos;s key takes the tool. Hold the key while you use the tool, and the former one comes back when you let go.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein kurzer Druck auf die Taste eines Werkzeugs nimmt es. Wird sie beim Benutzen gehalten, kommt beim Loslassen das vorige zurück.</translation>
     </message>
     <message>
         <source>Tools</source>
-        <translation type="unfinished"></translation>
+        <translation>Werkzeuge</translation>
     </message>
     <message>
         <source>The sheet</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Blatt</translation>
     </message>
     <message>
         <source>The wheel zooms at the pointer. Hold Space and drag to move the sheet, with Shift to turn it. None of this changes the drawing.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Mausrad zoomt am Zeiger. Leertaste halten und ziehen verschiebt das Blatt, mit Umschalt dreht es sich. Nichts davon ändert die Zeichnung.</translation>
     </message>
     <message>
         <source>The feel</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Gefühl</translation>
     </message>
     <message>
         <source>Every tool pushes back. With a force-feedback pen you feel it in your hand; with a tablet or a mouse you see it, as an arrow at the nib and in the panel Forces. Press Esc twice to switch all forces off at once.</source>
-        <translation type="unfinished"></translation>
+        <translation>Jedes Werkzeug gibt Widerstand. Mit einem Stift mit Kraftrückmeldung fühlen Sie ihn in der Hand; mit Tablett oder Maus sehen Sie ihn, als Pfeil an der Spitze und im Feld „Kräfte“. Zweimal Esc schaltet alle Kräfte sofort aus.</translation>
     </message>
     <message>
         <source>Files</source>
-        <translation type="unfinished"></translation>
+        <translation>Dateien</translation>
     </message>
     <message>
         <source>Drawings are kept as .felt files, with their layers and their history of pen pressure. Export gives SVG, PDF and PNG to other programs.</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeichnungen liegen in .felt-Dateien, mit ihren Ebenen. Für andere Programme gibt es SVG, PDF und PNG.</translation>
     </message>
 </context>
 <context>
     <name>felt::desktop::HelpActions</name>
     <message>
         <source>&amp;Guide</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Anleitung</translation>
     </message>
     <message>
         <source>What the tools do, on one page</source>
-        <translation type="unfinished"></translation>
+        <translation>Was die Werkzeuge tun, auf einer Seite</translation>
     </message>
     <message>
         <source>&amp;Keys at a glance</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Tasten im Überblick</translation>
     </message>
     <message>
         <source>All keys on one page, to search and to print</source>
-        <translation type="unfinished"></translation>
+        <translation>Alle Tasten auf einer Seite, zum Suchen und Drucken</translation>
     </message>
     <message>
         <source>Guided &amp;tour</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Führung</translation>
     </message>
     <message>
         <source>Two minutes in which the program draws by itself</source>
-        <translation type="unfinished"></translation>
+        <translation>Zwei Minuten, in denen das Programm selbst zeichnet</translation>
     </message>
     <message>
         <source>Opens this drawing, made by the project&apos;s simulated hand</source>
-        <translation type="unfinished"></translation>
+        <translation>Öffnet diese Zeichnung der simulierten Hand</translation>
     </message>
     <message>
         <source>&amp;About Feltline</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Über Feltline</translation>
     </message>
     <message>
         <source>Version, licence and what it is built on</source>
-        <translation type="unfinished"></translation>
+        <translation>Version, Lizenz und worauf es gebaut ist</translation>
     </message>
 </context>
 <context>
     <name>felt::desktop::KeyEdit</name>
     <message>
         <source>Press a key</source>
-        <translation type="unfinished"></translation>
+        <translation>Taste drücken</translation>
     </message>
 </context>
 <context>
     <name>felt::desktop::MainWindow</name>
     <message>
         <source>Tools</source>
-        <translation type="unfinished"></translation>
+        <translation>Werkzeuge</translation>
     </message>
     <message>
         <source>Shows or hides the panel %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeigt oder verbirgt das Feld %1</translation>
     </message>
     <message>
         <source>Options</source>
-        <translation type="unfinished"></translation>
+        <translation>Optionen</translation>
     </message>
     <message>
         <source>Feel</source>
-        <translation type="unfinished"></translation>
+        <translation>Gefühl</translation>
     </message>
     <message>
         <source>Layers</source>
-        <translation type="unfinished"></translation>
+        <translation>Ebenen</translation>
     </message>
     <message>
         <source>Colours</source>
-        <translation type="unfinished"></translation>
+        <translation>Farben</translation>
     </message>
     <message>
         <source>History</source>
-        <translation type="unfinished"></translation>
+        <translation>Verlauf</translation>
     </message>
     <message>
         <source>Forces</source>
-        <translation type="unfinished"></translation>
+        <translation>Kräfte</translation>
     </message>
     <message>
         <source>&amp;Hide all panels</source>
-        <translation type="unfinished"></translation>
+        <translation>Alle Felder &amp;verbergen</translation>
     </message>
     <message>
         <source>Leaves nothing but the sheet</source>
-        <translation type="unfinished"></translation>
+        <translation>Lässt nur das Blatt stehen</translation>
     </message>
     <message>
         <source>&amp;Full screen</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Vollbild</translation>
     </message>
     <message>
         <source>The window fills the screen</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Fenster füllt den Bildschirm</translation>
     </message>
     <message>
         <source>&amp;Next part of the window</source>
-        <translation type="unfinished"></translation>
+        <translation>Nächster &amp;Teil des Fensters</translation>
     </message>
     <message>
         <source>Moves the focus from the sheet to the tools, to each panel, and back</source>
-        <translation type="unfinished"></translation>
+        <translation>Bringt den Fokus vom Blatt zu den Werkzeugen, zu jedem Feld und zurück</translation>
     </message>
     <message>
         <source>&amp;Reset the panels</source>
-        <translation type="unfinished"></translation>
+        <translation>Felder &amp;zurücksetzen</translation>
     </message>
     <message>
         <source>Puts panels and bars where they were at first</source>
-        <translation type="unfinished"></translation>
+        <translation>Stellt Felder und Leisten hin, wo sie zuerst waren</translation>
     </message>
     <message>
         <source>&amp;Preferences…</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Einstellungen …</translation>
     </message>
     <message>
         <source>Theme, language, pen, device and shortcuts</source>
-        <translation type="unfinished"></translation>
+        <translation>Farben, Sprache, Stift, Gerät und Tasten</translation>
     </message>
     <message>
         <source>&amp;Close</source>
-        <translation type="unfinished"></translation>
+        <translation>Schl&amp;ießen</translation>
     </message>
     <message>
         <source>Closes this window</source>
-        <translation type="unfinished"></translation>
+        <translation>Schließt dieses Fenster</translation>
     </message>
     <message>
         <source>&amp;Quit</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Beenden</translation>
     </message>
     <message>
         <source>Closes all windows</source>
-        <translation type="unfinished"></translation>
+        <translation>Schließt alle Fenster</translation>
     </message>
     <message>
         <source>Untitled</source>
-        <translation type="unfinished"></translation>
+        <translation>Ohne Namen</translation>
     </message>
 </context>
 <context>
     <name>felt::desktop::Preferences</name>
     <message>
         <source>Preferences</source>
-        <translation type="unfinished"></translation>
+        <translation>Einstellungen</translation>
     </message>
     <message>
         <source>Pages of the preferences</source>
-        <translation type="unfinished"></translation>
+        <translation>Seiten der Einstellungen</translation>
     </message>
     <message>
         <source>General</source>
-        <translation type="unfinished"></translation>
+        <translation>Allgemein</translation>
     </message>
     <message>
         <source>Shortcuts</source>
-        <translation type="unfinished"></translation>
+        <translation>Tasten</translation>
+    </message>
+    <message>
+        <source>Sheet</source>
+        <translation>Blatt</translation>
     </message>
 </context>
 <context>
     <name>felt::desktop::ShortcutSheet</name>
     <message>
         <source>Keys at a glance</source>
-        <translation type="unfinished"></translation>
+        <translation>Tasten im Überblick</translation>
     </message>
     <message>
         <source>Search</source>
-        <translation type="unfinished"></translation>
+        <translation>Suchen</translation>
     </message>
     <message>
         <source>Search the keys</source>
-        <translation type="unfinished"></translation>
+        <translation>Tasten suchen</translation>
     </message>
     <message>
         <source>Keys</source>
-        <translation type="unfinished"></translation>
+        <translation>Tasten</translation>
     </message>
     <message>
         <source>&amp;Print…</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Drucken …</translation>
     </message>
     <message>
         <source>No key does that.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das tut keine Taste.</translation>
     </message>
 </context>
 <context>
     <name>felt::desktop::ShortcutsPage</name>
     <message>
         <source>&amp;No key</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Keine Taste</translation>
     </message>
     <message>
         <source>&amp;Reset</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Zurücksetzen</translation>
     </message>
     <message>
         <source>&amp;Take it over</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Übernehmen</translation>
     </message>
     <message>
         <source>Search</source>
-        <translation type="unfinished"></translation>
+        <translation>Suchen</translation>
     </message>
     <message>
         <source>Search the commands</source>
-        <translation type="unfinished"></translation>
+        <translation>Befehle suchen</translation>
     </message>
     <message>
         <source>New key</source>
-        <translation type="unfinished"></translation>
+        <translation>Neue Taste</translation>
     </message>
     <message>
         <source>Reset &amp;all</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Alle zurücksetzen</translation>
     </message>
     <message>
         <source>&amp;Key:</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Taste:</translation>
     </message>
     <message>
         <source>Reset all keys</source>
-        <translation type="unfinished"></translation>
+        <translation>Alle Tasten zurücksetzen</translation>
     </message>
     <message>
         <source>Give every command the key that it came with?</source>
-        <translation type="unfinished"></translation>
+        <translation>Jedem Befehl seine ursprüngliche Taste geben?</translation>
     </message>
     <message>
         <source>Commands and their keys</source>
-        <translation type="unfinished"></translation>
+        <translation>Befehle und ihre Tasten</translation>
     </message>
     <message>
         <source>Command</source>
-        <translation type="unfinished"></translation>
+        <translation>Befehl</translation>
     </message>
     <message>
         <source>Keys</source>
-        <translation type="unfinished"></translation>
+        <translation>Tasten</translation>
     </message>
     <message>
         <source>%1 belongs to “%2”.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 gehört zu „%2“.</translation>
     </message>
 </context>
 <context>
     <name>felt::desktop::StatusLine</name>
     <message>
         <source>Hint</source>
-        <translation type="unfinished"></translation>
+        <translation>Hinweis</translation>
     </message>
     <message>
         <source>Place of the pen</source>
-        <translation type="unfinished"></translation>
+        <translation>Ort des Stifts</translation>
     </message>
     <message>
         <source>Pressure</source>
-        <translation type="unfinished"></translation>
+        <translation>Druck</translation>
     </message>
     <message>
         <source>Pressure %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Druck %1</translation>
     </message>
     <message>
         <source>Zoom</source>
-        <translation type="unfinished"></translation>
+        <translation>Zoom</translation>
     </message>
     <message>
         <source>Turn of the view</source>
-        <translation type="unfinished"></translation>
+        <translation>Drehung der Ansicht</translation>
     </message>
     <message>
         <source>Device</source>
-        <translation type="unfinished"></translation>
+        <translation>Gerät</translation>
     </message>
     <message>
         <source>State of the file</source>
-        <translation type="unfinished"></translation>
+        <translation>Stand der Datei</translation>
     </message>
     <message>
         <source>%1, %2 mm</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, %2 mm</translation>
     </message>
     <message>
         <source>%1, forces off</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, Kräfte aus</translation>
     </message>
     <message>
         <source>Not saved</source>
-        <translation type="unfinished"></translation>
+        <translation>Nicht gespeichert</translation>
     </message>
 </context>
 <context>
     <name>felt::desktop::ToolKeys</name>
     <message>
         <source>&amp;Eraser while held</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Radierer, solange gehalten</translation>
     </message>
     <message>
         <source>The eraser as long as the key is held; the pencil where the eraser is in hand</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Radierer, solange die Taste gehalten wird; der Bleistift, wenn der Radierer in der Hand ist</translation>
     </message>
 </context>
 <context>
     <name>felt::desktop::TopBar</name>
     <message>
         <source>Top bar</source>
-        <translation type="unfinished"></translation>
+        <translation>Obere Leiste</translation>
     </message>
     <message>
         <source>Sheet:</source>
-        <translation type="unfinished"></translation>
+        <translation>Blatt:</translation>
     </message>
     <message>
         <source>Material of the sheet</source>
-        <translation type="unfinished"></translation>
+        <translation>Material des Blatts</translation>
     </message>
     <message>
         <source>What the sheet feels and looks like</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie sich das Blatt anfühlt und aussieht</translation>
     </message>
 </context>
 <context>
     <name>felt::desktop::TourWindow</name>
     <message>
         <source>Guided tour</source>
-        <translation type="unfinished"></translation>
+        <translation>Führung</translation>
     </message>
     <message>
         <source>The sheet of the tour</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Blatt der Führung</translation>
     </message>
     <message>
         <source>How much of the tour was seen</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie viel von der Führung zu sehen war</translation>
     </message>
     <message>
         <source>&amp;Back</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Zurück</translation>
     </message>
     <message>
         <source>&amp;Pause</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Pause</translation>
     </message>
     <message>
         <source>&amp;Next</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Weiter</translation>
     </message>
     <message>
         <source>&amp;Close</source>
-        <translation type="unfinished"></translation>
+        <translation>Schl&amp;ießen</translation>
     </message>
     <message>
         <source>Try it yourself</source>
-        <translation type="unfinished"></translation>
+        <translation>Versuchen Sie es selbst</translation>
     </message>
     <message>
         <source>Draw with a pen or with the mouse. Press ? for the keys. Nothing can go wrong: Ctrl+Z takes everything back.</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeichnen Sie mit einem Stift oder der Maus. ? zeigt die Tasten. Nichts kann schiefgehen: Strg+Z nimmt alles zurück.</translation>
     </message>
     <message>
         <source>%1 of %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 von %2</translation>
     </message>
     <message>
         <source>&amp;Go on</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Weiterspielen</translation>
     </message>
     <message>
         <source>&amp;Try it yourself</source>
-        <translation type="unfinished"></translation>
+        <translation>Selbst &amp;versuchen</translation>
     </message>
 </context>
 </TS>

@@ -5,963 +5,1714 @@
     <name>Arguments</name>
     <message>
         <source>Open a window of its own, with a fresh sheet.</source>
-        <translation type="unfinished"></translation>
+        <translation>Een eigen venster met een leeg vel openen.</translation>
     </message>
     <message>
         <source>Speak en, de or nl, whatever the system does.</source>
-        <translation type="unfinished"></translation>
+        <translation>Taal en, de of nl, wat het systeem ook spreekt.</translation>
     </message>
     <message>
         <source>Record all that happens to the drawing, for feltline replay --as-recorded.</source>
-        <translation type="unfinished"></translation>
+        <translation>Alles opnemen wat er met de tekening gebeurt, voor feltline replay --as-recorded.</translation>
     </message>
     <message>
         <source>Feltline: draw, and feel what you draw.</source>
-        <translation type="unfinished"></translation>
+        <translation>Feltline: teken, en voel wat je tekent.</translation>
     </message>
     <message>
         <source>Drawings to open: .felt, .svg, .ndjson.</source>
-        <translation type="unfinished"></translation>
+        <translation>Tekeningen om te openen: .felt, .svg, .ndjson.</translation>
     </message>
     <message>
         <source>--size is WIDTHxHEIGHT, from 100 to 8000</source>
-        <translation type="unfinished"></translation>
+        <translation>--size is BREEDTExHOOGTE, van 100 tot 8000</translation>
     </message>
     <message>
         <source>Examples:</source>
-        <translation type="unfinished"></translation>
+        <translation>Voorbeelden:</translation>
     </message>
 </context>
 <context>
     <name>EditActions</name>
     <message>
         <source>&amp;Undo</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Ongedaan maken</translation>
     </message>
     <message>
         <source>Takes the last step back</source>
-        <translation type="unfinished"></translation>
+        <translation>Neemt de laatste stap terug</translation>
     </message>
     <message>
         <source>&amp;Redo</source>
-        <translation type="unfinished"></translation>
+        <translation>Op&amp;nieuw</translation>
     </message>
     <message>
         <source>Does what was undone again</source>
-        <translation type="unfinished"></translation>
+        <translation>Doet opnieuw wat ongedaan is gemaakt</translation>
     </message>
     <message>
         <source>&amp;Delete</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Verwijderen</translation>
     </message>
     <message>
         <source>Deletes the selected lines</source>
-        <translation type="unfinished"></translation>
+        <translation>Verwijdert de geselecteerde lijnen</translation>
     </message>
     <message>
         <source>D&amp;uplicate</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Dupliceren</translation>
     </message>
     <message>
         <source>Copies the selected lines, a little beside them</source>
-        <translation type="unfinished"></translation>
+        <translation>Kopieert de geselecteerde lijnen, er iets naast</translation>
     </message>
     <message>
         <source>Select &amp;all</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Alles selecteren</translation>
     </message>
     <message>
         <source>Selects all lines of visible, unlocked layers</source>
-        <translation type="unfinished"></translation>
+        <translation>Selecteert alle lijnen van zichtbare, niet vergrendelde lagen</translation>
     </message>
     <message>
         <source>Select &amp;nothing</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Niets selecteren</translation>
     </message>
     <message>
         <source>Nothing is selected then</source>
-        <translation type="unfinished"></translation>
+        <translation>Daarna is er niets geselecteerd</translation>
     </message>
     <message>
         <source>&amp;Invert selection</source>
-        <translation type="unfinished"></translation>
+        <translation>Selectie om&amp;keren</translation>
     </message>
     <message>
         <source>Selects what is not selected, and nothing else</source>
-        <translation type="unfinished"></translation>
+        <translation>Selecteert wat niet geselecteerd is, en verder niets</translation>
     </message>
     <message>
         <source>&amp;Cancel the gesture</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Gebaar afbreken</translation>
     </message>
     <message>
         <source>What the pen is doing never was</source>
-        <translation type="unfinished"></translation>
+        <translation>Wat de pen aan het doen is, is nooit gebeurd</translation>
+    </message>
+</context>
+<context>
+    <name>Examples</name>
+    <message>
+        <source>A cat</source>
+        <translation>Een kat</translation>
+    </message>
+    <message>
+        <source>Handwriting</source>
+        <translation>Handschrift</translation>
+    </message>
+    <message>
+        <source>A page of exercises</source>
+        <translation>Een pagina oefeningen</translation>
+    </message>
+    <message>
+        <source>Doodles</source>
+        <translation>Krabbels</translation>
+    </message>
+</context>
+<context>
+    <name>FeelActions</name>
+    <message>
+        <source>&amp;Forces</source>
+        <translation>&amp;Krachten</translation>
+    </message>
+    <message>
+        <source>Let the pen be pushed, or not</source>
+        <translation>Of de pen geduwd wordt of niet</translation>
+    </message>
+    <message>
+        <source>Forces &amp;off now (Esc twice)</source>
+        <translation>Krachten nu &amp;uit (tweemaal Esc)</translation>
+    </message>
+    <message>
+        <source>No force, at once</source>
+        <translation>Geen kracht meer, meteen</translation>
+    </message>
+    <message>
+        <source>&amp;Stronger forces</source>
+        <translation>&amp;Sterkere krachten</translation>
+    </message>
+    <message>
+        <source>All forces 10 % stronger</source>
+        <translation>Alle krachten 10% sterker</translation>
+    </message>
+    <message>
+        <source>&amp;Weaker forces</source>
+        <translation>&amp;Zwakkere krachten</translation>
+    </message>
+    <message>
+        <source>All forces 10 % weaker</source>
+        <translation>Alle krachten 10% zwakker</translation>
+    </message>
+    <message>
+        <source>Forces are off. The panel Feel switches them on again.</source>
+        <translation>De krachten zijn uit. In het paneel Gevoel zet je ze weer aan.</translation>
+    </message>
+</context>
+<context>
+    <name>FirstMinute</name>
+    <message>
+        <source>Draw with the pen or the mouse.</source>
+        <translation>Teken met de pen of de muis.</translation>
+    </message>
+    <message>
+        <source>To correct a line, press %1 and pull it into shape.</source>
+        <translation>Om een lijn te verbeteren druk je op %1 en trek je hem in vorm.</translation>
+    </message>
+    <message>
+        <source>%1 takes back a step. The Help menu has a two-minute tour.</source>
+        <translation>%1 neemt een stap terug. In het menu Help staat een rondleiding van twee minuten.</translation>
     </message>
 </context>
 <context>
     <name>KeyTable</name>
     <message>
         <source>Tools</source>
-        <translation type="unfinished"></translation>
+        <translation>Gereedschap</translation>
     </message>
     <message>
         <source>Edit</source>
-        <translation type="unfinished"></translation>
+        <translation>Bewerken</translation>
     </message>
     <message>
         <source>View</source>
-        <translation type="unfinished"></translation>
+        <translation>Beeld</translation>
     </message>
     <message>
         <source>File</source>
-        <translation type="unfinished"></translation>
+        <translation>Bestand</translation>
     </message>
     <message>
         <source>Layer</source>
-        <translation type="unfinished"></translation>
+        <translation>Laag</translation>
     </message>
     <message>
         <source>Feel</source>
-        <translation type="unfinished"></translation>
+        <translation>Gevoel</translation>
     </message>
     <message>
         <source>Help</source>
-        <translation type="unfinished"></translation>
+        <translation>Help</translation>
     </message>
     <message>
         <source>Move the sheet</source>
-        <translation type="unfinished"></translation>
+        <translation>Vel verschuiven</translation>
     </message>
     <message>
         <source>Space + drag</source>
-        <translation type="unfinished"></translation>
+        <translation>Spatie + slepen</translation>
     </message>
     <message>
         <source>Zoom</source>
-        <translation type="unfinished"></translation>
+        <translation>Zoom</translation>
     </message>
     <message>
         <source>Wheel</source>
-        <translation type="unfinished"></translation>
+        <translation>Muiswiel</translation>
     </message>
     <message>
         <source>Zoom smoothly</source>
-        <translation type="unfinished"></translation>
+        <translation>Traploos zoomen</translation>
     </message>
     <message>
         <source>Ctrl + Space + drag</source>
-        <translation type="unfinished"></translation>
+        <translation>Ctrl + spatie + slepen</translation>
     </message>
     <message>
         <source>Turn the view</source>
-        <translation type="unfinished"></translation>
+        <translation>Beeld draaien</translation>
     </message>
     <message>
         <source>Shift + Space + drag</source>
-        <translation type="unfinished"></translation>
+        <translation>Shift + spatie + slepen</translation>
     </message>
     <message>
         <source>Borrow a tool</source>
-        <translation type="unfinished"></translation>
+        <translation>Gereedschap lenen</translation>
     </message>
     <message>
         <source>Hold its key while you use it</source>
-        <translation type="unfinished"></translation>
+        <translation>Houd de toets vast terwijl je het gebruikt</translation>
     </message>
     <message>
         <source>Pen, mouse and held keys</source>
-        <translation type="unfinished"></translation>
+        <translation>Pen, muis en vastgehouden toetsen</translation>
+    </message>
+</context>
+<context>
+    <name>Material</name>
+    <message>
+        <source>Paper</source>
+        <translation>Papier</translation>
+    </message>
+    <message>
+        <source>Blackboard</source>
+        <translation>Schoolbord</translation>
+    </message>
+    <message>
+        <source>Felt</source>
+        <translation>Vilt</translation>
+    </message>
+    <message>
+        <source>Glass</source>
+        <translation>Glas</translation>
+    </message>
+    <message>
+        <source>Hard</source>
+        <translation>Hard</translation>
+    </message>
+    <message>
+        <source>Firm</source>
+        <translation>Stevig</translation>
+    </message>
+    <message>
+        <source>Soft</source>
+        <translation>Zacht</translation>
+    </message>
+    <message>
+        <source>slippery</source>
+        <translation>glad</translation>
+    </message>
+    <message>
+        <source>some friction</source>
+        <translation>enige wrijving</translation>
+    </message>
+    <message>
+        <source>much friction</source>
+        <translation>veel wrijving</translation>
+    </message>
+    <message>
+        <source>strong friction</source>
+        <translation>sterke wrijving</translation>
+    </message>
+    <message>
+        <source>smooth</source>
+        <translation>effen</translation>
+    </message>
+    <message>
+        <source>fine grain</source>
+        <translation>fijne korrel</translation>
+    </message>
+    <message>
+        <source>rough grain</source>
+        <translation>ruwe korrel</translation>
+    </message>
+    <message>
+        <source>coarse weave</source>
+        <translation>grof weefsel</translation>
+    </message>
+    <message>
+        <source>%1, %2, %3.</source>
+        <translation>%1, %2, %3.</translation>
     </message>
 </context>
 <context>
     <name>Menus</name>
     <message>
         <source>&amp;File</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Bestand</translation>
     </message>
     <message>
         <source>&amp;Edit</source>
-        <translation type="unfinished"></translation>
+        <translation>Be&amp;werken</translation>
     </message>
     <message>
         <source>&amp;View</source>
-        <translation type="unfinished"></translation>
+        <translation>B&amp;eeld</translation>
     </message>
     <message>
         <source>&amp;Tools</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Gereedschap</translation>
     </message>
     <message>
         <source>&amp;Layer</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Laag</translation>
     </message>
     <message>
         <source>F&amp;eel</source>
-        <translation type="unfinished"></translation>
+        <translation>Ge&amp;voel</translation>
     </message>
     <message>
         <source>&amp;Help</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Open &amp;recent</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Help</translation>
     </message>
     <message>
         <source>&amp;Export</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Exporteren</translation>
     </message>
     <message>
         <source>Copy &amp;as</source>
-        <translation type="unfinished"></translation>
+        <translation>Kopiëren &amp;als</translation>
     </message>
     <message>
         <source>&amp;Panels</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Panelen</translation>
     </message>
     <message>
         <source>&amp;Example drawings</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Voorbeeldtekeningen</translation>
+    </message>
+    <message>
+        <source>&amp;Colour</source>
+        <translation>&amp;Kleur</translation>
+    </message>
+    <message>
+        <source>&amp;Scroll</source>
+        <translation>Sch&amp;uiven</translation>
     </message>
 </context>
 <context>
     <name>PenDevice</name>
     <message>
         <source>The ink is exactly where the pen is; forces are shown.</source>
-        <translation type="unfinished"></translation>
+        <translation>De inkt ligt precies waar de pen is; krachten worden getoond.</translation>
     </message>
     <message>
         <source>Simulated: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Gesimuleerd: %1</translation>
     </message>
     <message>
         <source>A simulated stylus in a simulated hand; forces move the pen.</source>
-        <translation type="unfinished"></translation>
+        <translation>Een gesimuleerde pen in een gesimuleerde hand; krachten bewegen de pen.</translation>
+    </message>
+</context>
+<context>
+    <name>SafetyWords</name>
+    <message>
+        <source>the force limit</source>
+        <translation>de krachtgrens</translation>
+    </message>
+    <message>
+        <source>what the motors stand for good</source>
+        <translation>wat de motoren blijvend aankunnen</translation>
+    </message>
+    <message>
+        <source>the speed of the pen</source>
+        <translation>de snelheid van de pen</translation>
+    </message>
+    <message>
+        <source>how fast a force may rise</source>
+        <translation>hoe snel een kracht mag stijgen</translation>
+    </message>
+    <message>
+        <source>how stiff the device can be</source>
+        <translation>hoe stijf het apparaat kan zijn</translation>
+    </message>
+    <message>
+        <source>Held back by %1.</source>
+        <translation>Begrensd door: %1.</translation>
+    </message>
+    <message>
+        <source>, </source>
+        <translation>, </translation>
+    </message>
+    <message>
+        <source>Forces are on</source>
+        <translation>De krachten zijn aan</translation>
+    </message>
+    <message>
+        <source>Forces were stopped</source>
+        <translation>De krachten zijn gestopt</translation>
+    </message>
+    <message>
+        <source>Forces were stopped: %1</source>
+        <translation>De krachten zijn gestopt: %1</translation>
+    </message>
+    <message>
+        <source>Check the cable and the power of the device, then switch the forces on again.</source>
+        <translation>Controleer de kabel en de stroom van het apparaat en zet de krachten dan weer aan.</translation>
+    </message>
+    <message>
+        <source>Drawing goes on as before. Lift the pen and switch the forces on again.</source>
+        <translation>Tekenen gaat door als tevoren. Til de pen op en zet de krachten weer aan.</translation>
+    </message>
+    <message>
+        <source>the computer was too busy</source>
+        <translation>de computer had het te druk</translation>
+    </message>
+    <message>
+        <source>the pen was too fast</source>
+        <translation>de pen was te snel</translation>
+    </message>
+    <message>
+        <source>the program was too busy</source>
+        <translation>het programma had het te druk</translation>
+    </message>
+    <message>
+        <source>the computer stood still for a moment</source>
+        <translation>de computer stond even stil</translation>
+    </message>
+    <message>
+        <source>a force made no sense</source>
+        <translation>een kracht was onzinnig</translation>
+    </message>
+    <message>
+        <source>the device does not answer</source>
+        <translation>het apparaat antwoordt niet</translation>
+    </message>
+    <message>
+        <source>the pen seemed to jump</source>
+        <translation>de pen leek te springen</translation>
+    </message>
+    <message>
+        <source>they had to fall too often</source>
+        <translation>ze moesten te vaak zakken</translation>
+    </message>
+    <message>
+        <source>the self-test failed</source>
+        <translation>de zelftest is mislukt</translation>
+    </message>
+    <message>
+        <source>Forces are off</source>
+        <translation>De krachten zijn uit</translation>
+    </message>
+    <message>
+        <source>They are not shown either.</source>
+        <translation>Ze worden ook niet getoond.</translation>
+    </message>
+    <message>
+        <source>Shown, not felt: this pen has no motors</source>
+        <translation>Te zien, niet te voelen: deze pen heeft geen motoren</translation>
+    </message>
+    <message>
+        <source>The plot shows what a device would be asked for.</source>
+        <translation>De grafiek toont wat er van een apparaat gevraagd zou worden.</translation>
+    </message>
+    <message>
+        <source>Ready</source>
+        <translation>Klaar</translation>
+    </message>
+    <message>
+        <source>Lift the pen for a moment: forces then begin.</source>
+        <translation>Til de pen even op: dan beginnen de krachten.</translation>
+    </message>
+    <message>
+        <source>Forces are coming up</source>
+        <translation>De krachten komen op</translation>
+    </message>
+    <message>
+        <source>The program is busy</source>
+        <translation>Het programma is bezig</translation>
+    </message>
+    <message>
+        <source>The pen only feels a brake.</source>
+        <translation>De pen voelt alleen een rem.</translation>
+    </message>
+    <message>
+        <source>Forces give way: %1</source>
+        <translation>De krachten geven toe: %1</translation>
+    </message>
+    <message>
+        <source>They come back by themselves.</source>
+        <translation>Ze komen vanzelf terug.</translation>
+    </message>
+    <message>
+        <source>Sum, asked</source>
+        <translation>Som, gevraagd</translation>
+    </message>
+    <message>
+        <source>Sent to the pen</source>
+        <translation>Naar de pen gestuurd</translation>
+    </message>
+    <message>
+        <source>Sheet</source>
+        <translation>Vel</translation>
+    </message>
+    <message>
+        <source>Friction</source>
+        <translation>Wrijving</translation>
+    </message>
+    <message>
+        <source>Grain</source>
+        <translation>Korrel</translation>
+    </message>
+    <message>
+        <source>Curve</source>
+        <translation>Kromme</translation>
+    </message>
+    <message>
+        <source>Snap</source>
+        <translation>Vastklikken</translation>
+    </message>
+    <message>
+        <source>Tether</source>
+        <translation>Lijn</translation>
+    </message>
+    <message>
+        <source>Stabiliser</source>
+        <translation>Stabilisator</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Aanslag</translation>
+    </message>
+    <message>
+        <source>Damping</source>
+        <translation>Demping</translation>
+    </message>
+    <message>
+        <source>Other</source>
+        <translation>Overige</translation>
+    </message>
+</context>
+<context>
+    <name>ToolHint</name>
+    <message>
+        <source>Draw; press harder for a broader line. End on a line’s end to join it.</source>
+        <translation>Teken; druk harder voor een bredere lijn. Eindig op een lijneinde om te verbinden.</translation>
+    </message>
+    <message>
+        <source>Drag a line to bend it; it goes back as you go back.</source>
+        <translation>Sleep een lijn om hem te buigen; hij gaat terug als jij teruggaat.</translation>
+    </message>
+    <message>
+        <source>ends and corners go along or stay, the other way round</source>
+        <translation>uiteinden en hoeken gaan mee of blijven, andersom</translation>
+    </message>
+    <message>
+        <source>Rub along a line to iron the tremor out; press to iron harder.</source>
+        <translation>Wrijf langs een lijn om trillingen glad te strijken; druk om harder te strijken.</translation>
+    </message>
+    <message>
+        <source>Rub a line to make it broader or thinner.</source>
+        <translation>Wrijf een lijn om hem breder of dunner te maken.</translation>
+    </message>
+    <message>
+        <source>thinner</source>
+        <translation>dunner</translation>
+    </message>
+    <message>
+        <source>thicker</source>
+        <translation>dikker</translation>
+    </message>
+    <message>
+        <source>Rub out what the ring touches.</source>
+        <translation>Gum weg wat de ring raakt.</translation>
+    </message>
+    <message>
+        <source>up to the crossings</source>
+        <translation>tot aan de kruisingen</translation>
+    </message>
+    <message>
+        <source>whole lines</source>
+        <translation>hele lijnen</translation>
+    </message>
+    <message>
+        <source>Draw round what you mean, or click a line.</source>
+        <translation>Teken om wat je bedoelt heen, of klik een lijn aan.</translation>
+    </message>
+    <message>
+        <source>adds</source>
+        <translation>voegt toe</translation>
+    </message>
+    <message>
+        <source>takes away</source>
+        <translation>haalt weg</translation>
+    </message>
+    <message>
+        <source>Drag inside to move, a corner to scale, outside it to turn.</source>
+        <translation>Sleep binnenin om te verplaatsen, een hoek om te schalen, erbuiten om te draaien.</translation>
+    </message>
+    <message>
+        <source>along one axis, in steps of 15°</source>
+        <translation>langs één as, in stappen van 15°</translation>
+    </message>
+    <message>
+        <source>a copy</source>
+        <translation>een kopie</translation>
+    </message>
+    <message>
+        <source>Drag the end of a line to another end.</source>
+        <translation>Sleep het eind van een lijn naar een ander eind.</translation>
+    </message>
+    <message>
+        <source>the end stays where you let it go</source>
+        <translation>het eind blijft waar je het loslaat</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <extracomment>a key that is held, and what it does: &quot;Shift: thinner&quot;</extracomment>
+        <translation>%1: %2</translation>
     </message>
 </context>
 <context>
     <name>Tour</name>
     <message>
         <source>Draw</source>
-        <translation type="unfinished"></translation>
+        <translation>Tekenen</translation>
     </message>
     <message>
         <source>Lines become smooth curves while you draw; press harder for a broader one. Near its start, an outline snaps shut.</source>
-        <translation type="unfinished"></translation>
+        <translation>Lijnen worden vloeiend terwijl je tekent; druk harder voor een bredere. Dicht bij het begin klikt een omtrek dicht.</translation>
     </message>
     <message>
         <source>Pull and push</source>
-        <translation type="unfinished"></translation>
+        <translation>Trekken en duwen</translation>
     </message>
     <message>
         <source>A line is not quite right? Take hold of it and pull. It resists like a wire, the more the further you go.</source>
-        <translation type="unfinished"></translation>
+        <translation>Klopt een lijn niet helemaal? Pak hem vast en trek. Hij biedt weerstand als een draad, hoe verder hoe meer.</translation>
     </message>
     <message>
         <source>Smooth</source>
-        <translation type="unfinished"></translation>
+        <translation>Gladstrijken</translation>
     </message>
     <message>
         <source>Rub along a shaky line: the jitter goes, the shape stays.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wrijf langs een beverige lijn: het beven gaat weg, de vorm blijft.</translation>
     </message>
     <message>
         <source>Width</source>
-        <translation type="unfinished"></translation>
+        <translation>Breedte</translation>
     </message>
     <message>
         <source>Press on a line to make it broader, after it was drawn.</source>
-        <translation type="unfinished"></translation>
+        <translation>Druk op een lijn om hem achteraf breder te maken.</translation>
     </message>
     <message>
         <source>Erase</source>
-        <translation type="unfinished"></translation>
+        <translation>Gummen</translation>
     </message>
     <message>
         <source>Rub away what is covered, a line up to its next crossing, or all of it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wrijf weg wat bedekt is, een lijn tot de volgende kruising, of helemaal.</translation>
     </message>
     <message>
         <source>Select</source>
-        <translation type="unfinished"></translation>
+        <translation>Selecteren</translation>
     </message>
     <message>
         <source>Draw a loop around lines to select them; touch one to take it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Teken een lus om lijnen om ze te selecteren; raak er een aan om hem te nemen.</translation>
     </message>
     <message>
         <source>Move and turn</source>
-        <translation type="unfinished"></translation>
+        <translation>Verplaatsen en draaien</translation>
     </message>
     <message>
         <source>Drag what is selected. Lines that lead out of it hold it back, and you feel how much.</source>
-        <translation type="unfinished"></translation>
+        <translation>Sleep wat geselecteerd is. Lijnen die eruit leiden houden het tegen, en je voelt hoeveel.</translation>
     </message>
     <message>
         <source>Connect</source>
-        <translation type="unfinished"></translation>
+        <translation>Verbinden</translation>
     </message>
     <message>
         <source>Drag one end onto another: they snap, and become one line.</source>
-        <translation type="unfinished"></translation>
+        <translation>Sleep een eind op een ander: ze klikken vast en worden één lijn.</translation>
+    </message>
+</context>
+<context>
+    <name>ViewActions</name>
+    <message>
+        <source>Zoom &amp;in</source>
+        <translation>&amp;Inzoomen</translation>
+    </message>
+    <message>
+        <source>Shows the sheet larger, around the pointer</source>
+        <translation>Toont het vel groter, rond de aanwijzer</translation>
+    </message>
+    <message>
+        <source>Zoom &amp;out</source>
+        <translation>&amp;Uitzoomen</translation>
+    </message>
+    <message>
+        <source>Shows the sheet smaller, around the pointer</source>
+        <translation>Toont het vel kleiner, rond de aanwijzer</translation>
+    </message>
+    <message>
+        <source>&amp;Life size</source>
+        <translation>&amp;Ware grootte</translation>
+    </message>
+    <message>
+        <source>A millimetre on the sheet is one on the screen</source>
+        <translation>Een millimeter op het vel is er een op het scherm</translation>
+    </message>
+    <message>
+        <source>Fit &amp;selection</source>
+        <translation>&amp;Selectie passend</translation>
+    </message>
+    <message>
+        <source>Shows what is selected as large as it can</source>
+        <translation>Toont de selectie zo groot mogelijk</translation>
+    </message>
+    <message>
+        <source>Fit &amp;page</source>
+        <translation>&amp;Vel passend</translation>
+    </message>
+    <message>
+        <source>Shows the whole sheet</source>
+        <translation>Toont het hele vel</translation>
+    </message>
+    <message>
+        <source>Fit &amp;drawing</source>
+        <translation>&amp;Tekening passend</translation>
+    </message>
+    <message>
+        <source>Shows all ink, beside the sheet too</source>
+        <translation>Toont alle inkt, ook naast het vel</translation>
+    </message>
+    <message>
+        <source>Turn l&amp;eft</source>
+        <translation>&amp;Linksom draaien</translation>
+    </message>
+    <message>
+        <source>Turns the view anticlockwise; the drawing stays</source>
+        <translation>Draait het beeld tegen de klok in; de tekening blijft</translation>
+    </message>
+    <message>
+        <source>Turn ri&amp;ght</source>
+        <translation>&amp;Rechtsom draaien</translation>
+    </message>
+    <message>
+        <source>Turns the view clockwise; the drawing stays</source>
+        <translation>Draait het beeld met de klok mee; de tekening blijft</translation>
+    </message>
+    <message>
+        <source>&amp;Upright</source>
+        <translation>Re&amp;chtop</translation>
+    </message>
+    <message>
+        <source>Turns the view back, so that the sheet is upright</source>
+        <translation>Draait het beeld terug, zodat het vel rechtop staat</translation>
+    </message>
+    <message>
+        <source>&amp;Mirror view</source>
+        <translation>Beeld s&amp;piegelen</translation>
+    </message>
+    <message>
+        <source>Swaps left and right of the view, which shows what is askew; the drawing stays</source>
+        <translation>Verwisselt links en rechts in beeld, zodat je ziet wat scheef is; de tekening blijft</translation>
+    </message>
+    <message>
+        <source>Scroll left</source>
+        <translation>Naar links schuiven</translation>
+    </message>
+    <message>
+        <source>Shows what is further to the left</source>
+        <translation>Toont wat verder naar links ligt</translation>
+    </message>
+    <message>
+        <source>Scroll right</source>
+        <translation>Naar rechts schuiven</translation>
+    </message>
+    <message>
+        <source>Shows what is further to the right</source>
+        <translation>Toont wat verder naar rechts ligt</translation>
+    </message>
+    <message>
+        <source>Scroll up</source>
+        <translation>Omhoog schuiven</translation>
+    </message>
+    <message>
+        <source>Shows what is further up</source>
+        <translation>Toont wat hoger ligt</translation>
+    </message>
+    <message>
+        <source>Scroll down</source>
+        <translation>Omlaag schuiven</translation>
+    </message>
+    <message>
+        <source>Shows what is further down</source>
+        <translation>Toont wat lager ligt</translation>
+    </message>
+    <message>
+        <source>Ou&amp;tlines</source>
+        <translation>&amp;Omtrekken</translation>
+    </message>
+    <message>
+        <source>Shows the middle of each line only, hair-thin</source>
+        <translation>Toont alleen het midden van elke lijn, haardun</translation>
+    </message>
+    <message>
+        <source>&amp;Force arrow</source>
+        <translation>&amp;Krachtpijl</translation>
+    </message>
+    <message>
+        <source>Shows at the nib where the force pushes</source>
+        <translation>Toont bij de punt waarheen de kracht duwt</translation>
+    </message>
+    <message>
+        <source>&amp;Nib gives way to forces</source>
+        <translation>Pu&amp;nt geeft toe aan krachten</translation>
+    </message>
+    <message>
+        <source>With a simulated stylus, the nib is shown where forces move it</source>
+        <translation>Bij een gesimuleerde pen staat de punt waar krachten hem heen bewegen</translation>
+    </message>
+    <message>
+        <source>G&amp;rain of the sheet</source>
+        <translation>Korr&amp;el van het vel</translation>
+    </message>
+    <message>
+        <source>Dry ink shows the relief of the sheet</source>
+        <translation>Droge inkt toont het reliëf van het vel</translation>
     </message>
 </context>
 <context>
     <name>felt::desktop::AboutDialog</name>
     <message>
         <source>About Feltline</source>
-        <translation type="unfinished"></translation>
+        <translation>Over Feltline</translation>
     </message>
     <message>
         <source>Icon of Feltline</source>
-        <translation type="unfinished"></translation>
+        <translation>Pictogram van Feltline</translation>
     </message>
     <message>
         <source>Sketching that the hand feels: ink that pushes back, lines that are corrected by pulling and pushing them.</source>
-        <translation type="unfinished"></translation>
+        <translation>Schetsen dat de hand voelt: inkt die weerstand biedt, lijnen die je verbetert door te trekken en te duwen.</translation>
     </message>
     <message>
         <source>Begun from an idea of this paper:</source>
-        <translation type="unfinished"></translation>
+        <translation>Begonnen met een idee uit dit artikel:</translation>
     </message>
     <message>
         <source>Built with Qt %1 and these libraries:</source>
-        <translation type="unfinished"></translation>
+        <translation>Gebouwd met Qt %1 en deze bibliotheken:</translation>
     </message>
     <message>
         <source>Free software under the Apache License 2.0. It comes without any warranty.</source>
-        <translation type="unfinished"></translation>
+        <translation>Vrije software onder de Apache-licentie 2.0, zonder enige garantie.</translation>
     </message>
 </context>
 <context>
     <name>felt::desktop::Canvas</name>
     <message>
         <source>Sheet</source>
-        <translation type="unfinished"></translation>
+        <translation>Vel</translation>
     </message>
     <message>
         <source>The sheet to draw on</source>
-        <translation type="unfinished"></translation>
+        <translation>Het vel om op te tekenen</translation>
+    </message>
+    <message>
+        <source>%1, %2 mm</source>
+        <translation>%1, %2 mm</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1%</translation>
+    </message>
+    <message>
+        <source>%1°</source>
+        <translation>%1°</translation>
+    </message>
+    <message>
+        <source>mirrored</source>
+        <translation>gespiegeld</translation>
+    </message>
+    <message>
+        <source>Pressure is seen.</source>
+        <translation>Druk wordt gezien.</translation>
+    </message>
+    <message>
+        <source>No pressure seen yet: a mouse draws by its speed.</source>
+        <translation>Nog geen druk gezien: een muis tekent naar snelheid.</translation>
+    </message>
+</context>
+<context>
+    <name>felt::desktop::CanvasPage</name>
+    <message>
+        <source>Show the &amp;force as an arrow</source>
+        <translation>De &amp;kracht als pijl tonen</translation>
+    </message>
+    <message>
+        <source>At the nib: which way it pushes, and how strong it is</source>
+        <translation>Bij de punt: waarheen ze duwt en hoe sterk</translation>
+    </message>
+    <message>
+        <source>The &amp;nib gives way to forces</source>
+        <translation>De &amp;punt geeft toe aan krachten</translation>
+    </message>
+    <message>
+        <source>With a mouse or a tablet, forces are seen in how the nib moves</source>
+        <translation>Met muis of tablet zie je krachten aan hoe de punt beweegt</translation>
+    </message>
+    <message>
+        <source>Dry ink shows the &amp;grain of the sheet</source>
+        <translation>Droge inkt toont de korrel van het &amp;vel</translation>
+    </message>
+    <message>
+        <source>As chalk does; exported outlines stay as they are</source>
+        <translation>Zoals krijt; geëxporteerde omtrekken blijven zoals ze zijn</translation>
+    </message>
+</context>
+<context>
+    <name>felt::desktop::FeelPanel</name>
+    <message>
+        <source>Strength of all forces</source>
+        <translation>Sterkte van alle krachten</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation>%</translation>
+    </message>
+    <message>
+        <source>Strength of all forces in per cent</source>
+        <translation>Sterkte van alle krachten in procenten</translation>
+    </message>
+    <message>
+        <source>&amp;Strength</source>
+        <translation>&amp;Sterkte</translation>
+    </message>
+    <message>
+        <source>Sh&amp;eet</source>
+        <translation>V&amp;el</translation>
+    </message>
+    <message>
+        <source>Forces on</source>
+        <translation>Krachten aan</translation>
+    </message>
+    <message>
+        <source>Forces off</source>
+        <translation>Krachten uit</translation>
+    </message>
+    <message>
+        <source>Switch all forces off (Esc twice)</source>
+        <translation>Alle krachten uitzetten (tweemaal Esc)</translation>
+    </message>
+    <message>
+        <source>Switch the forces on</source>
+        <translation>De krachten aanzetten</translation>
     </message>
 </context>
 <context>
     <name>felt::desktop::FileActions</name>
     <message>
         <source>Drawings (*.felt *.svg *.ndjson *.jsonl)</source>
-        <translation type="unfinished"></translation>
+        <translation>Tekeningen (*.felt *.svg *.ndjson *.jsonl)</translation>
     </message>
     <message>
         <source>Feltline drawings (*.felt)</source>
-        <translation type="unfinished"></translation>
+        <translation>Feltline-tekeningen (*.felt)</translation>
     </message>
     <message>
         <source>All files (*)</source>
-        <translation type="unfinished"></translation>
+        <translation>Alle bestanden (*)</translation>
     </message>
     <message>
         <source>Open &amp;recent</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Recent geopend</translation>
     </message>
     <message>
         <source>&amp;New</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Nieuw</translation>
     </message>
     <message>
         <source>Begin another drawing</source>
-        <translation type="unfinished"></translation>
+        <translation>Een andere tekening beginnen</translation>
     </message>
     <message>
         <source>&amp;Open…</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Openen…</translation>
     </message>
     <message>
         <source>Open a drawing from a file</source>
-        <translation type="unfinished"></translation>
+        <translation>Een tekening uit een bestand openen</translation>
     </message>
     <message>
         <source>&amp;Save</source>
-        <translation type="unfinished"></translation>
+        <translation>Op&amp;slaan</translation>
     </message>
     <message>
         <source>Save the drawing to its file</source>
-        <translation type="unfinished"></translation>
+        <translation>De tekening in haar bestand opslaan</translation>
     </message>
     <message>
         <source>Save &amp;as…</source>
-        <translation type="unfinished"></translation>
+        <translation>Opslaan &amp;als…</translation>
     </message>
     <message>
         <source>Save the drawing to another file</source>
-        <translation type="unfinished"></translation>
+        <translation>De tekening in een ander bestand opslaan</translation>
     </message>
     <message>
         <source>&amp;Import…</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Importeren…</translation>
     </message>
     <message>
         <source>Add the strokes of another file to this drawing</source>
-        <translation type="unfinished"></translation>
+        <translation>De lijnen van een ander bestand toevoegen</translation>
     </message>
     <message>
         <source>&amp;Close</source>
-        <translation type="unfinished"></translation>
+        <translation>S&amp;luiten</translation>
     </message>
     <message>
         <source>Close this window</source>
-        <translation type="unfinished"></translation>
+        <translation>Dit venster sluiten</translation>
     </message>
     <message>
         <source>&amp;Quit</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Afsluiten</translation>
     </message>
     <message>
         <source>Leave the program</source>
-        <translation type="unfinished"></translation>
+        <translation>Het programma afsluiten</translation>
     </message>
     <message>
         <source>Untitled</source>
-        <translation type="unfinished"></translation>
+        <translation>Naamloos</translation>
     </message>
     <message>
         <source>Open a drawing</source>
-        <translation type="unfinished"></translation>
+        <translation>Een tekening openen</translation>
     </message>
     <message>
         <source>“%1” cannot be opened</source>
-        <translation type="unfinished"></translation>
+        <translation>‘%1’ kan niet worden geopend</translation>
     </message>
     <message>
         <source>“%1” cannot be imported</source>
-        <translation type="unfinished"></translation>
+        <translation>‘%1’ kan niet worden geïmporteerd</translation>
     </message>
     <message>
         <source>Import strokes</source>
-        <translation type="unfinished"></translation>
+        <translation>Lijnen importeren</translation>
     </message>
     <message>
         <source>Save the drawing</source>
-        <translation type="unfinished"></translation>
+        <translation>De tekening opslaan</translation>
     </message>
     <message>
         <source>“%1” was not saved</source>
-        <translation type="unfinished"></translation>
+        <translation>‘%1’ is niet opgeslagen</translation>
     </message>
     <message>
         <source>%1
 Your drawing is still here: save it to another place.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1
+Je tekening is er nog: sla haar ergens anders op.</translation>
     </message>
     <message>
         <source>Nothing yet</source>
-        <translation type="unfinished"></translation>
+        <translation>Nog niets</translation>
     </message>
     <message>
         <source>&amp;Clear this list</source>
-        <translation type="unfinished"></translation>
+        <translation>Deze lijst &amp;wissen</translation>
     </message>
 </context>
 <context>
     <name>felt::desktop::FileDialogs</name>
     <message>
         <source>Unsaved changes</source>
-        <translation type="unfinished"></translation>
+        <translation>Niet-opgeslagen wijzigingen</translation>
     </message>
     <message>
         <source>Save the changes to “%1”?</source>
-        <translation type="unfinished"></translation>
+        <translation>De wijzigingen in ‘%1’ opslaan?</translation>
     </message>
     <message>
         <source>Without saving, what you drew since the last save is lost.</source>
-        <translation type="unfinished"></translation>
+        <translation>Zonder opslaan gaat verloren wat je sindsdien tekende.</translation>
     </message>
     <message>
         <source>Changed on disk</source>
-        <translation type="unfinished"></translation>
+        <translation>Op schijf gewijzigd</translation>
     </message>
     <message>
         <source>“%1” was changed by another program.</source>
-        <translation type="unfinished"></translation>
+        <translation>‘%1’ is door een ander programma gewijzigd.</translation>
     </message>
     <message>
         <source>Saving now replaces those changes by your drawing.</source>
-        <translation type="unfinished"></translation>
+        <translation>Opslaan vervangt die wijzigingen door jouw tekening.</translation>
     </message>
     <message>
         <source>&amp;Replace</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Vervangen</translation>
     </message>
     <message>
         <source>Feltline</source>
-        <translation type="unfinished"></translation>
+        <translation>Feltline</translation>
+    </message>
+</context>
+<context>
+    <name>felt::desktop::ForceGraph</name>
+    <message>
+        <source>Plot of the forces of the last seconds</source>
+        <translation>Grafiek van de krachten van de laatste seconden</translation>
+    </message>
+    <message>
+        <source>%L1 N</source>
+        <translation>%L1 N</translation>
+    </message>
+    <message>
+        <source>now</source>
+        <translation>nu</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
+</context>
+<context>
+    <name>felt::desktop::ForcePanel</name>
+    <message>
+        <source>%L1 µs</source>
+        <translation>%L1 µs</translation>
+    </message>
+    <message>
+        <source>The loop does not run.</source>
+        <translation>De lus loopt niet.</translation>
+    </message>
+    <message>
+        <source>Real-time scheduling.</source>
+        <translation>Realtime-planning.</translation>
+    </message>
+    <message>
+        <source>Raised priority, no real-time scheduling.</source>
+        <translation>Hogere prioriteit, geen realtime-planning.</translation>
+    </message>
+    <message>
+        <source>Ordinary scheduling: late when the computer is busy.</source>
+        <translation>Gewone planning: te laat als de computer het druk heeft.</translation>
+    </message>
+    <message>
+        <source>Forces</source>
+        <translation>Krachten</translation>
+    </message>
+    <message>
+        <source>Force</source>
+        <translation>Kracht</translation>
+    </message>
+    <message>
+        <source>Now</source>
+        <translation>Nu</translation>
+    </message>
+    <message>
+        <source>Most</source>
+        <translation>Hoogste</translation>
+    </message>
+    <message>
+        <source>Forces by name</source>
+        <translation>Krachten op naam</translation>
+    </message>
+    <message>
+        <source>Each force now and its largest value of the last seconds</source>
+        <translation>Elke kracht nu en haar hoogste waarde van de laatste seconden</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>Pauze</translation>
+    </message>
+    <message>
+        <source>Hold the plot still</source>
+        <translation>De grafiek stilzetten</translation>
+    </message>
+    <message>
+        <source>most, %L1 N</source>
+        <translation>hoogstens, %L1 N</translation>
+    </message>
+    <message>
+        <source>for long, %L1 N</source>
+        <translation>blijvend, %L1 N</translation>
+    </message>
+    <message>
+        <source>%L1 N</source>
+        <translation>%L1 N</translation>
+    </message>
+    <message>
+        <source>The motors are warm, so forces are kept lower for a while.</source>
+        <translation>De motoren zijn warm, dus blijven de krachten een tijdje lager.</translation>
+    </message>
+    <message>
+        <source>Loop: %L1 Hz, missed ticks: %L2</source>
+        <translation>Lus: %L1 Hz, gemiste tikken: %L2</translation>
+    </message>
+    <message>
+        <source>Late: %1 as a rule, 1 in 100 %2</source>
+        <translation>Te laat: meestal %1, 1 op 100 %2</translation>
+    </message>
+    <message>
+        <source>Motors: %L1 N on average</source>
+        <translation>Motoren: gemiddeld %L1 N</translation>
+    </message>
+    <message>
+        <source>Work on the hand: %L1 mJ</source>
+        <translation>Arbeid op de hand: %L1 mJ</translation>
     </message>
 </context>
 <context>
     <name>felt::desktop::GeneralPage</name>
     <message>
         <source>As the desktop</source>
-        <translation type="unfinished"></translation>
+        <translation>Zoals het bureaublad</translation>
     </message>
     <message>
         <source>Light</source>
-        <translation type="unfinished"></translation>
+        <translation>Licht</translation>
     </message>
     <message>
         <source>Dark</source>
-        <translation type="unfinished"></translation>
+        <translation>Donker</translation>
     </message>
     <message>
         <source>Theme</source>
-        <translation type="unfinished"></translation>
+        <translation>Thema</translation>
     </message>
     <message>
         <source>Language</source>
-        <translation type="unfinished"></translation>
+        <translation>Taal</translation>
     </message>
     <message>
         <source>Another language is used from the next start on.</source>
-        <translation type="unfinished"></translation>
+        <translation>Een andere taal geldt vanaf de volgende start.</translation>
     </message>
     <message>
         <source>&amp;Theme:</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Thema:</translation>
     </message>
     <message>
         <source>&amp;Language:</source>
-        <translation type="unfinished"></translation>
+        <translation>T&amp;aal:</translation>
     </message>
     <message>
         <source>At the start:</source>
-        <translation type="unfinished"></translation>
+        <translation>Bij het starten:</translation>
     </message>
     <message>
         <source>&amp;Open the last drawing again</source>
-        <translation type="unfinished"></translation>
+        <translation>De laatste tekening &amp;weer openen</translation>
     </message>
     <message>
         <source>Where no file is named</source>
-        <translation type="unfinished"></translation>
+        <translation>Als er geen bestand is genoemd</translation>
     </message>
 </context>
 <context>
     <name>felt::desktop::GuideDialog</name>
     <message>
         <source>Guide</source>
-        <translation type="unfinished"></translation>
+        <translation>Handleiding</translation>
     </message>
     <message>
         <source>Draw, then correct</source>
-        <translation type="unfinished"></translation>
+        <translation>Tekenen, dan verbeteren</translation>
     </message>
     <message>
         <source>Draw with a pen or with the mouse. A line that is not right is not drawn again: pull it, push it, smooth it, make it broader. Every step can be undone.</source>
-        <translation type="unfinished"></translation>
+        <translation>Teken met een pen of met de muis. Een lijn die niet klopt, teken je niet opnieuw: trek, duw, strijk hem glad of maak hem breder. Elke stap kan ongedaan worden gemaakt.</translation>
     </message>
     <message>
         <source>A short press on a tool&apos;s key takes the tool. Hold the key while you use the tool, and the former one comes back when you let go.</source>
-        <translation type="unfinished"></translation>
+        <translation>Een korte druk op de toets van een gereedschap neemt het. Houd je de toets vast terwijl je het gebruikt, dan komt bij loslaten het vorige terug.</translation>
     </message>
     <message>
         <source>Tools</source>
-        <translation type="unfinished"></translation>
+        <translation>Gereedschap</translation>
     </message>
     <message>
         <source>The sheet</source>
-        <translation type="unfinished"></translation>
+        <translation>Het vel</translation>
     </message>
     <message>
         <source>The wheel zooms at the pointer. Hold Space and drag to move the sheet, with Shift to turn it. None of this changes the drawing.</source>
-        <translation type="unfinished"></translation>
+        <translation>Het muiswiel zoomt bij de aanwijzer. Houd de spatiebalk vast en sleep om het vel te verschuiven, met Shift om het te draaien. Niets daarvan verandert de tekening.</translation>
     </message>
     <message>
         <source>The feel</source>
-        <translation type="unfinished"></translation>
+        <translation>Het gevoel</translation>
     </message>
     <message>
         <source>Every tool pushes back. With a force-feedback pen you feel it in your hand; with a tablet or a mouse you see it, as an arrow at the nib and in the panel Forces. Press Esc twice to switch all forces off at once.</source>
-        <translation type="unfinished"></translation>
+        <translation>Elk gereedschap biedt weerstand. Met een pen met krachtterugkoppeling voel je die in je hand; met een tablet of muis zie je hem, als pijl bij de punt en in het paneel Krachten. Druk tweemaal op Esc om alle krachten meteen uit te zetten.</translation>
     </message>
     <message>
         <source>Files</source>
-        <translation type="unfinished"></translation>
+        <translation>Bestanden</translation>
     </message>
     <message>
         <source>Drawings are kept as .felt files, with their layers and their history of pen pressure. Export gives SVG, PDF and PNG to other programs.</source>
-        <translation type="unfinished"></translation>
+        <translation>Tekeningen staan in .felt-bestanden, met hun lagen. Voor andere programma's zijn er SVG, PDF en PNG.</translation>
     </message>
 </context>
 <context>
     <name>felt::desktop::HelpActions</name>
     <message>
         <source>&amp;Guide</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Handleiding</translation>
     </message>
     <message>
         <source>What the tools do, on one page</source>
-        <translation type="unfinished"></translation>
+        <translation>Wat de gereedschappen doen, op één pagina</translation>
     </message>
     <message>
         <source>&amp;Keys at a glance</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Toetsen in één oogopslag</translation>
     </message>
     <message>
         <source>All keys on one page, to search and to print</source>
-        <translation type="unfinished"></translation>
+        <translation>Alle toetsen op één pagina, om te zoeken en te printen</translation>
     </message>
     <message>
         <source>Guided &amp;tour</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Rondleiding</translation>
     </message>
     <message>
         <source>Two minutes in which the program draws by itself</source>
-        <translation type="unfinished"></translation>
+        <translation>Twee minuten waarin het programma zelf tekent</translation>
     </message>
     <message>
         <source>Opens this drawing, made by the project&apos;s simulated hand</source>
-        <translation type="unfinished"></translation>
+        <translation>Opent deze tekening van de gesimuleerde hand</translation>
     </message>
     <message>
         <source>&amp;About Feltline</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Over Feltline</translation>
     </message>
     <message>
         <source>Version, licence and what it is built on</source>
-        <translation type="unfinished"></translation>
+        <translation>Versie, licentie en waarop het gebouwd is</translation>
     </message>
 </context>
 <context>
     <name>felt::desktop::KeyEdit</name>
     <message>
         <source>Press a key</source>
-        <translation type="unfinished"></translation>
+        <translation>Druk op een toets</translation>
     </message>
 </context>
 <context>
     <name>felt::desktop::MainWindow</name>
     <message>
         <source>Tools</source>
-        <translation type="unfinished"></translation>
+        <translation>Gereedschap</translation>
     </message>
     <message>
         <source>Shows or hides the panel %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Toont of verbergt het paneel %1</translation>
     </message>
     <message>
         <source>Options</source>
-        <translation type="unfinished"></translation>
+        <translation>Opties</translation>
     </message>
     <message>
         <source>Feel</source>
-        <translation type="unfinished"></translation>
+        <translation>Gevoel</translation>
     </message>
     <message>
         <source>Layers</source>
-        <translation type="unfinished"></translation>
+        <translation>Lagen</translation>
     </message>
     <message>
         <source>Colours</source>
-        <translation type="unfinished"></translation>
+        <translation>Kleuren</translation>
     </message>
     <message>
         <source>History</source>
-        <translation type="unfinished"></translation>
+        <translation>Geschiedenis</translation>
     </message>
     <message>
         <source>Forces</source>
-        <translation type="unfinished"></translation>
+        <translation>Krachten</translation>
     </message>
     <message>
         <source>&amp;Hide all panels</source>
-        <translation type="unfinished"></translation>
+        <translation>Alle panelen &amp;verbergen</translation>
     </message>
     <message>
         <source>Leaves nothing but the sheet</source>
-        <translation type="unfinished"></translation>
+        <translation>Laat alleen het vel over</translation>
     </message>
     <message>
         <source>&amp;Full screen</source>
-        <translation type="unfinished"></translation>
+        <translation>Volledig &amp;scherm</translation>
     </message>
     <message>
         <source>The window fills the screen</source>
-        <translation type="unfinished"></translation>
+        <translation>Het venster vult het scherm</translation>
     </message>
     <message>
         <source>&amp;Next part of the window</source>
-        <translation type="unfinished"></translation>
+        <translation>Volge&amp;nd deel van het venster</translation>
     </message>
     <message>
         <source>Moves the focus from the sheet to the tools, to each panel, and back</source>
-        <translation type="unfinished"></translation>
+        <translation>Brengt de focus van het vel naar het gereedschap, naar elk paneel en terug</translation>
     </message>
     <message>
         <source>&amp;Reset the panels</source>
-        <translation type="unfinished"></translation>
+        <translation>Panelen &amp;herstellen</translation>
     </message>
     <message>
         <source>Puts panels and bars where they were at first</source>
-        <translation type="unfinished"></translation>
+        <translation>Zet panelen en balken terug waar ze eerst stonden</translation>
     </message>
     <message>
         <source>&amp;Preferences…</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Voorkeuren…</translation>
     </message>
     <message>
         <source>Theme, language, pen, device and shortcuts</source>
-        <translation type="unfinished"></translation>
+        <translation>Thema, taal, pen, apparaat en sneltoetsen</translation>
     </message>
     <message>
         <source>&amp;Close</source>
-        <translation type="unfinished"></translation>
+        <translation>S&amp;luiten</translation>
     </message>
     <message>
         <source>Closes this window</source>
-        <translation type="unfinished"></translation>
+        <translation>Sluit dit venster</translation>
     </message>
     <message>
         <source>&amp;Quit</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Afsluiten</translation>
     </message>
     <message>
         <source>Closes all windows</source>
-        <translation type="unfinished"></translation>
+        <translation>Sluit alle vensters</translation>
     </message>
     <message>
         <source>Untitled</source>
-        <translation type="unfinished"></translation>
+        <translation>Naamloos</translation>
     </message>
 </context>
 <context>
     <name>felt::desktop::Preferences</name>
     <message>
         <source>Preferences</source>
-        <translation type="unfinished"></translation>
+        <translation>Voorkeuren</translation>
     </message>
     <message>
         <source>Pages of the preferences</source>
-        <translation type="unfinished"></translation>
+        <translation>Pagina's van de voorkeuren</translation>
     </message>
     <message>
         <source>General</source>
-        <translation type="unfinished"></translation>
+        <translation>Algemeen</translation>
     </message>
     <message>
         <source>Shortcuts</source>
-        <translation type="unfinished"></translation>
+        <translation>Sneltoetsen</translation>
+    </message>
+    <message>
+        <source>Sheet</source>
+        <translation>Vel</translation>
     </message>
 </context>
 <context>
     <name>felt::desktop::ShortcutSheet</name>
     <message>
         <source>Keys at a glance</source>
-        <translation type="unfinished"></translation>
+        <translation>Toetsen in één oogopslag</translation>
     </message>
     <message>
         <source>Search</source>
-        <translation type="unfinished"></translation>
+        <translation>Zoeken</translation>
     </message>
     <message>
         <source>Search the keys</source>
-        <translation type="unfinished"></translation>
+        <translation>Toetsen zoeken</translation>
     </message>
     <message>
         <source>Keys</source>
-        <translation type="unfinished"></translation>
+        <translation>Toetsen</translation>
     </message>
     <message>
         <source>&amp;Print…</source>
-        <translation type="unfinished"></translation>
+        <translation>Af&amp;drukken…</translation>
     </message>
     <message>
         <source>No key does that.</source>
-        <translation type="unfinished"></translation>
+        <translation>Geen toets doet dat.</translation>
     </message>
 </context>
 <context>
     <name>felt::desktop::ShortcutsPage</name>
     <message>
         <source>&amp;No key</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Geen toets</translation>
     </message>
     <message>
         <source>&amp;Reset</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Herstellen</translation>
     </message>
     <message>
         <source>&amp;Take it over</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Overnemen</translation>
     </message>
     <message>
         <source>Search</source>
-        <translation type="unfinished"></translation>
+        <translation>Zoeken</translation>
     </message>
     <message>
         <source>Search the commands</source>
-        <translation type="unfinished"></translation>
+        <translation>Opdrachten zoeken</translation>
     </message>
     <message>
         <source>New key</source>
-        <translation type="unfinished"></translation>
+        <translation>Nieuwe toets</translation>
     </message>
     <message>
         <source>Reset &amp;all</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Alles herstellen</translation>
     </message>
     <message>
         <source>&amp;Key:</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Toets:</translation>
     </message>
     <message>
         <source>Reset all keys</source>
-        <translation type="unfinished"></translation>
+        <translation>Alle toetsen herstellen</translation>
     </message>
     <message>
         <source>Give every command the key that it came with?</source>
-        <translation type="unfinished"></translation>
+        <translation>Elke opdracht zijn oorspronkelijke toets geven?</translation>
     </message>
     <message>
         <source>Commands and their keys</source>
-        <translation type="unfinished"></translation>
+        <translation>Opdrachten en hun toetsen</translation>
     </message>
     <message>
         <source>Command</source>
-        <translation type="unfinished"></translation>
+        <translation>Opdracht</translation>
     </message>
     <message>
         <source>Keys</source>
-        <translation type="unfinished"></translation>
+        <translation>Toetsen</translation>
     </message>
     <message>
         <source>%1 belongs to “%2”.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 hoort bij ‘%2’.</translation>
     </message>
 </context>
 <context>
     <name>felt::desktop::StatusLine</name>
     <message>
         <source>Hint</source>
-        <translation type="unfinished"></translation>
+        <translation>Tip</translation>
     </message>
     <message>
         <source>Place of the pen</source>
-        <translation type="unfinished"></translation>
+        <translation>Plaats van de pen</translation>
     </message>
     <message>
         <source>Pressure</source>
-        <translation type="unfinished"></translation>
+        <translation>Druk</translation>
     </message>
     <message>
         <source>Pressure %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Druk %1</translation>
     </message>
     <message>
         <source>Zoom</source>
-        <translation type="unfinished"></translation>
+        <translation>Zoom</translation>
     </message>
     <message>
         <source>Turn of the view</source>
-        <translation type="unfinished"></translation>
+        <translation>Draaiing van het beeld</translation>
     </message>
     <message>
         <source>Device</source>
-        <translation type="unfinished"></translation>
+        <translation>Apparaat</translation>
     </message>
     <message>
         <source>State of the file</source>
-        <translation type="unfinished"></translation>
+        <translation>Stand van het bestand</translation>
     </message>
     <message>
         <source>%1, %2 mm</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, %2 mm</translation>
     </message>
     <message>
         <source>%1, forces off</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, krachten uit</translation>
     </message>
     <message>
         <source>Not saved</source>
-        <translation type="unfinished"></translation>
+        <translation>Niet opgeslagen</translation>
     </message>
 </context>
 <context>
     <name>felt::desktop::ToolKeys</name>
     <message>
         <source>&amp;Eraser while held</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Gum zolang ingedrukt</translation>
     </message>
     <message>
         <source>The eraser as long as the key is held; the pencil where the eraser is in hand</source>
-        <translation type="unfinished"></translation>
+        <translation>De gum zolang de toets ingedrukt is; het potlood als je de gum in de hand hebt</translation>
     </message>
 </context>
 <context>
     <name>felt::desktop::TopBar</name>
     <message>
         <source>Top bar</source>
-        <translation type="unfinished"></translation>
+        <translation>Bovenste balk</translation>
     </message>
     <message>
         <source>Sheet:</source>
-        <translation type="unfinished"></translation>
+        <translation>Vel:</translation>
     </message>
     <message>
         <source>Material of the sheet</source>
-        <translation type="unfinished"></translation>
+        <translation>Materiaal van het vel</translation>
     </message>
     <message>
         <source>What the sheet feels and looks like</source>
-        <translation type="unfinished"></translation>
+        <translation>Hoe het vel aanvoelt en eruitziet</translation>
     </message>
 </context>
 <context>
     <name>felt::desktop::TourWindow</name>
     <message>
         <source>Guided tour</source>
-        <translation type="unfinished"></translation>
+        <translation>Rondleiding</translation>
     </message>
     <message>
         <source>The sheet of the tour</source>
-        <translation type="unfinished"></translation>
+        <translation>Het vel van de rondleiding</translation>
     </message>
     <message>
         <source>How much of the tour was seen</source>
-        <translation type="unfinished"></translation>
+        <translation>Hoeveel van de rondleiding is gezien</translation>
     </message>
     <message>
         <source>&amp;Back</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Terug</translation>
     </message>
     <message>
         <source>&amp;Pause</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Pauze</translation>
     </message>
     <message>
         <source>&amp;Next</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Volgende</translation>
     </message>
     <message>
         <source>&amp;Close</source>
-        <translation type="unfinished"></translation>
+        <translation>S&amp;luiten</translation>
     </message>
     <message>
         <source>Try it yourself</source>
-        <translation type="unfinished"></translation>
+        <translation>Probeer het zelf</translation>
     </message>
     <message>
         <source>Draw with a pen or with the mouse. Press ? for the keys. Nothing can go wrong: Ctrl+Z takes everything back.</source>
-        <translation type="unfinished"></translation>
+        <translation>Teken met een pen of met de muis. Druk op ? voor de toetsen. Er kan niets misgaan: Ctrl+Z neemt alles terug.</translation>
     </message>
     <message>
         <source>%1 of %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 van %2</translation>
     </message>
     <message>
         <source>&amp;Go on</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Verder</translation>
     </message>
     <message>
         <source>&amp;Try it yourself</source>
-        <translation type="unfinished"></translation>
+        <translation>Zelf &amp;proberen</translation>
     </message>
 </context>
 </TS>

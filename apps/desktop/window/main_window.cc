@@ -63,7 +63,7 @@ MainWindow::MainWindow(StudioOptions options, QWidget* parent)
   addToolBar(Qt::TopToolBarArea, new TopBar(*actions_, *canvas_, this));
   addToolBar(Qt::LeftToolBarArea, new ToolBar(*studio_, *actions_, this));
   setStatusBar(new StatusLine(*studio_, *canvas_, this));
-  make_menus(*this, *actions_);
+  make_menus(*this, *actions_, files_->recent_menu());
   connect(studio_, &Studio::modified_changed, this, &MainWindow::show_title);
   connect(files_, &FileActions::path_changed, this, &MainWindow::show_title);
   connect(this, &MainWindow::wants_preferences, this, [this] {

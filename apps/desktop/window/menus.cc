@@ -24,10 +24,13 @@ struct MenuRow {
   std::string_view order;  // separated by blanks
 };
 
+/// Where the list of recent files stands, which is no action.
+constexpr auto kRecent = "file.recent_menu";
+
 constexpr std::array kMenus{
     MenuRow{"file", QT_TRANSLATE_NOOP("Menus", "&File"),
-            "file.new file.new_window file.open file.recent file.recent* - file.save file.save_as "
-            "file.revert - file.import file.export* file.page file.print* - file.* - file.close "
+            "file.new file.new_window file.open file.recent_menu - file.save file.save_as "
+            "file.revert - file.import file.export* file.page* file.print* - file.* - file.close "
             "file.quit"},
     MenuRow{
         "edit", QT_TRANSLATE_NOOP("Menus", "&Edit"),
@@ -35,13 +38,15 @@ constexpr std::array kMenus{
         "edit.delete - edit.select_all edit.select_none edit.invert_selection - edit.palette_* - "
         "edit.* - edit.cancel - edit.preferences"},
     MenuRow{"view", QT_TRANSLATE_NOOP("Menus", "&View"),
-            "view.zoom_in view.zoom_out view.zoom_100 view.life_size view.zoom* view.fit_selection "
-            "view.fit_all view.fit_page view.fit* - view.rotate* view.turn* view.mirror "
-            "view.reset* - view.* - view.panel_* view.next_part view.hide_panels view.full_screen"},
+            "view.zoom_in view.zoom_out view.zoom* view.life_size - view.fit_page view.fit* - "
+            "view.rotate* view.mirror view.scroll_* - view.outline view.grain view.force_arrow "
+            "view.* - view.panel_* view.next_part view.hide_panels view.full_screen"},
     MenuRow{"tool", QT_TRANSLATE_NOOP("Menus", "&Tools"), "tool.*"},
     MenuRow{"layer", QT_TRANSLATE_NOOP("Menus", "&Layer"),
-            "layer.add layer.rename layer.remove - layer.raise layer.lower - layer.*"},
-    MenuRow{"feel", QT_TRANSLATE_NOOP("Menus", "F&eel"), "feel.forces feel.forces_off - feel.*"},
+            "layer.add layer.rename layer.remove - layer.show layer.lock - layer.raise "
+            "layer.lower - layer.*"},
+    MenuRow{"feel", QT_TRANSLATE_NOOP("Menus", "F&eel"),
+            "feel.forces feel.forces_off feel.stronger feel.weaker - feel.*"},
     MenuRow{"help", QT_TRANSLATE_NOOP("Menus", "&Help"),
             "help.guide help.tour help.shortcuts - help.example* - help.* - help.about"},
 };
@@ -52,10 +57,10 @@ struct SubmenuRow {
   const char* title;
 };
 constexpr std::array kSubmenus{
-    SubmenuRow{"file.recent_", QT_TRANSLATE_NOOP("Menus", "Open &recent")},
     SubmenuRow{"file.export_", QT_TRANSLATE_NOOP("Menus", "&Export")},
     SubmenuRow{"edit.copy_as_", QT_TRANSLATE_NOOP("Menus", "Copy &as")},
     SubmenuRow{"edit.palette_", QT_TRANSLATE_NOOP("Menus", "Pal&ette")},
+    SubmenuRow{"view.scroll_", QT_TRANSLATE_NOOP("Menus", "&Scroll")},
     SubmenuRow{"view.panel_", QT_TRANSLATE_NOOP("Menus", "&Panels")},
     SubmenuRow{"help.example_", QT_TRANSLATE_NOOP("Menus", "&Example drawings")},
 };
@@ -72,7 +77,8 @@ constexpr std::array kIcons{
 
 class MenuFiller {
  public:
-  MenuFiller(QMenu& menu, const Actions& actions) : menu_(menu), actions_(actions) {}
+  MenuFiller(QMenu& menu, const Actions& actions, QMenu* recent)
+      : menu_(menu), actions_(actions), recent_(recent) {}
 
   void fill(const MenuRow& row) {
     const QStringList order = text_of(row.order).split(QLatin1Char(' '));
@@ -87,6 +93,8 @@ class MenuFiller {
   void add(const QString& name) {
     if (name == QStringLiteral("-")) {
       wants_line_ = true;
+    } else if (name == QLatin1String(kRecent)) {
+      if (recent_) menu_.addMenu(recent_);
     } else if (!name.endsWith(QLatin1Char('*'))) {
       put(actions_.find(name));
     } else {
@@ -125,6 +133,7 @@ class MenuFiller {
 
   QMenu& menu_;
   const Actions& actions_;
+  QMenu* recent_;
   QSet<QString> named_;  // have a place of their own in the table
   QSet<QAction*> done_;
   bool wants_line_ = false;
@@ -132,11 +141,11 @@ class MenuFiller {
 
 }  // namespace
 
-void make_menus(QMainWindow& window, const Actions& actions) {
+void make_menus(QMainWindow& window, const Actions& actions, QMenu* recent) {
   for (const MenuRow& row : kMenus) {
     QMenu* menu = window.menuBar()->addMenu(QCoreApplication::translate("Menus", row.title));
     menu->setObjectName(text_of(row.prefix));
-    MenuFiller(*menu, actions).fill(row);
+    MenuFiller(*menu, actions, recent).fill(row);
     menu->menuAction()->setVisible(!menu->isEmpty());
   }
 }

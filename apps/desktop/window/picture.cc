@@ -97,6 +97,7 @@ int make_picture(const PictureRequest& request) {
     seen->show();
   }
   settle();
+  window.canvas().fit_page();
   window.canvas().ink().finish();
   settle();
   return seen->grab().save(request.path) ? 0

@@ -6,6 +6,7 @@
 
 #include "desktop/feel/device_page.h"
 #include "desktop/pens/pens_page.h"
+#include "desktop/window/canvas_page.h"
 #include "desktop/window/general_page.h"
 #include "desktop/window/shortcuts_page.h"
 
@@ -23,6 +24,7 @@ Preferences::Preferences(MainWindow& window)
   add(QStringLiteral("pen"), tr("Pen"), [] { return new PensPage; });
   add(QStringLiteral("device"), tr("Device"),
       [&window] { return new DevicePage(window.studio()); });
+  add(QStringLiteral("canvas"), tr("Sheet"), [] { return new CanvasPage; });
   add(QStringLiteral("shortcuts"), tr("Shortcuts"),
       [&actions] { return new ShortcutsPage(actions); });
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, this);

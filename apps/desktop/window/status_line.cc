@@ -3,6 +3,8 @@
 #include <QLocale>
 #include <cmath>
 
+#include "desktop/canvas/tool_hints.h"
+
 namespace felt::desktop {
 namespace {
 

@@ -1,0 +1,28 @@
+#include "desktop/window/canvas_page.h"
+
+#include <QVBoxLayout>
+
+#include "desktop/canvas/settings_keys.h"
+#include "desktop/window/setting_rows.h"
+
+namespace felt::desktop {
+
+CanvasPage::CanvasPage(QWidget* parent) : QWidget(parent) {
+  auto* all = new QVBoxLayout(this);
+  all->setContentsMargins(0, 0, 0, 0);
+  all->setSpacing(10);
+  const auto add = [this, all](const char* key, bool fallback, const QString& text,
+                               const QString& tip) {
+    all->addWidget(setting_switch(QString::fromLatin1(key), fallback, text, tip, this));
+  };
+  add(canvas_keys::kForceArrow, canvas_keys::kForceArrowDefault, tr("Show the &force as an arrow"),
+      tr("At the nib: which way it pushes, and how strong it is"));
+  add(canvas_keys::kPseudoHaptics, canvas_keys::kPseudoHapticsDefault,
+      tr("The &nib gives way to forces"),
+      tr("With a mouse or a tablet, forces are seen in how the nib moves"));
+  add(canvas_keys::kGrain, canvas_keys::kGrainDefault, tr("Dry ink shows the &grain of the sheet"),
+      tr("As chalk does; exported outlines stay as they are"));
+  all->addStretch(1);
+}
+
+}  // namespace felt::desktop
