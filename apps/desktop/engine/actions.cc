@@ -27,8 +27,10 @@ Actions::Actions(QWidget* window) : QObject(window), window_(window) {
 void Actions::take_keys(QAction* action) {
   const QString name = action->objectName();
   const QVariant chosen = Settings::the().value(key_of(name));
-  action->setShortcuts(chosen.isValid() ? QKeySequence::listFromString(chosen.toString())
-                                        : defaults_[name]);
+  QList<QKeySequence> keys = defaults_[name];
+  if (chosen.isValid()) keys = QKeySequence::listFromString(chosen.toString());
+  keys.removeAll(QKeySequence());  // what an empty text is read as
+  action->setShortcuts(keys);
   const QString tip = action->statusTip();
   const QString shown = action->shortcut().toString(QKeySequence::NativeText);
   action->setToolTip(shown.isEmpty() ? tip : QStringLiteral("%1 (%2)").arg(tip, shown));
