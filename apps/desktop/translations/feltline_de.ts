@@ -33,70 +33,113 @@
     </message>
 </context>
 <context>
+    <name>ColorActions</name>
+    <message>
+        <source>&amp;Open a palette…</source>
+        <translation>Palette ö&amp;ffnen …</translation>
+    </message>
+    <message>
+        <source>Reads colours from a .gpl file.</source>
+        <translation>Liest Farben aus einer .gpl-Datei.</translation>
+    </message>
+    <message>
+        <source>&amp;Export the palette…</source>
+        <translation>Palette &amp;exportieren …</translation>
+    </message>
+    <message>
+        <source>Writes the palette that is shown.</source>
+        <translation>Schreibt die gezeigte Palette.</translation>
+    </message>
+    <message>
+        <source>&amp;Keep the colour</source>
+        <translation>Farbe &amp;behalten</translation>
+    </message>
+    <message>
+        <source>Puts the colour in use into a palette of your own.</source>
+        <translation>Legt die benutzte Farbe in eine eigene Palette.</translation>
+    </message>
+    <message>
+        <source>&amp;Take the colour out</source>
+        <translation>Farbe &amp;herausnehmen</translation>
+    </message>
+    <message>
+        <source>Takes the colour in use out of your own palette.</source>
+        <translation>Nimmt die benutzte Farbe aus der eigenen Palette.</translation>
+    </message>
+</context>
+<context>
     <name>EditActions</name>
     <message>
         <source>&amp;Undo</source>
         <translation>&amp;Rückgängig</translation>
     </message>
     <message>
-        <source>Takes the last step back</source>
-        <translation>Nimmt den letzten Schritt zurück</translation>
-    </message>
-    <message>
         <source>&amp;Redo</source>
         <translation>&amp;Wiederholen</translation>
-    </message>
-    <message>
-        <source>Does what was undone again</source>
-        <translation>Macht wieder, was zurückgenommen wurde</translation>
-    </message>
-    <message>
-        <source>&amp;Delete</source>
-        <translation>&amp;Löschen</translation>
-    </message>
-    <message>
-        <source>Deletes the selected lines</source>
-        <translation>Löscht die ausgewählten Linien</translation>
-    </message>
-    <message>
-        <source>D&amp;uplicate</source>
-        <translation>&amp;Duplizieren</translation>
-    </message>
-    <message>
-        <source>Copies the selected lines, a little beside them</source>
-        <translation>Kopiert die ausgewählten Linien, etwas daneben</translation>
     </message>
     <message>
         <source>Select &amp;all</source>
         <translation>&amp;Alles auswählen</translation>
     </message>
     <message>
-        <source>Selects all lines of visible, unlocked layers</source>
-        <translation>Wählt alle Linien sichtbarer, nicht gesperrter Ebenen</translation>
-    </message>
-    <message>
-        <source>Select &amp;nothing</source>
-        <translation>&amp;Nichts auswählen</translation>
-    </message>
-    <message>
-        <source>Nothing is selected then</source>
-        <translation>Danach ist nichts ausgewählt</translation>
-    </message>
-    <message>
         <source>&amp;Invert selection</source>
         <translation>Auswahl &amp;umkehren</translation>
     </message>
     <message>
-        <source>Selects what is not selected, and nothing else</source>
-        <translation>Wählt, was nicht ausgewählt ist, und sonst nichts</translation>
+        <source>&amp;Undo %1</source>
+        <translation>&amp;Rückgängig: %1</translation>
     </message>
     <message>
-        <source>&amp;Cancel the gesture</source>
-        <translation>&amp;Geste abbrechen</translation>
+        <source>&amp;Redo %1</source>
+        <translation>&amp;Wiederholen: %1</translation>
     </message>
     <message>
-        <source>What the pen is doing never was</source>
-        <translation>Was der Stift gerade tut, ist nie geschehen</translation>
+        <source>Takes the last step back.</source>
+        <translation>Nimmt den letzten Schritt zurück.</translation>
+    </message>
+    <message>
+        <source>Does again what was taken back.</source>
+        <translation>Macht wieder, was zurückgenommen wurde.</translation>
+    </message>
+    <message>
+        <source>&amp;Cancel the line in work</source>
+        <translation>Angefangene Linie &amp;abbrechen</translation>
+    </message>
+    <message>
+        <source>What the pen is doing now never was; lift it to go on.</source>
+        <translation>Was der Stift gerade tut, ist nie geschehen; zum Weitermachen heben.</translation>
+    </message>
+    <message>
+        <source>De&amp;lete</source>
+        <translation>&amp;Löschen</translation>
+    </message>
+    <message>
+        <source>Removes the lines that are selected.</source>
+        <translation>Entfernt die ausgewählten Linien.</translation>
+    </message>
+    <message>
+        <source>&amp;Duplicate</source>
+        <translation>&amp;Duplizieren</translation>
+    </message>
+    <message>
+        <source>Copies the selected lines, a little beside them.</source>
+        <translation>Kopiert die ausgewählten Linien, etwas daneben.</translation>
+    </message>
+    <message>
+        <source>Selects all lines of visible, unlocked layers.</source>
+        <translation>Wählt alle Linien sichtbarer, nicht gesperrter Ebenen.</translation>
+    </message>
+    <message>
+        <source>Select &amp;none</source>
+        <translation>&amp;Nichts auswählen</translation>
+    </message>
+    <message>
+        <source>Selects nothing.</source>
+        <translation>Wählt nichts aus.</translation>
+    </message>
+    <message>
+        <source>Selects all lines but those that are selected now.</source>
+        <translation>Wählt alle Linien außer den jetzt ausgewählten.</translation>
     </message>
 </context>
 <context>
@@ -248,6 +291,81 @@
     </message>
 </context>
 <context>
+    <name>LayerActions</name>
+    <message>
+        <source>&amp;Add layer</source>
+        <translation>Ebene &amp;hinzufügen</translation>
+    </message>
+    <message>
+        <source>A new layer above the one in use.</source>
+        <translation>Eine neue Ebene über der benutzten.</translation>
+    </message>
+    <message>
+        <source>Remo&amp;ve layer</source>
+        <translation>Ebene &amp;entfernen</translation>
+    </message>
+    <message>
+        <source>Removes it and what is drawn on it.</source>
+        <translation>Entfernt sie und was darauf gezeichnet ist.</translation>
+    </message>
+    <message>
+        <source>Re&amp;name layer</source>
+        <translation>Ebene &amp;umbenennen</translation>
+    </message>
+    <message>
+        <source>Gives it another name.</source>
+        <translation>Gibt ihr einen anderen Namen.</translation>
+    </message>
+    <message>
+        <source>&amp;Raise layer</source>
+        <translation>Ebene nach &amp;oben</translation>
+    </message>
+    <message>
+        <source>One place up.</source>
+        <translation>Einen Platz nach oben.</translation>
+    </message>
+    <message>
+        <source>&amp;Lower layer</source>
+        <translation>Ebene nach un&amp;ten</translation>
+    </message>
+    <message>
+        <source>One place down.</source>
+        <translation>Einen Platz nach unten.</translation>
+    </message>
+    <message>
+        <source>Draw on the layer &amp;above</source>
+        <translation>Auf der Ebene &amp;darüber zeichnen</translation>
+    </message>
+    <message>
+        <source>New lines go to the next layer up.</source>
+        <translation>Neue Linien kommen auf die nächsthöhere Ebene.</translation>
+    </message>
+    <message>
+        <source>Draw on the layer &amp;below</source>
+        <translation>Auf der Ebene dar&amp;unter zeichnen</translation>
+    </message>
+    <message>
+        <source>New lines go to the next layer down.</source>
+        <translation>Neue Linien kommen auf die nächsttiefere Ebene.</translation>
+    </message>
+    <message>
+        <source>&amp;Show layer</source>
+        <translation>Ebene &amp;zeigen</translation>
+    </message>
+    <message>
+        <source>What is drawn on it is seen.</source>
+        <translation>Was darauf gezeichnet ist, ist zu sehen.</translation>
+    </message>
+    <message>
+        <source>Loc&amp;k layer</source>
+        <translation>Ebene &amp;sperren</translation>
+    </message>
+    <message>
+        <source>Nothing on it can be changed.</source>
+        <translation>Nichts darauf lässt sich ändern.</translation>
+    </message>
+</context>
+<context>
     <name>Material</name>
     <message>
         <source>Paper</source>
@@ -361,12 +479,142 @@
         <translation>&amp;Beispielzeichnungen</translation>
     </message>
     <message>
-        <source>&amp;Colour</source>
-        <translation>&amp;Farbe</translation>
-    </message>
-    <message>
         <source>&amp;Scroll</source>
         <translation>Ro&amp;llen</translation>
+    </message>
+    <message>
+        <source>Pal&amp;ette</source>
+        <translation>&amp;Palette</translation>
+    </message>
+</context>
+<context>
+    <name>OptionsPanel</name>
+    <message>
+        <source>on</source>
+        <translation>an</translation>
+    </message>
+    <message>
+        <source>off</source>
+        <translation>aus</translation>
+    </message>
+</context>
+<context>
+    <name>Palettes</name>
+    <message>
+        <source>Soft black</source>
+        <translation>Weiches Schwarz</translation>
+    </message>
+    <message>
+        <source>Graphite</source>
+        <translation>Graphit</translation>
+    </message>
+    <message>
+        <source>Lead</source>
+        <translation>Blei</translation>
+    </message>
+    <message>
+        <source>Chalk</source>
+        <translation>Kreide</translation>
+    </message>
+    <message>
+        <source>Red chalk</source>
+        <translation>Rötel</translation>
+    </message>
+    <message>
+        <source>Brick</source>
+        <translation>Ziegel</translation>
+    </message>
+    <message>
+        <source>Vermilion</source>
+        <translation>Zinnober</translation>
+    </message>
+    <message>
+        <source>Amber</source>
+        <translation>Bernstein</translation>
+    </message>
+    <message>
+        <source>Straw</source>
+        <translation>Stroh</translation>
+    </message>
+    <message>
+        <source>Moss</source>
+        <translation>Moos</translation>
+    </message>
+    <message>
+        <source>Fir</source>
+        <translation>Tanne</translation>
+    </message>
+    <message>
+        <source>Teal</source>
+        <translation>Petrol</translation>
+    </message>
+    <message>
+        <source>Sky</source>
+        <translation>Himmel</translation>
+    </message>
+    <message>
+        <source>Ink blue</source>
+        <translation>Tintenblau</translation>
+    </message>
+    <message>
+        <source>Violet</source>
+        <translation>Violett</translation>
+    </message>
+    <message>
+        <source>Mallow</source>
+        <translation>Malve</translation>
+    </message>
+    <message>
+        <source>Blush</source>
+        <translation>Rosé</translation>
+    </message>
+    <message>
+        <source>Sepia</source>
+        <translation>Sepia</translation>
+    </message>
+    <message>
+        <source>Black</source>
+        <translation>Schwarz</translation>
+    </message>
+    <message>
+        <source>Orange</source>
+        <translation>Orange</translation>
+    </message>
+    <message>
+        <source>Sky blue</source>
+        <translation>Himmelblau</translation>
+    </message>
+    <message>
+        <source>Bluish green</source>
+        <translation>Blaugrün</translation>
+    </message>
+    <message>
+        <source>Yellow</source>
+        <translation>Gelb</translation>
+    </message>
+    <message>
+        <source>Blue</source>
+        <translation>Blau</translation>
+    </message>
+    <message>
+        <source>Reddish purple</source>
+        <translation>Rotviolett</translation>
+    </message>
+    <message>
+        <source>Greys</source>
+        <translation>Grautöne</translation>
+    </message>
+    <message>
+        <source>Grey %1 %</source>
+        <translation>Grau %1 %</translation>
+    </message>
+    <message>
+        <source>Pencil box</source>
+        <translation>Federmäppchen</translation>
+    </message>
+    <message>
+        <source>Okabe and Ito</source>
+        <translation>Okabe und Ito</translation>
     </message>
 </context>
 <context>
@@ -561,6 +809,41 @@
     <message>
         <source>Other</source>
         <translation>Andere</translation>
+    </message>
+</context>
+<context>
+    <name>ToolActions</name>
+    <message>
+        <source>S&amp;maller</source>
+        <translation>&amp;Kleiner</translation>
+    </message>
+    <message>
+        <source>Makes the tool in hand smaller.</source>
+        <translation>Macht das Werkzeug in der Hand kleiner.</translation>
+    </message>
+    <message>
+        <source>&amp;Larger</source>
+        <translation>&amp;Größer</translation>
+    </message>
+    <message>
+        <source>Makes the tool in hand larger.</source>
+        <translation>Macht das Werkzeug in der Hand größer.</translation>
+    </message>
+    <message>
+        <source>Forces &amp;weaker</source>
+        <translation>Kräfte &amp;schwächer</translation>
+    </message>
+    <message>
+        <source>The tool in hand pushes back less.</source>
+        <translation>Das Werkzeug in der Hand gibt weniger Widerstand.</translation>
+    </message>
+    <message>
+        <source>Forces &amp;stronger</source>
+        <translation>Kräfte s&amp;tärker</translation>
+    </message>
+    <message>
+        <source>The tool in hand pushes back more.</source>
+        <translation>Das Werkzeug in der Hand gibt mehr Widerstand.</translation>
     </message>
 </context>
 <context>
@@ -858,6 +1141,117 @@
     </message>
 </context>
 <context>
+    <name>edits</name>
+    <message>
+        <source>Add layer</source>
+        <translation>Ebene hinzufügen</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>Connect</source>
+        <translation>Verbinden</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Löschen</translation>
+    </message>
+    <message>
+        <source>Draw</source>
+        <translation>Zeichnen</translation>
+    </message>
+    <message>
+        <source>Duplicate</source>
+        <translation>Duplizieren</translation>
+    </message>
+    <message>
+        <source>Erase</source>
+        <translation>Radieren</translation>
+    </message>
+    <message>
+        <source>Hide layer</source>
+        <translation>Ebene verbergen</translation>
+    </message>
+    <message>
+        <source>Import</source>
+        <translation>Importieren</translation>
+    </message>
+    <message>
+        <source>Lock layer</source>
+        <translation>Ebene sperren</translation>
+    </message>
+    <message>
+        <source>Lower layer</source>
+        <translation>Ebene nach unten</translation>
+    </message>
+    <message>
+        <source>Move</source>
+        <translation>Verschieben</translation>
+    </message>
+    <message>
+        <source>Move end</source>
+        <translation>Ende verschieben</translation>
+    </message>
+    <message>
+        <source>Move layer</source>
+        <translation>Ebene verschieben</translation>
+    </message>
+    <message>
+        <source>Pull</source>
+        <translation>Ziehen</translation>
+    </message>
+    <message>
+        <source>Push</source>
+        <translation>Schieben</translation>
+    </message>
+    <message>
+        <source>Raise layer</source>
+        <translation>Ebene nach oben</translation>
+    </message>
+    <message>
+        <source>Redraw</source>
+        <translation>Neu zeichnen</translation>
+    </message>
+    <message>
+        <source>Remove layer</source>
+        <translation>Ebene entfernen</translation>
+    </message>
+    <message>
+        <source>Rename layer</source>
+        <translation>Ebene umbenennen</translation>
+    </message>
+    <message>
+        <source>Rotate</source>
+        <translation>Drehen</translation>
+    </message>
+    <message>
+        <source>Scale</source>
+        <translation>Skalieren</translation>
+    </message>
+    <message>
+        <source>Show layer</source>
+        <translation>Ebene zeigen</translation>
+    </message>
+    <message>
+        <source>Smooth</source>
+        <translation>Glätten</translation>
+    </message>
+    <message>
+        <source>Stretch</source>
+        <translation>Strecken</translation>
+    </message>
+    <message>
+        <source>Unlock layer</source>
+        <translation>Ebene entsperren</translation>
+    </message>
+    <message>
+        <source>Width</source>
+        <translation>Breite</translation>
+    </message>
+</context>
+<context>
     <name>felt::desktop::AboutDialog</name>
     <message>
         <source>About Feltline</source>
@@ -944,6 +1338,93 @@
     <message>
         <source>As chalk does; exported outlines stay as they are</source>
         <translation>Wie Kreide; exportierte Umrisse bleiben, wie sie sind</translation>
+    </message>
+</context>
+<context>
+    <name>felt::desktop::ColorsPanel</name>
+    <message>
+        <source>Recent colours</source>
+        <translation>Letzte Farben</translation>
+    </message>
+    <message>
+        <source>Colours of the palette</source>
+        <translation>Farben der Palette</translation>
+    </message>
+    <message>
+        <source>Colour of new lines</source>
+        <translation>Farbe neuer Linien</translation>
+    </message>
+    <message>
+        <source>Number of the colour</source>
+        <translation>Nummer der Farbe</translation>
+    </message>
+    <message>
+        <source>The colour as #rrggbb; #rgb and #rrggbbaa do as well</source>
+        <translation>Die Farbe als #rrggbb; auch #rgb und #rrggbbaa gehen</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation> %</translation>
+    </message>
+    <message>
+        <source>Opacity</source>
+        <translation>Deckkraft</translation>
+    </message>
+    <message>
+        <source>Opacity: 0 % is see-through</source>
+        <translation>Deckkraft: 0 % ist durchsichtig</translation>
+    </message>
+    <message>
+        <source>Palette</source>
+        <translation>Palette</translation>
+    </message>
+    <message>
+        <source>Palettes</source>
+        <translation>Paletten</translation>
+    </message>
+    <message>
+        <source>The palette below</source>
+        <translation>Die Palette darunter</translation>
+    </message>
+    <message>
+        <source>Keep this colour in a palette of your own</source>
+        <translation>Diese Farbe in einer eigenen Palette behalten</translation>
+    </message>
+    <message>
+        <source>&amp;Open a palette…</source>
+        <translation>Palette ö&amp;ffnen …</translation>
+    </message>
+    <message>
+        <source>&amp;Export this palette…</source>
+        <translation>Diese Palette &amp;exportieren …</translation>
+    </message>
+    <message>
+        <source>Take the &amp;colour out of your own</source>
+        <translation>Farbe aus der eigenen &amp;herausnehmen</translation>
+    </message>
+    <message>
+        <source>Faint on this paper: %1:1</source>
+        <translation>Blass auf diesem Papier: %1:1</translation>
+    </message>
+    <message>
+        <source>Contrast with paper %1:1</source>
+        <translation>Kontrast zum Papier %1:1</translation>
+    </message>
+    <message>
+        <source>My colours</source>
+        <translation>Meine Farben</translation>
+    </message>
+    <message>
+        <source>Open a palette</source>
+        <translation>Palette öffnen</translation>
+    </message>
+    <message>
+        <source>Palettes (*.gpl)</source>
+        <translation>Paletten (*.gpl)</translation>
+    </message>
+    <message>
+        <source>Export the palette</source>
+        <translation>Palette exportieren</translation>
     </message>
 </context>
 <context>
@@ -1377,6 +1858,55 @@ Ihre Zeichnung ist noch da: speichern Sie sie anderswo.</translation>
     </message>
 </context>
 <context>
+    <name>felt::desktop::HistoryModel</name>
+    <message>
+        <source>Earlier steps are forgotten</source>
+        <translation>Frühere Schritte sind vergessen</translation>
+    </message>
+    <message>
+        <source>As opened</source>
+        <translation>Wie geöffnet</translation>
+    </message>
+    <message>
+        <source>%1, here</source>
+        <translation>%1, hier</translation>
+    </message>
+    <message>
+        <source>%1, undone</source>
+        <translation>%1, zurückgenommen</translation>
+    </message>
+</context>
+<context>
+    <name>felt::desktop::HistoryPanel</name>
+    <message>
+        <source>One step back</source>
+        <translation>Ein Schritt zurück</translation>
+    </message>
+    <message>
+        <source>One step forward</source>
+        <translation>Ein Schritt vor</translation>
+    </message>
+    <message>
+        <source>Steps</source>
+        <translation>Schritte</translation>
+    </message>
+</context>
+<context>
+    <name>felt::desktop::HueStrip</name>
+    <message>
+        <source>Hue</source>
+        <translation>Farbton</translation>
+    </message>
+    <message>
+        <source>Hue. Arrow keys move it.</source>
+        <translation>Farbton. Pfeiltasten bewegen ihn.</translation>
+    </message>
+    <message>
+        <source>%1 degrees</source>
+        <translation>%1 Grad</translation>
+    </message>
+</context>
+<context>
     <name>felt::desktop::KeyEdit</name>
     <message>
         <source>Press a key</source>
@@ -1384,11 +1914,79 @@ Ihre Zeichnung ist noch da: speichern Sie sie anderswo.</translation>
     </message>
 </context>
 <context>
-    <name>felt::desktop::MainWindow</name>
+    <name>felt::desktop::LayersModel</name>
     <message>
-        <source>Tools</source>
-        <translation>Werkzeuge</translation>
+        <source>%1, %2, %3</source>
+        <translation>%1, %2, %3</translation>
     </message>
+    <message>
+        <source>visible</source>
+        <translation>sichtbar</translation>
+    </message>
+    <message>
+        <source>hidden</source>
+        <translation>verborgen</translation>
+    </message>
+    <message>
+        <source>locked</source>
+        <translation>gesperrt</translation>
+    </message>
+    <message>
+        <source>unlocked</source>
+        <translation>nicht gesperrt</translation>
+    </message>
+    <message>
+        <source>, in use</source>
+        <translation>, in Gebrauch</translation>
+    </message>
+    <message>
+        <source>%1
+Double-click to rename, drag to move</source>
+        <translation>%1
+Doppelklick benennt um, Ziehen verschiebt</translation>
+    </message>
+</context>
+<context>
+    <name>felt::desktop::LayersPanel</name>
+    <message>
+        <source>Layers</source>
+        <translation>Ebenen</translation>
+    </message>
+    <message>
+        <source>Add a layer</source>
+        <translation>Eine Ebene hinzufügen</translation>
+    </message>
+    <message>
+        <source>A new layer above this one</source>
+        <translation>Eine neue Ebene über dieser</translation>
+    </message>
+    <message>
+        <source>Raise the layer</source>
+        <translation>Die Ebene nach oben</translation>
+    </message>
+    <message>
+        <source>One place up</source>
+        <translation>Einen Platz nach oben</translation>
+    </message>
+    <message>
+        <source>Lower the layer</source>
+        <translation>Die Ebene nach unten</translation>
+    </message>
+    <message>
+        <source>One place down</source>
+        <translation>Einen Platz nach unten</translation>
+    </message>
+    <message>
+        <source>Remove the layer</source>
+        <translation>Die Ebene entfernen</translation>
+    </message>
+    <message>
+        <source>Removes the layer and what is drawn on it</source>
+        <translation>Entfernt die Ebene und was darauf gezeichnet ist</translation>
+    </message>
+</context>
+<context>
+    <name>felt::desktop::MainWindow</name>
     <message>
         <source>Shows or hides the panel %1</source>
         <translation>Zeigt oder verbirgt das Feld %1</translation>
@@ -1479,6 +2077,40 @@ Ihre Zeichnung ist noch da: speichern Sie sie anderswo.</translation>
     </message>
 </context>
 <context>
+    <name>felt::desktop::OptionRow</name>
+    <message>
+        <source>Reset %1</source>
+        <translation>%1 zurücksetzen</translation>
+    </message>
+    <message>
+        <source>Back to %1</source>
+        <translation>Zurück auf %1</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+</context>
+<context>
+    <name>felt::desktop::OptionsPanel</name>
+    <message>
+        <source>All options of this tool back to what they were at first</source>
+        <translation>Alle Optionen dieses Werkzeugs wie am Anfang</translation>
+    </message>
+    <message>
+        <source>Reset the tool</source>
+        <translation>Werkzeug zurücksetzen</translation>
+    </message>
+    <message>
+        <source>Options of the tool</source>
+        <translation>Optionen des Werkzeugs</translation>
+    </message>
+    <message>
+        <source>Feel</source>
+        <translation>Gefühl</translation>
+    </message>
+</context>
+<context>
     <name>felt::desktop::Preferences</name>
     <message>
         <source>Preferences</source>
@@ -1499,6 +2131,21 @@ Ihre Zeichnung ist noch da: speichern Sie sie anderswo.</translation>
     <message>
         <source>Sheet</source>
         <translation>Blatt</translation>
+    </message>
+</context>
+<context>
+    <name>felt::desktop::ShadeField</name>
+    <message>
+        <source>Saturation and brightness</source>
+        <translation>Sättigung und Helligkeit</translation>
+    </message>
+    <message>
+        <source>Across: saturation. Up: brightness. Arrow keys move it.</source>
+        <translation>Quer: Sättigung. Aufwärts: Helligkeit. Pfeiltasten bewegen sie.</translation>
+    </message>
+    <message>
+        <source>Saturation %1 %, brightness %2 %</source>
+        <translation>Sättigung %1 %, Helligkeit %2 %</translation>
     </message>
 </context>
 <context>
@@ -1635,6 +2282,25 @@ Ihre Zeichnung ist noch da: speichern Sie sie anderswo.</translation>
     </message>
 </context>
 <context>
+    <name>felt::desktop::ToolBar</name>
+    <message>
+        <source>Tools</source>
+        <translation>Werkzeuge</translation>
+    </message>
+    <message>
+        <source>in hand while the key is held</source>
+        <translation>in der Hand, solange die Taste gehalten wird</translation>
+    </message>
+    <message>
+        <source>comes back when the key is let go</source>
+        <translation>kommt zurück, wenn die Taste losgelassen wird</translation>
+    </message>
+    <message>
+        <source>in hand</source>
+        <translation>in der Hand</translation>
+    </message>
+</context>
+<context>
     <name>felt::desktop::ToolKeys</name>
     <message>
         <source>&amp;Eraser while held</source>
@@ -1713,6 +2379,665 @@ Ihre Zeichnung ist noch da: speichern Sie sie anderswo.</translation>
     <message>
         <source>&amp;Try it yourself</source>
         <translation>Selbst &amp;versuchen</translation>
+    </message>
+</context>
+<context>
+    <name>tools</name>
+    <message>
+        <source>A line drawn round what is to be selected, or a rectangle from corner to corner.</source>
+        <translation>Eine Linie um das, was ausgewählt wird, oder ein Rechteck von Ecke zu Ecke.</translation>
+    </message>
+    <message>
+        <source>A line farther from the pen than this is not taken hold of.</source>
+        <translation>Eine Linie, die weiter weg vom Stift ist, wird nicht gefasst.</translation>
+    </message>
+    <message>
+        <source>A line goes where the eraser covers its ink, instead of its middle.</source>
+        <translation>Eine Linie verschwindet, wo ihre Tinte bedeckt ist, nicht erst ihre Mitte.</translation>
+    </message>
+    <message>
+        <source>A short touch selects the whole nearest line within this distance.</source>
+        <translation>Eine kurze Berührung wählt die ganze nächste Linie in diesem Abstand.</translation>
+    </message>
+    <message>
+        <source>Above 1 a light hand stays thin for longer, below 1 it broadens sooner.</source>
+        <translation>Über 1 bleibt eine leichte Hand länger dünn, unter 1 wird sie früher breit.</translation>
+    </message>
+    <message>
+        <source>Amount</source>
+        <translation>Ausmaß</translation>
+    </message>
+    <message>
+        <source>An end that is let go beside all others stays there; without it, it goes back. The first modifier chooses the other.</source>
+        <translation>Ein Ende, das neben allen anderen losgelassen wird, bleibt dort; sonst geht es zurück. Die erste Zusatztaste wählt das andere.</translation>
+    </message>
+    <message>
+        <source>Attraction</source>
+        <translation>Anziehung</translation>
+    </message>
+    <message>
+        <source>Blackboard</source>
+        <translation>Tafel</translation>
+    </message>
+    <message>
+        <source>Broad lines sooner</source>
+        <translation>Breite Linien eher</translation>
+    </message>
+    <message>
+        <source>Broadest line</source>
+        <translation>Breiteste Linie</translation>
+    </message>
+    <message>
+        <source>Brush: thicker or thinner under the pen. Retrace: drawing along a line gives it the new pressure. Scale: dragging up or down scales a whole line.</source>
+        <translation>Pinsel: dicker oder dünner unter dem Stift. Nachziehen: eine Linie entlangzeichnen gibt ihr den neuen Druck. Skalieren: auf oder ab ziehen skaliert die ganze Linie.</translation>
+    </message>
+    <message>
+        <source>By pressure, hard for thicker and light for thinner, or always the same way. The first button of the pen makes thinner, the second thicker.</source>
+        <translation>Nach Druck, fest für dicker und leicht für dünner, oder immer gleich. Die erste Stifttaste macht dünner, die zweite dicker.</translation>
+    </message>
+    <message>
+        <source>By the handle that is touched (auto), or always the same.</source>
+        <translation>Nach dem berührten Griff (auto) oder immer gleich.</translation>
+    </message>
+    <message>
+        <source>Combine</source>
+        <translation>Kombinieren</translation>
+    </message>
+    <message>
+        <source>Connect</source>
+        <translation>Verbinden</translation>
+    </message>
+    <message>
+        <source>Constrain</source>
+        <translation>Einschränken</translation>
+    </message>
+    <message>
+        <source>Corrects lines: take hold of one and pull it into shape, or push it from outside.</source>
+        <translation>Verbessert Linien: eine fassen und in Form ziehen oder von außen schieben.</translation>
+    </message>
+    <message>
+        <source>Direction of the brush</source>
+        <translation>Richtung des Pinsels</translation>
+    </message>
+    <message>
+        <source>Draws lines; pressing harder draws them broader.</source>
+        <translation>Zeichnet Linien; fester drücken macht sie breiter.</translation>
+    </message>
+    <message>
+        <source>Duplicate</source>
+        <translation>Duplizieren</translation>
+    </message>
+    <message>
+        <source>Ends and corners go along, instead of staying unless taken hold of; the first modifier turns this round for one gesture.</source>
+        <translation>Enden und Ecken gehen mit, statt zu bleiben, wenn sie nicht gefasst sind; die erste Zusatztaste kehrt das für eine Geste um.</translation>
+    </message>
+    <message>
+        <source>Eraser</source>
+        <translation>Radierer</translation>
+    </message>
+    <message>
+        <source>Erases what it covers, lines up to their next crossings, or whole lines.</source>
+        <translation>Radiert, was er bedeckt, Linien bis zu ihren nächsten Kreuzungen oder ganze Linien.</translation>
+    </message>
+    <message>
+        <source>Felt</source>
+        <translation>Filz</translation>
+    </message>
+    <message>
+        <source>Fits the finished line again, with fewer segments within the same tolerance; lines of more than a minute stay as drawn.</source>
+        <translation>Passt die fertige Linie neu an, mit weniger Segmenten in derselben Toleranz; Linien von mehr als einer Minute bleiben, wie sie sind.</translation>
+    </message>
+    <message>
+        <source>Force that draws the pen to the end of a line.</source>
+        <translation>Kraft, die den Stift zum Ende einer Linie zieht.</translation>
+    </message>
+    <message>
+        <source>Free ends and corners</source>
+        <translation>Freie Enden und Ecken</translation>
+    </message>
+    <message>
+        <source>Glass</source>
+        <translation>Glas</translation>
+    </message>
+    <message>
+        <source>Grab divides the line so that no more than this is bent; 0 takes segments as they are.</source>
+        <translation>Greifen teilt die Linie, damit nicht mehr als dies gebogen wird; 0 nimmt Segmente, wie sie sind.</translation>
+    </message>
+    <message>
+        <source>Grab radius</source>
+        <translation>Greifradius</translation>
+    </message>
+    <message>
+        <source>Heavier draws smoother and trails more; for the stabiliser &apos;inertia&apos;.</source>
+        <translation>Schwerer zeichnet glatter und hängt mehr nach; für den Stabilisator „Trägheit“.</translation>
+    </message>
+    <message>
+        <source>How far a line may move when the brush lets go of it; more leaves fewer segments.</source>
+        <translation>Wie weit sich eine Linie bewegen darf, wenn der Pinsel sie loslässt; mehr lässt weniger Segmente.</translation>
+    </message>
+    <message>
+        <source>How far the brush reaches along the line, to each side.</source>
+        <translation>Wie weit der Pinsel entlang der Linie reicht, zu jeder Seite.</translation>
+    </message>
+    <message>
+        <source>How far the finished line may be from the ironed one, for fewer segments.</source>
+        <translation>Wie weit die fertige Linie von der geglätteten abweichen darf, für weniger Segmente.</translation>
+    </message>
+    <message>
+        <source>How fast it irons; pressing harder irons faster too.</source>
+        <translation>Wie schnell es glättet; fester drücken glättet auch schneller.</translation>
+    </message>
+    <message>
+        <source>How fast the width changes, per unit of pressure.</source>
+        <translation>Wie schnell sich die Breite ändert, je Druck.</translation>
+    </message>
+    <message>
+        <source>How grab bends a segment: with least motion (soft), by the paper&apos;s three cases (paper), or by its equation 7 as printed, which does not reach the pen.</source>
+        <translation>Wie Greifen ein Segment biegt: mit geringster Bewegung (weich), nach den drei Fällen des Artikels (Artikel) oder nach seiner gedruckten Gleichung 7, die den Stift nicht erreicht.</translation>
+    </message>
+    <message>
+        <source>How near to the end of a line the pen takes hold of it.</source>
+        <translation>Wie nah am Ende einer Linie der Stift es fasst.</translation>
+    </message>
+    <message>
+        <source>How slowly a line gives way to the pen that sweeps it.</source>
+        <translation>Wie langsam eine Linie dem fegenden Stift nachgibt.</translation>
+    </message>
+    <message>
+        <source>Irons the jitter out of lines and leaves their shape.</source>
+        <translation>Glättet das Zittern aus Linien und lässt ihre Form.</translation>
+    </message>
+    <message>
+        <source>Joins ends of lines, or closes a line: drag an end onto another, or tap where two ends are near.</source>
+        <translation>Verbindet Linienenden oder schließt eine Linie: ein Ende auf ein anderes ziehen oder tippen, wo zwei Enden nah sind.</translation>
+    </message>
+    <message>
+        <source>Keep lines separate</source>
+        <translation>Linien getrennt lassen</translation>
+    </message>
+    <message>
+        <source>Largest distance between the pen&apos;s way and the line.</source>
+        <translation>Größter Abstand zwischen dem Weg des Stifts und der Linie.</translation>
+    </message>
+    <message>
+        <source>Lasso</source>
+        <translation>Lasso</translation>
+    </message>
+    <message>
+        <source>Leave the end where it is let go</source>
+        <translation>Das Ende lassen, wo es losgelassen wird</translation>
+    </message>
+    <message>
+        <source>Leaves the lines and transforms a copy; as the second button of the pen does.</source>
+        <translation>Lässt die Linien und verändert eine Kopie; wie die zweite Stifttaste.</translation>
+    </message>
+    <message>
+        <source>Length bent by grab</source>
+        <translation>Beim Greifen gebogene Länge</translation>
+    </message>
+    <message>
+        <source>Lines that meet share the point but stay two lines.</source>
+        <translation>Linien, die sich treffen, teilen den Punkt, bleiben aber zwei.</translation>
+    </message>
+    <message>
+        <source>Longer draws smoother and trails more; for the stabiliser &apos;towed&apos;.</source>
+        <translation>Länger zeichnet glatter und hängt mehr nach; für den Stabilisator „geschleppt“.</translation>
+    </message>
+    <message>
+        <source>Makes lines broader and thinner, here and there or as a whole.</source>
+        <translation>Macht Linien breiter und dünner, hier und da oder im Ganzen.</translation>
+    </message>
+    <message>
+        <source>Mass of the stabiliser</source>
+        <translation>Masse des Stabilisators</translation>
+    </message>
+    <message>
+        <source>Material</source>
+        <translation>Material</translation>
+    </message>
+    <message>
+        <source>Mode</source>
+        <translation>Modus</translation>
+    </message>
+    <message>
+        <source>Moves along one axis, turns in steps of 15 degrees, corners stretch both axes freely; as the first button of the pen does.</source>
+        <translation>Verschiebt entlang einer Achse, dreht in Schritten von 15 Grad, Ecken strecken beide Achsen frei; wie die erste Stifttaste.</translation>
+    </message>
+    <message>
+        <source>Moves, turns, scales and stretches what is selected, held back by the lines that lead out of it.</source>
+        <translation>Verschiebt, dreht, skaliert und streckt das Ausgewählte, gehalten von den Linien, die hinausführen.</translation>
+    </message>
+    <message>
+        <source>No line is made broader than this; one that is may stay so.</source>
+        <translation>Keine Linie wird breiter als dies; eine, die es ist, darf es bleiben.</translation>
+    </message>
+    <message>
+        <source>Of retracing: above 1 a light hand stays thin for longer.</source>
+        <translation>Beim Nachziehen: über 1 bleibt eine leichte Hand länger dünn.</translation>
+    </message>
+    <message>
+        <source>Paper</source>
+        <translation>Papier</translation>
+    </message>
+    <message>
+        <source>Pencil</source>
+        <translation>Bleistift</translation>
+    </message>
+    <message>
+        <source>Pressure curve</source>
+        <translation>Druckkurve</translation>
+    </message>
+    <message>
+        <source>Pressure of a device that knows neither pressure nor depth.</source>
+        <translation>Druck eines Geräts, das weder Druck noch Tiefe kennt.</translation>
+    </message>
+    <message>
+        <source>Pressure of a mouse</source>
+        <translation>Druck einer Maus</translation>
+    </message>
+    <message>
+        <source>Pull</source>
+        <translation>Ziehen</translation>
+    </message>
+    <message>
+        <source>Pull a stretch of a line (brush), bend one segment (grab), push lines from outside (push), or draw a line over again (sweep).</source>
+        <translation>Ein Stück Linie ziehen (Pinsel), ein Segment biegen (Greifen), Linien von außen schieben (Schieben) oder eine Linie neu führen (Fegen).</translation>
+    </message>
+    <message>
+        <source>Radius</source>
+        <translation>Radius</translation>
+    </message>
+    <message>
+        <source>Radius around the end of a line within which it attracts the dragged end; a tap connects ends that are this near.</source>
+        <translation>Radius um ein Linienende, in dem es das gezogene Ende anzieht; Tippen verbindet Enden, die so nah sind.</translation>
+    </message>
+    <message>
+        <source>Radius around the end of a line within which it attracts the pen.</source>
+        <translation>Radius um ein Linienende, in dem es den Stift anzieht.</translation>
+    </message>
+    <message>
+        <source>Radius of the eraser.</source>
+        <translation>Radius des Radierers.</translation>
+    </message>
+    <message>
+        <source>Radius of the nib</source>
+        <translation>Radius der Spitze</translation>
+    </message>
+    <message>
+        <source>Radius within which a line that begins or ends there is connected.</source>
+        <translation>Radius, in dem eine Linie, die dort beginnt oder endet, verbunden wird.</translation>
+    </message>
+    <message>
+        <source>Radius within which the dragged end is connected.</source>
+        <translation>Radius, in dem das gezogene Ende verbunden wird.</translation>
+    </message>
+    <message>
+        <source>Reach</source>
+        <translation>Reichweite</translation>
+    </message>
+    <message>
+        <source>Reach of a click</source>
+        <translation>Reichweite eines Klicks</translation>
+    </message>
+    <message>
+        <source>Reach of the attraction</source>
+        <translation>Reichweite der Anziehung</translation>
+    </message>
+    <message>
+        <source>Reach of the brush</source>
+        <translation>Reichweite des Pinsels</translation>
+    </message>
+    <message>
+        <source>Refine at pen-up</source>
+        <translation>Beim Abheben verfeinern</translation>
+    </message>
+    <message>
+        <source>Rope of the stabiliser</source>
+        <translation>Leine des Stabilisators</translation>
+    </message>
+    <message>
+        <source>Rounds corners, which otherwise stay; ends of lines always do.</source>
+        <translation>Rundet Ecken, die sonst bleiben; Linienenden bleiben immer.</translation>
+    </message>
+    <message>
+        <source>Scale widths</source>
+        <translation>Breiten skalieren</translation>
+    </message>
+    <message>
+        <source>Scaling makes lines broader or thinner as well.</source>
+        <translation>Skalieren macht Linien auch breiter oder dünner.</translation>
+    </message>
+    <message>
+        <source>Select</source>
+        <translation>Auswählen</translation>
+    </message>
+    <message>
+        <source>Selects what a line is drawn round; a short touch takes a line.</source>
+        <translation>Wählt aus, was umfahren wird; eine kurze Berührung nimmt eine Linie.</translation>
+    </message>
+    <message>
+        <source>Shape</source>
+        <translation>Form</translation>
+    </message>
+    <message>
+        <source>Share of friction and grain that is felt; the sheet stays as hard as it is.</source>
+        <translation>Anteil von Reibung und Körnung, der zu fühlen ist; das Blatt bleibt so hart, wie es ist.</translation>
+    </message>
+    <message>
+        <source>Share of friction and roughness that is felt; the sheet stays as hard as it is.</source>
+        <translation>Anteil von Reibung und Rauheit, der zu fühlen ist; das Blatt bleibt so hart, wie es ist.</translation>
+    </message>
+    <message>
+        <source>Share of friction, grain, attraction and pull that is felt; the sheet stays as hard as it is.</source>
+        <translation>Anteil von Reibung, Körnung, Anziehung und Zug, der zu fühlen ist; das Blatt bleibt so hart, wie es ist.</translation>
+    </message>
+    <message>
+        <source>Share of friction, grain, attraction and stabiliser that is felt; the sheet stays as hard as it is.</source>
+        <translation>Anteil von Reibung, Körnung, Anziehung und Stabilisator, der zu fühlen ist; das Blatt bleibt so hart, wie es ist.</translation>
+    </message>
+    <message>
+        <source>Share of friction, stops and pull that is felt; the sheet stays as hard as it is.</source>
+        <translation>Anteil von Reibung, Anschlägen und Zug, der zu fühlen ist; das Blatt bleibt so hart, wie es ist.</translation>
+    </message>
+    <message>
+        <source>Share of the counter-force, friction and grain that is felt; the sheet stays as hard as it is.</source>
+        <translation>Anteil von Gegenkraft, Reibung und Körnung, der zu fühlen ist; das Blatt bleibt so hart, wie es ist.</translation>
+    </message>
+    <message>
+        <source>Share of the sheet&apos;s friction and grain that is felt; the sheet stays as hard as it is.</source>
+        <translation>Anteil von Reibung und Körnung des Blatts, der zu fühlen ist; das Blatt bleibt so hart, wie es ist.</translation>
+    </message>
+    <message>
+        <source>Share of the tethers, friction and grain that is felt.</source>
+        <translation>Anteil von Leinen, Reibung und Körnung, der zu fühlen ist.</translation>
+    </message>
+    <message>
+        <source>Sheet</source>
+        <translation>Blatt</translation>
+    </message>
+    <message>
+        <source>Size of the round nib that pushes lines.</source>
+        <translation>Größe der runden Spitze, die Linien schiebt.</translation>
+    </message>
+    <message>
+        <source>Smooth</source>
+        <translation>Glätten</translation>
+    </message>
+    <message>
+        <source>Smooth corners too</source>
+        <translation>Auch Ecken glätten</translation>
+    </message>
+    <message>
+        <source>Snap radius</source>
+        <translation>Einrastradius</translation>
+    </message>
+    <message>
+        <source>Snapping</source>
+        <translation>Einrasten</translation>
+    </message>
+    <message>
+        <source>Speed of the brush</source>
+        <translation>Tempo des Pinsels</translation>
+    </message>
+    <message>
+        <source>Stabiliser</source>
+        <translation>Stabilisator</translation>
+    </message>
+    <message>
+        <source>Steadies the hand: the line is drawn by a mass, or by a nib on a rope.</source>
+        <translation>Beruhigt die Hand: die Linie wird von einer Masse oder einer Spitze an einer Leine gezogen.</translation>
+    </message>
+    <message>
+        <source>Strength of forces</source>
+        <translation>Stärke der Kräfte</translation>
+    </message>
+    <message>
+        <source>The parts of lines inside by their control points (points) or by their joints only (on-curve), or whole lines of which any part is inside (strokes).</source>
+        <translation>Die Teile der Linien innen nach ihren Kontrollpunkten (Punkte) oder nur nach ihren Gelenken (auf der Kurve), oder ganze Linien, von denen ein Teil innen ist (Linien).</translation>
+    </message>
+    <message>
+        <source>Thinnest line</source>
+        <translation>Dünnste Linie</translation>
+    </message>
+    <message>
+        <source>Thinnest retraced line</source>
+        <translation>Dünnste nachgezogene Linie</translation>
+    </message>
+    <message>
+        <source>Time of sweep</source>
+        <translation>Zeit des Fegens</translation>
+    </message>
+    <message>
+        <source>Tolerance</source>
+        <translation>Toleranz</translation>
+    </message>
+    <message>
+        <source>Transform</source>
+        <translation>Transformieren</translation>
+    </message>
+    <message>
+        <source>Way along the line, to both sides of the pen, that is ironed; waves up to this long can be taken away.</source>
+        <translation>Weg entlang der Linie, zu beiden Seiten des Stifts, der geglättet wird; so lange Wellen lassen sich wegnehmen.</translation>
+    </message>
+    <message>
+        <source>Way along the line, to both sides of the pen, within which the width changes.</source>
+        <translation>Weg entlang der Linie, zu beiden Seiten des Stifts, auf dem sich die Breite ändert.</translation>
+    </message>
+    <message>
+        <source>Weights of grab</source>
+        <translation>Gewichte des Greifens</translation>
+    </message>
+    <message>
+        <source>What a touch does</source>
+        <translation>Was eine Berührung tut</translation>
+    </message>
+    <message>
+        <source>What becomes of what was selected before; the first button of the pen adds, the second takes away.</source>
+        <translation>Was aus der bisherigen Auswahl wird; die erste Stifttaste fügt hinzu, die zweite nimmt weg.</translation>
+    </message>
+    <message>
+        <source>What goes</source>
+        <translation>Was verschwindet</translation>
+    </message>
+    <message>
+        <source>What is covered, the part of a line up to its next crossings, or the whole line.</source>
+        <translation>Was bedeckt ist, der Teil einer Linie bis zu den nächsten Kreuzungen oder die ganze Linie.</translation>
+    </message>
+    <message>
+        <source>What the pen is made of: how it looks and how it slides.</source>
+        <translation>Woraus der Stift ist: wie er aussieht und wie er gleitet.</translation>
+    </message>
+    <message>
+        <source>What the sheet is made of: its hardness and its friction.</source>
+        <translation>Woraus das Blatt ist: seine Härte und seine Reibung.</translation>
+    </message>
+    <message>
+        <source>Whether ends of lines attract the pen (force), connect to it (snap), or both.</source>
+        <translation>Ob Linienenden den Stift anziehen (Kraft), sich mit ihm verbinden (Einrasten) oder beides.</translation>
+    </message>
+    <message>
+        <source>Whether ends of lines attract the pen (force), connect to the dragged end (snap), or both.</source>
+        <translation>Ob Linienenden den Stift anziehen (Kraft), sich mit dem gezogenen Ende verbinden (Einrasten) oder beides.</translation>
+    </message>
+    <message>
+        <source>Width</source>
+        <translation>Breite</translation>
+    </message>
+    <message>
+        <source>Width of a line at full pressure; at least that of the thinnest line.</source>
+        <translation>Breite einer Linie bei vollem Druck; mindestens die der dünnsten Linie.</translation>
+    </message>
+    <message>
+        <source>Width of a line without pressure.</source>
+        <translation>Breite einer Linie ohne Druck.</translation>
+    </message>
+    <message>
+        <source>Width of a retraced line without pressure.</source>
+        <translation>Breite einer nachgezogenen Linie ohne Druck.</translation>
+    </message>
+    <message>
+        <source>With nothing selected, a touch takes the nearest line within this distance.</source>
+        <translation>Ist nichts ausgewählt, nimmt eine Berührung die nächste Linie in diesem Abstand.</translation>
+    </message>
+    <message>
+        <source>add</source>
+        <translation>hinzufügen</translation>
+    </message>
+    <message>
+        <source>auto</source>
+        <translation>auto</translation>
+    </message>
+    <message>
+        <source>blackboard</source>
+        <translation>Tafel</translation>
+    </message>
+    <message>
+        <source>both</source>
+        <translation>beides</translation>
+    </message>
+    <message>
+        <source>brush</source>
+        <translation>Pinsel</translation>
+    </message>
+    <message>
+        <source>chalk</source>
+        <translation>Kreide</translation>
+    </message>
+    <message>
+        <source>crayon</source>
+        <translation>Wachskreide</translation>
+    </message>
+    <message>
+        <source>crossing</source>
+        <translation>Kreuzung</translation>
+    </message>
+    <message>
+        <source>felt</source>
+        <translation>Filz</translation>
+    </message>
+    <message>
+        <source>felt-tip</source>
+        <translation>Filzstift</translation>
+    </message>
+    <message>
+        <source>force</source>
+        <translation>Kraft</translation>
+    </message>
+    <message>
+        <source>free</source>
+        <translation>frei</translation>
+    </message>
+    <message>
+        <source>glass</source>
+        <translation>Glas</translation>
+    </message>
+    <message>
+        <source>grab</source>
+        <translation>Greifen</translation>
+    </message>
+    <message>
+        <source>inertia</source>
+        <translation>Trägheit</translation>
+    </message>
+    <message>
+        <source>move</source>
+        <translation>verschieben</translation>
+    </message>
+    <message>
+        <source>off</source>
+        <translation>aus</translation>
+    </message>
+    <message>
+        <source>on-curve</source>
+        <translation>auf der Kurve</translation>
+    </message>
+    <message>
+        <source>paper</source>
+        <translation>Papier</translation>
+    </message>
+    <message>
+        <source>pencil</source>
+        <translation>Bleistift</translation>
+    </message>
+    <message>
+        <source>points</source>
+        <translation>Punkte</translation>
+    </message>
+    <message>
+        <source>pressure</source>
+        <translation>Druck</translation>
+    </message>
+    <message>
+        <source>printed</source>
+        <translation>gedruckt</translation>
+    </message>
+    <message>
+        <source>push</source>
+        <translation>schieben</translation>
+    </message>
+    <message>
+        <source>rectangle</source>
+        <translation>Rechteck</translation>
+    </message>
+    <message>
+        <source>replace</source>
+        <translation>ersetzen</translation>
+    </message>
+    <message>
+        <source>retrace</source>
+        <translation>nachziehen</translation>
+    </message>
+    <message>
+        <source>rotate</source>
+        <translation>drehen</translation>
+    </message>
+    <message>
+        <source>scale</source>
+        <translation>skalieren</translation>
+    </message>
+    <message>
+        <source>snap</source>
+        <translation>einrasten</translation>
+    </message>
+    <message>
+        <source>soft</source>
+        <translation>weich</translation>
+    </message>
+    <message>
+        <source>stretch</source>
+        <translation>strecken</translation>
+    </message>
+    <message>
+        <source>stroke</source>
+        <translation>Linie</translation>
+    </message>
+    <message>
+        <source>strokes</source>
+        <translation>Linien</translation>
+    </message>
+    <message>
+        <source>subtract</source>
+        <translation>abziehen</translation>
+    </message>
+    <message>
+        <source>sweep</source>
+        <translation>fegen</translation>
+    </message>
+    <message>
+        <source>thicker</source>
+        <translation>dicker</translation>
+    </message>
+    <message>
+        <source>thinner</source>
+        <translation>dünner</translation>
+    </message>
+    <message>
+        <source>touched</source>
+        <translation>Berührtes</translation>
+    </message>
+    <message>
+        <source>towed</source>
+        <translation>geschleppt</translation>
     </message>
 </context>
 </TS>

@@ -33,70 +33,113 @@
     </message>
 </context>
 <context>
+    <name>ColorActions</name>
+    <message>
+        <source>&amp;Open a palette…</source>
+        <translation>Palet &amp;openen…</translation>
+    </message>
+    <message>
+        <source>Reads colours from a .gpl file.</source>
+        <translation>Leest kleuren uit een .gpl-bestand.</translation>
+    </message>
+    <message>
+        <source>&amp;Export the palette…</source>
+        <translation>Palet &amp;exporteren…</translation>
+    </message>
+    <message>
+        <source>Writes the palette that is shown.</source>
+        <translation>Schrijft het getoonde palet.</translation>
+    </message>
+    <message>
+        <source>&amp;Keep the colour</source>
+        <translation>Kleur be&amp;waren</translation>
+    </message>
+    <message>
+        <source>Puts the colour in use into a palette of your own.</source>
+        <translation>Legt de gebruikte kleur in een eigen palet.</translation>
+    </message>
+    <message>
+        <source>&amp;Take the colour out</source>
+        <translation>Kleur &amp;weghalen</translation>
+    </message>
+    <message>
+        <source>Takes the colour in use out of your own palette.</source>
+        <translation>Haalt de gebruikte kleur uit je eigen palet.</translation>
+    </message>
+</context>
+<context>
     <name>EditActions</name>
     <message>
         <source>&amp;Undo</source>
         <translation>&amp;Ongedaan maken</translation>
     </message>
     <message>
-        <source>Takes the last step back</source>
-        <translation>Neemt de laatste stap terug</translation>
-    </message>
-    <message>
         <source>&amp;Redo</source>
         <translation>Op&amp;nieuw</translation>
-    </message>
-    <message>
-        <source>Does what was undone again</source>
-        <translation>Doet opnieuw wat ongedaan is gemaakt</translation>
-    </message>
-    <message>
-        <source>&amp;Delete</source>
-        <translation>&amp;Verwijderen</translation>
-    </message>
-    <message>
-        <source>Deletes the selected lines</source>
-        <translation>Verwijdert de geselecteerde lijnen</translation>
-    </message>
-    <message>
-        <source>D&amp;uplicate</source>
-        <translation>&amp;Dupliceren</translation>
-    </message>
-    <message>
-        <source>Copies the selected lines, a little beside them</source>
-        <translation>Kopieert de geselecteerde lijnen, er iets naast</translation>
     </message>
     <message>
         <source>Select &amp;all</source>
         <translation>&amp;Alles selecteren</translation>
     </message>
     <message>
-        <source>Selects all lines of visible, unlocked layers</source>
-        <translation>Selecteert alle lijnen van zichtbare, niet vergrendelde lagen</translation>
-    </message>
-    <message>
-        <source>Select &amp;nothing</source>
-        <translation>&amp;Niets selecteren</translation>
-    </message>
-    <message>
-        <source>Nothing is selected then</source>
-        <translation>Daarna is er niets geselecteerd</translation>
-    </message>
-    <message>
         <source>&amp;Invert selection</source>
         <translation>Selectie om&amp;keren</translation>
     </message>
     <message>
-        <source>Selects what is not selected, and nothing else</source>
-        <translation>Selecteert wat niet geselecteerd is, en verder niets</translation>
+        <source>&amp;Undo %1</source>
+        <translation>&amp;Ongedaan maken: %1</translation>
     </message>
     <message>
-        <source>&amp;Cancel the gesture</source>
-        <translation>&amp;Gebaar afbreken</translation>
+        <source>&amp;Redo %1</source>
+        <translation>Op&amp;nieuw: %1</translation>
     </message>
     <message>
-        <source>What the pen is doing never was</source>
-        <translation>Wat de pen aan het doen is, is nooit gebeurd</translation>
+        <source>Takes the last step back.</source>
+        <translation>Neemt de laatste stap terug.</translation>
+    </message>
+    <message>
+        <source>Does again what was taken back.</source>
+        <translation>Doet opnieuw wat teruggenomen is.</translation>
+    </message>
+    <message>
+        <source>&amp;Cancel the line in work</source>
+        <translation>&amp;Lopende lijn afbreken</translation>
+    </message>
+    <message>
+        <source>What the pen is doing now never was; lift it to go on.</source>
+        <translation>Wat de pen nu doet is nooit gebeurd; til hem op om verder te gaan.</translation>
+    </message>
+    <message>
+        <source>De&amp;lete</source>
+        <translation>&amp;Verwijderen</translation>
+    </message>
+    <message>
+        <source>Removes the lines that are selected.</source>
+        <translation>Verwijdert de geselecteerde lijnen.</translation>
+    </message>
+    <message>
+        <source>&amp;Duplicate</source>
+        <translation>&amp;Dupliceren</translation>
+    </message>
+    <message>
+        <source>Copies the selected lines, a little beside them.</source>
+        <translation>Kopieert de geselecteerde lijnen, er iets naast.</translation>
+    </message>
+    <message>
+        <source>Selects all lines of visible, unlocked layers.</source>
+        <translation>Selecteert alle lijnen van zichtbare, niet vergrendelde lagen.</translation>
+    </message>
+    <message>
+        <source>Select &amp;none</source>
+        <translation>&amp;Niets selecteren</translation>
+    </message>
+    <message>
+        <source>Selects nothing.</source>
+        <translation>Selecteert niets.</translation>
+    </message>
+    <message>
+        <source>Selects all lines but those that are selected now.</source>
+        <translation>Selecteert alle lijnen behalve de nu geselecteerde.</translation>
     </message>
 </context>
 <context>
@@ -248,6 +291,81 @@
     </message>
 </context>
 <context>
+    <name>LayerActions</name>
+    <message>
+        <source>&amp;Add layer</source>
+        <translation>Laag &amp;toevoegen</translation>
+    </message>
+    <message>
+        <source>A new layer above the one in use.</source>
+        <translation>Een nieuwe laag boven de gebruikte.</translation>
+    </message>
+    <message>
+        <source>Remo&amp;ve layer</source>
+        <translation>Laag &amp;verwijderen</translation>
+    </message>
+    <message>
+        <source>Removes it and what is drawn on it.</source>
+        <translation>Verwijdert de laag en wat erop getekend is.</translation>
+    </message>
+    <message>
+        <source>Re&amp;name layer</source>
+        <translation>Laag &amp;hernoemen</translation>
+    </message>
+    <message>
+        <source>Gives it another name.</source>
+        <translation>Geeft de laag een andere naam.</translation>
+    </message>
+    <message>
+        <source>&amp;Raise layer</source>
+        <translation>Laag &amp;omhoog</translation>
+    </message>
+    <message>
+        <source>One place up.</source>
+        <translation>Eén plaats omhoog.</translation>
+    </message>
+    <message>
+        <source>&amp;Lower layer</source>
+        <translation>Laag o&amp;mlaag</translation>
+    </message>
+    <message>
+        <source>One place down.</source>
+        <translation>Eén plaats omlaag.</translation>
+    </message>
+    <message>
+        <source>Draw on the layer &amp;above</source>
+        <translation>Op de laag er&amp;boven tekenen</translation>
+    </message>
+    <message>
+        <source>New lines go to the next layer up.</source>
+        <translation>Nieuwe lijnen komen op de volgende laag erboven.</translation>
+    </message>
+    <message>
+        <source>Draw on the layer &amp;below</source>
+        <translation>Op de laag er&amp;onder tekenen</translation>
+    </message>
+    <message>
+        <source>New lines go to the next layer down.</source>
+        <translation>Nieuwe lijnen komen op de volgende laag eronder.</translation>
+    </message>
+    <message>
+        <source>&amp;Show layer</source>
+        <translation>Laag to&amp;nen</translation>
+    </message>
+    <message>
+        <source>What is drawn on it is seen.</source>
+        <translation>Wat erop getekend is, is te zien.</translation>
+    </message>
+    <message>
+        <source>Loc&amp;k layer</source>
+        <translation>Laag ver&amp;grendelen</translation>
+    </message>
+    <message>
+        <source>Nothing on it can be changed.</source>
+        <translation>Er kan niets op veranderd worden.</translation>
+    </message>
+</context>
+<context>
     <name>Material</name>
     <message>
         <source>Paper</source>
@@ -361,12 +479,142 @@
         <translation>&amp;Voorbeeldtekeningen</translation>
     </message>
     <message>
-        <source>&amp;Colour</source>
-        <translation>&amp;Kleur</translation>
-    </message>
-    <message>
         <source>&amp;Scroll</source>
         <translation>Sch&amp;uiven</translation>
+    </message>
+    <message>
+        <source>Pal&amp;ette</source>
+        <translation>Pal&amp;et</translation>
+    </message>
+</context>
+<context>
+    <name>OptionsPanel</name>
+    <message>
+        <source>on</source>
+        <translation>aan</translation>
+    </message>
+    <message>
+        <source>off</source>
+        <translation>uit</translation>
+    </message>
+</context>
+<context>
+    <name>Palettes</name>
+    <message>
+        <source>Soft black</source>
+        <translation>Zachtzwart</translation>
+    </message>
+    <message>
+        <source>Graphite</source>
+        <translation>Grafiet</translation>
+    </message>
+    <message>
+        <source>Lead</source>
+        <translation>Lood</translation>
+    </message>
+    <message>
+        <source>Chalk</source>
+        <translation>Krijt</translation>
+    </message>
+    <message>
+        <source>Red chalk</source>
+        <translation>Rood krijt</translation>
+    </message>
+    <message>
+        <source>Brick</source>
+        <translation>Baksteen</translation>
+    </message>
+    <message>
+        <source>Vermilion</source>
+        <translation>Vermiljoen</translation>
+    </message>
+    <message>
+        <source>Amber</source>
+        <translation>Amber</translation>
+    </message>
+    <message>
+        <source>Straw</source>
+        <translation>Stro</translation>
+    </message>
+    <message>
+        <source>Moss</source>
+        <translation>Mos</translation>
+    </message>
+    <message>
+        <source>Fir</source>
+        <translation>Den</translation>
+    </message>
+    <message>
+        <source>Teal</source>
+        <translation>Petrol</translation>
+    </message>
+    <message>
+        <source>Sky</source>
+        <translation>Hemel</translation>
+    </message>
+    <message>
+        <source>Ink blue</source>
+        <translation>Inktblauw</translation>
+    </message>
+    <message>
+        <source>Violet</source>
+        <translation>Violet</translation>
+    </message>
+    <message>
+        <source>Mallow</source>
+        <translation>Malve</translation>
+    </message>
+    <message>
+        <source>Blush</source>
+        <translation>Blos</translation>
+    </message>
+    <message>
+        <source>Sepia</source>
+        <translation>Sepia</translation>
+    </message>
+    <message>
+        <source>Black</source>
+        <translation>Zwart</translation>
+    </message>
+    <message>
+        <source>Orange</source>
+        <translation>Oranje</translation>
+    </message>
+    <message>
+        <source>Sky blue</source>
+        <translation>Hemelsblauw</translation>
+    </message>
+    <message>
+        <source>Bluish green</source>
+        <translation>Blauwgroen</translation>
+    </message>
+    <message>
+        <source>Yellow</source>
+        <translation>Geel</translation>
+    </message>
+    <message>
+        <source>Blue</source>
+        <translation>Blauw</translation>
+    </message>
+    <message>
+        <source>Reddish purple</source>
+        <translation>Roodpaars</translation>
+    </message>
+    <message>
+        <source>Greys</source>
+        <translation>Grijzen</translation>
+    </message>
+    <message>
+        <source>Grey %1 %</source>
+        <translation>Grijs %1%</translation>
+    </message>
+    <message>
+        <source>Pencil box</source>
+        <translation>Etui</translation>
+    </message>
+    <message>
+        <source>Okabe and Ito</source>
+        <translation>Okabe en Ito</translation>
     </message>
 </context>
 <context>
@@ -561,6 +809,41 @@
     <message>
         <source>Other</source>
         <translation>Overige</translation>
+    </message>
+</context>
+<context>
+    <name>ToolActions</name>
+    <message>
+        <source>S&amp;maller</source>
+        <translation>&amp;Kleiner</translation>
+    </message>
+    <message>
+        <source>Makes the tool in hand smaller.</source>
+        <translation>Maakt het gereedschap in de hand kleiner.</translation>
+    </message>
+    <message>
+        <source>&amp;Larger</source>
+        <translation>&amp;Groter</translation>
+    </message>
+    <message>
+        <source>Makes the tool in hand larger.</source>
+        <translation>Maakt het gereedschap in de hand groter.</translation>
+    </message>
+    <message>
+        <source>Forces &amp;weaker</source>
+        <translation>Krachten &amp;zwakker</translation>
+    </message>
+    <message>
+        <source>The tool in hand pushes back less.</source>
+        <translation>Het gereedschap in de hand biedt minder weerstand.</translation>
+    </message>
+    <message>
+        <source>Forces &amp;stronger</source>
+        <translation>Krachten &amp;sterker</translation>
+    </message>
+    <message>
+        <source>The tool in hand pushes back more.</source>
+        <translation>Het gereedschap in de hand biedt meer weerstand.</translation>
     </message>
 </context>
 <context>
@@ -858,6 +1141,117 @@
     </message>
 </context>
 <context>
+    <name>edits</name>
+    <message>
+        <source>Add layer</source>
+        <translation>Laag toevoegen</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Sluiten</translation>
+    </message>
+    <message>
+        <source>Connect</source>
+        <translation>Verbinden</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Verwijderen</translation>
+    </message>
+    <message>
+        <source>Draw</source>
+        <translation>Tekenen</translation>
+    </message>
+    <message>
+        <source>Duplicate</source>
+        <translation>Dupliceren</translation>
+    </message>
+    <message>
+        <source>Erase</source>
+        <translation>Gummen</translation>
+    </message>
+    <message>
+        <source>Hide layer</source>
+        <translation>Laag verbergen</translation>
+    </message>
+    <message>
+        <source>Import</source>
+        <translation>Importeren</translation>
+    </message>
+    <message>
+        <source>Lock layer</source>
+        <translation>Laag vergrendelen</translation>
+    </message>
+    <message>
+        <source>Lower layer</source>
+        <translation>Laag omlaag</translation>
+    </message>
+    <message>
+        <source>Move</source>
+        <translation>Verplaatsen</translation>
+    </message>
+    <message>
+        <source>Move end</source>
+        <translation>Eind verplaatsen</translation>
+    </message>
+    <message>
+        <source>Move layer</source>
+        <translation>Laag verplaatsen</translation>
+    </message>
+    <message>
+        <source>Pull</source>
+        <translation>Trekken</translation>
+    </message>
+    <message>
+        <source>Push</source>
+        <translation>Duwen</translation>
+    </message>
+    <message>
+        <source>Raise layer</source>
+        <translation>Laag omhoog</translation>
+    </message>
+    <message>
+        <source>Redraw</source>
+        <translation>Hertekenen</translation>
+    </message>
+    <message>
+        <source>Remove layer</source>
+        <translation>Laag verwijderen</translation>
+    </message>
+    <message>
+        <source>Rename layer</source>
+        <translation>Laag hernoemen</translation>
+    </message>
+    <message>
+        <source>Rotate</source>
+        <translation>Draaien</translation>
+    </message>
+    <message>
+        <source>Scale</source>
+        <translation>Schalen</translation>
+    </message>
+    <message>
+        <source>Show layer</source>
+        <translation>Laag tonen</translation>
+    </message>
+    <message>
+        <source>Smooth</source>
+        <translation>Gladstrijken</translation>
+    </message>
+    <message>
+        <source>Stretch</source>
+        <translation>Rekken</translation>
+    </message>
+    <message>
+        <source>Unlock layer</source>
+        <translation>Laag ontgrendelen</translation>
+    </message>
+    <message>
+        <source>Width</source>
+        <translation>Breedte</translation>
+    </message>
+</context>
+<context>
     <name>felt::desktop::AboutDialog</name>
     <message>
         <source>About Feltline</source>
@@ -944,6 +1338,93 @@
     <message>
         <source>As chalk does; exported outlines stay as they are</source>
         <translation>Zoals krijt; geëxporteerde omtrekken blijven zoals ze zijn</translation>
+    </message>
+</context>
+<context>
+    <name>felt::desktop::ColorsPanel</name>
+    <message>
+        <source>Recent colours</source>
+        <translation>Recente kleuren</translation>
+    </message>
+    <message>
+        <source>Colours of the palette</source>
+        <translation>Kleuren van het palet</translation>
+    </message>
+    <message>
+        <source>Colour of new lines</source>
+        <translation>Kleur van nieuwe lijnen</translation>
+    </message>
+    <message>
+        <source>Number of the colour</source>
+        <translation>Nummer van de kleur</translation>
+    </message>
+    <message>
+        <source>The colour as #rrggbb; #rgb and #rrggbbaa do as well</source>
+        <translation>De kleur als #rrggbb; #rgb en #rrggbbaa kan ook</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation>%</translation>
+    </message>
+    <message>
+        <source>Opacity</source>
+        <translation>Dekking</translation>
+    </message>
+    <message>
+        <source>Opacity: 0 % is see-through</source>
+        <translation>Dekking: 0% is doorzichtig</translation>
+    </message>
+    <message>
+        <source>Palette</source>
+        <translation>Palet</translation>
+    </message>
+    <message>
+        <source>Palettes</source>
+        <translation>Paletten</translation>
+    </message>
+    <message>
+        <source>The palette below</source>
+        <translation>Het palet hieronder</translation>
+    </message>
+    <message>
+        <source>Keep this colour in a palette of your own</source>
+        <translation>Deze kleur in een eigen palet bewaren</translation>
+    </message>
+    <message>
+        <source>&amp;Open a palette…</source>
+        <translation>Palet &amp;openen…</translation>
+    </message>
+    <message>
+        <source>&amp;Export this palette…</source>
+        <translation>Dit palet &amp;exporteren…</translation>
+    </message>
+    <message>
+        <source>Take the &amp;colour out of your own</source>
+        <translation>Kleur uit het &amp;eigen palet halen</translation>
+    </message>
+    <message>
+        <source>Faint on this paper: %1:1</source>
+        <translation>Flauw op dit papier: %1:1</translation>
+    </message>
+    <message>
+        <source>Contrast with paper %1:1</source>
+        <translation>Contrast met papier %1:1</translation>
+    </message>
+    <message>
+        <source>My colours</source>
+        <translation>Mijn kleuren</translation>
+    </message>
+    <message>
+        <source>Open a palette</source>
+        <translation>Palet openen</translation>
+    </message>
+    <message>
+        <source>Palettes (*.gpl)</source>
+        <translation>Paletten (*.gpl)</translation>
+    </message>
+    <message>
+        <source>Export the palette</source>
+        <translation>Palet exporteren</translation>
     </message>
 </context>
 <context>
@@ -1377,6 +1858,55 @@ Je tekening is er nog: sla haar ergens anders op.</translation>
     </message>
 </context>
 <context>
+    <name>felt::desktop::HistoryModel</name>
+    <message>
+        <source>Earlier steps are forgotten</source>
+        <translation>Eerdere stappen zijn vergeten</translation>
+    </message>
+    <message>
+        <source>As opened</source>
+        <translation>Zoals geopend</translation>
+    </message>
+    <message>
+        <source>%1, here</source>
+        <translation>%1, hier</translation>
+    </message>
+    <message>
+        <source>%1, undone</source>
+        <translation>%1, ongedaan gemaakt</translation>
+    </message>
+</context>
+<context>
+    <name>felt::desktop::HistoryPanel</name>
+    <message>
+        <source>One step back</source>
+        <translation>Eén stap terug</translation>
+    </message>
+    <message>
+        <source>One step forward</source>
+        <translation>Eén stap vooruit</translation>
+    </message>
+    <message>
+        <source>Steps</source>
+        <translation>Stappen</translation>
+    </message>
+</context>
+<context>
+    <name>felt::desktop::HueStrip</name>
+    <message>
+        <source>Hue</source>
+        <translation>Tint</translation>
+    </message>
+    <message>
+        <source>Hue. Arrow keys move it.</source>
+        <translation>Tint. Pijltoetsen verschuiven hem.</translation>
+    </message>
+    <message>
+        <source>%1 degrees</source>
+        <translation>%1 graden</translation>
+    </message>
+</context>
+<context>
     <name>felt::desktop::KeyEdit</name>
     <message>
         <source>Press a key</source>
@@ -1384,11 +1914,79 @@ Je tekening is er nog: sla haar ergens anders op.</translation>
     </message>
 </context>
 <context>
-    <name>felt::desktop::MainWindow</name>
+    <name>felt::desktop::LayersModel</name>
     <message>
-        <source>Tools</source>
-        <translation>Gereedschap</translation>
+        <source>%1, %2, %3</source>
+        <translation>%1, %2, %3</translation>
     </message>
+    <message>
+        <source>visible</source>
+        <translation>zichtbaar</translation>
+    </message>
+    <message>
+        <source>hidden</source>
+        <translation>verborgen</translation>
+    </message>
+    <message>
+        <source>locked</source>
+        <translation>vergrendeld</translation>
+    </message>
+    <message>
+        <source>unlocked</source>
+        <translation>niet vergrendeld</translation>
+    </message>
+    <message>
+        <source>, in use</source>
+        <translation>, in gebruik</translation>
+    </message>
+    <message>
+        <source>%1
+Double-click to rename, drag to move</source>
+        <translation>%1
+Dubbelklik om te hernoemen, sleep om te verplaatsen</translation>
+    </message>
+</context>
+<context>
+    <name>felt::desktop::LayersPanel</name>
+    <message>
+        <source>Layers</source>
+        <translation>Lagen</translation>
+    </message>
+    <message>
+        <source>Add a layer</source>
+        <translation>Een laag toevoegen</translation>
+    </message>
+    <message>
+        <source>A new layer above this one</source>
+        <translation>Een nieuwe laag boven deze</translation>
+    </message>
+    <message>
+        <source>Raise the layer</source>
+        <translation>De laag omhoog</translation>
+    </message>
+    <message>
+        <source>One place up</source>
+        <translation>Eén plaats omhoog</translation>
+    </message>
+    <message>
+        <source>Lower the layer</source>
+        <translation>De laag omlaag</translation>
+    </message>
+    <message>
+        <source>One place down</source>
+        <translation>Eén plaats omlaag</translation>
+    </message>
+    <message>
+        <source>Remove the layer</source>
+        <translation>De laag verwijderen</translation>
+    </message>
+    <message>
+        <source>Removes the layer and what is drawn on it</source>
+        <translation>Verwijdert de laag en wat erop getekend is</translation>
+    </message>
+</context>
+<context>
+    <name>felt::desktop::MainWindow</name>
     <message>
         <source>Shows or hides the panel %1</source>
         <translation>Toont of verbergt het paneel %1</translation>
@@ -1479,6 +2077,40 @@ Je tekening is er nog: sla haar ergens anders op.</translation>
     </message>
 </context>
 <context>
+    <name>felt::desktop::OptionRow</name>
+    <message>
+        <source>Reset %1</source>
+        <translation>%1 herstellen</translation>
+    </message>
+    <message>
+        <source>Back to %1</source>
+        <translation>Terug naar %1</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+</context>
+<context>
+    <name>felt::desktop::OptionsPanel</name>
+    <message>
+        <source>All options of this tool back to what they were at first</source>
+        <translation>Alle opties van dit gereedschap zoals in het begin</translation>
+    </message>
+    <message>
+        <source>Reset the tool</source>
+        <translation>Gereedschap herstellen</translation>
+    </message>
+    <message>
+        <source>Options of the tool</source>
+        <translation>Opties van het gereedschap</translation>
+    </message>
+    <message>
+        <source>Feel</source>
+        <translation>Gevoel</translation>
+    </message>
+</context>
+<context>
     <name>felt::desktop::Preferences</name>
     <message>
         <source>Preferences</source>
@@ -1499,6 +2131,21 @@ Je tekening is er nog: sla haar ergens anders op.</translation>
     <message>
         <source>Sheet</source>
         <translation>Vel</translation>
+    </message>
+</context>
+<context>
+    <name>felt::desktop::ShadeField</name>
+    <message>
+        <source>Saturation and brightness</source>
+        <translation>Verzadiging en helderheid</translation>
+    </message>
+    <message>
+        <source>Across: saturation. Up: brightness. Arrow keys move it.</source>
+        <translation>Dwars: verzadiging. Omhoog: helderheid. Pijltoetsen verschuiven ze.</translation>
+    </message>
+    <message>
+        <source>Saturation %1 %, brightness %2 %</source>
+        <translation>Verzadiging %1%, helderheid %2%</translation>
     </message>
 </context>
 <context>
@@ -1635,6 +2282,25 @@ Je tekening is er nog: sla haar ergens anders op.</translation>
     </message>
 </context>
 <context>
+    <name>felt::desktop::ToolBar</name>
+    <message>
+        <source>Tools</source>
+        <translation>Gereedschap</translation>
+    </message>
+    <message>
+        <source>in hand while the key is held</source>
+        <translation>in de hand zolang de toets ingedrukt is</translation>
+    </message>
+    <message>
+        <source>comes back when the key is let go</source>
+        <translation>komt terug als de toets wordt losgelaten</translation>
+    </message>
+    <message>
+        <source>in hand</source>
+        <translation>in de hand</translation>
+    </message>
+</context>
+<context>
     <name>felt::desktop::ToolKeys</name>
     <message>
         <source>&amp;Eraser while held</source>
@@ -1713,6 +2379,665 @@ Je tekening is er nog: sla haar ergens anders op.</translation>
     <message>
         <source>&amp;Try it yourself</source>
         <translation>Zelf &amp;proberen</translation>
+    </message>
+</context>
+<context>
+    <name>tools</name>
+    <message>
+        <source>A line drawn round what is to be selected, or a rectangle from corner to corner.</source>
+        <translation>Een lijn om wat geselecteerd moet worden, of een rechthoek van hoek tot hoek.</translation>
+    </message>
+    <message>
+        <source>A line farther from the pen than this is not taken hold of.</source>
+        <translation>Een lijn die verder van de pen ligt, wordt niet gepakt.</translation>
+    </message>
+    <message>
+        <source>A line goes where the eraser covers its ink, instead of its middle.</source>
+        <translation>Een lijn verdwijnt waar haar inkt bedekt is, in plaats van haar midden.</translation>
+    </message>
+    <message>
+        <source>A short touch selects the whole nearest line within this distance.</source>
+        <translation>Een korte aanraking selecteert de hele dichtstbijzijnde lijn binnen deze afstand.</translation>
+    </message>
+    <message>
+        <source>Above 1 a light hand stays thin for longer, below 1 it broadens sooner.</source>
+        <translation>Boven 1 blijft een lichte hand langer dun, onder 1 wordt hij eerder breed.</translation>
+    </message>
+    <message>
+        <source>Amount</source>
+        <translation>Hoeveelheid</translation>
+    </message>
+    <message>
+        <source>An end that is let go beside all others stays there; without it, it goes back. The first modifier chooses the other.</source>
+        <translation>Een eind dat naast alle andere wordt losgelaten blijft daar; anders gaat het terug. De eerste extra toets kiest het andere.</translation>
+    </message>
+    <message>
+        <source>Attraction</source>
+        <translation>Aantrekking</translation>
+    </message>
+    <message>
+        <source>Blackboard</source>
+        <translation>Schoolbord</translation>
+    </message>
+    <message>
+        <source>Broad lines sooner</source>
+        <translation>Brede lijnen eerder</translation>
+    </message>
+    <message>
+        <source>Broadest line</source>
+        <translation>Breedste lijn</translation>
+    </message>
+    <message>
+        <source>Brush: thicker or thinner under the pen. Retrace: drawing along a line gives it the new pressure. Scale: dragging up or down scales a whole line.</source>
+        <translation>Penseel: dikker of dunner onder de pen. Overtrekken: langs een lijn tekenen geeft haar de nieuwe druk. Schalen: omhoog of omlaag slepen schaalt de hele lijn.</translation>
+    </message>
+    <message>
+        <source>By pressure, hard for thicker and light for thinner, or always the same way. The first button of the pen makes thinner, the second thicker.</source>
+        <translation>Naar druk, hard voor dikker en licht voor dunner, of altijd dezelfde kant op. De eerste penknop maakt dunner, de tweede dikker.</translation>
+    </message>
+    <message>
+        <source>By the handle that is touched (auto), or always the same.</source>
+        <translation>Naar de aangeraakte greep (auto), of altijd hetzelfde.</translation>
+    </message>
+    <message>
+        <source>Combine</source>
+        <translation>Combineren</translation>
+    </message>
+    <message>
+        <source>Connect</source>
+        <translation>Verbinden</translation>
+    </message>
+    <message>
+        <source>Constrain</source>
+        <translation>Beperken</translation>
+    </message>
+    <message>
+        <source>Corrects lines: take hold of one and pull it into shape, or push it from outside.</source>
+        <translation>Verbetert lijnen: pak er een en trek haar in vorm, of duw haar van buitenaf.</translation>
+    </message>
+    <message>
+        <source>Direction of the brush</source>
+        <translation>Richting van het penseel</translation>
+    </message>
+    <message>
+        <source>Draws lines; pressing harder draws them broader.</source>
+        <translation>Tekent lijnen; harder drukken maakt ze breder.</translation>
+    </message>
+    <message>
+        <source>Duplicate</source>
+        <translation>Dupliceren</translation>
+    </message>
+    <message>
+        <source>Ends and corners go along, instead of staying unless taken hold of; the first modifier turns this round for one gesture.</source>
+        <translation>Uiteinden en hoeken gaan mee, in plaats van te blijven als ze niet gepakt zijn; de eerste extra toets draait dit om voor één gebaar.</translation>
+    </message>
+    <message>
+        <source>Eraser</source>
+        <translation>Gum</translation>
+    </message>
+    <message>
+        <source>Erases what it covers, lines up to their next crossings, or whole lines.</source>
+        <translation>Gumt wat hij bedekt, lijnen tot hun volgende kruisingen, of hele lijnen.</translation>
+    </message>
+    <message>
+        <source>Felt</source>
+        <translation>Vilt</translation>
+    </message>
+    <message>
+        <source>Fits the finished line again, with fewer segments within the same tolerance; lines of more than a minute stay as drawn.</source>
+        <translation>Past de voltooide lijn opnieuw aan, met minder segmenten binnen dezelfde tolerantie; lijnen van meer dan een minuut blijven zoals getekend.</translation>
+    </message>
+    <message>
+        <source>Force that draws the pen to the end of a line.</source>
+        <translation>Kracht die de pen naar het eind van een lijn trekt.</translation>
+    </message>
+    <message>
+        <source>Free ends and corners</source>
+        <translation>Vrije uiteinden en hoeken</translation>
+    </message>
+    <message>
+        <source>Glass</source>
+        <translation>Glas</translation>
+    </message>
+    <message>
+        <source>Grab divides the line so that no more than this is bent; 0 takes segments as they are.</source>
+        <translation>Pakken verdeelt de lijn zodat niet meer dan dit wordt gebogen; 0 neemt segmenten zoals ze zijn.</translation>
+    </message>
+    <message>
+        <source>Grab radius</source>
+        <translation>Pakstraal</translation>
+    </message>
+    <message>
+        <source>Heavier draws smoother and trails more; for the stabiliser &apos;inertia&apos;.</source>
+        <translation>Zwaarder tekent vloeiender en sleept meer na; voor de stabilisator ‘traagheid’.</translation>
+    </message>
+    <message>
+        <source>How far a line may move when the brush lets go of it; more leaves fewer segments.</source>
+        <translation>Hoe ver een lijn mag verschuiven als het penseel haar loslaat; meer laat minder segmenten over.</translation>
+    </message>
+    <message>
+        <source>How far the brush reaches along the line, to each side.</source>
+        <translation>Hoe ver het penseel langs de lijn reikt, naar elke kant.</translation>
+    </message>
+    <message>
+        <source>How far the finished line may be from the ironed one, for fewer segments.</source>
+        <translation>Hoe ver de voltooide lijn van de gladgestreken mag liggen, voor minder segmenten.</translation>
+    </message>
+    <message>
+        <source>How fast it irons; pressing harder irons faster too.</source>
+        <translation>Hoe snel het gladstrijkt; harder drukken gaat ook sneller.</translation>
+    </message>
+    <message>
+        <source>How fast the width changes, per unit of pressure.</source>
+        <translation>Hoe snel de breedte verandert, per druk.</translation>
+    </message>
+    <message>
+        <source>How grab bends a segment: with least motion (soft), by the paper&apos;s three cases (paper), or by its equation 7 as printed, which does not reach the pen.</source>
+        <translation>Hoe pakken een segment buigt: met de minste beweging (zacht), volgens de drie gevallen van het artikel (artikel), of volgens vergelijking 7 zoals gedrukt, die de pen niet bereikt.</translation>
+    </message>
+    <message>
+        <source>How near to the end of a line the pen takes hold of it.</source>
+        <translation>Hoe dicht bij het eind van een lijn de pen het pakt.</translation>
+    </message>
+    <message>
+        <source>How slowly a line gives way to the pen that sweeps it.</source>
+        <translation>Hoe langzaam een lijn toegeeft aan de vegende pen.</translation>
+    </message>
+    <message>
+        <source>Irons the jitter out of lines and leaves their shape.</source>
+        <translation>Strijkt het beven uit lijnen en laat hun vorm.</translation>
+    </message>
+    <message>
+        <source>Joins ends of lines, or closes a line: drag an end onto another, or tap where two ends are near.</source>
+        <translation>Verbindt lijneinden, of sluit een lijn: sleep een eind op een ander, of tik waar twee einden dicht bij elkaar zijn.</translation>
+    </message>
+    <message>
+        <source>Keep lines separate</source>
+        <translation>Lijnen apart houden</translation>
+    </message>
+    <message>
+        <source>Largest distance between the pen&apos;s way and the line.</source>
+        <translation>Grootste afstand tussen de weg van de pen en de lijn.</translation>
+    </message>
+    <message>
+        <source>Lasso</source>
+        <translation>Lasso</translation>
+    </message>
+    <message>
+        <source>Leave the end where it is let go</source>
+        <translation>Het eind laten waar het wordt losgelaten</translation>
+    </message>
+    <message>
+        <source>Leaves the lines and transforms a copy; as the second button of the pen does.</source>
+        <translation>Laat de lijnen en transformeert een kopie; zoals de tweede penknop.</translation>
+    </message>
+    <message>
+        <source>Length bent by grab</source>
+        <translation>Bij pakken gebogen lengte</translation>
+    </message>
+    <message>
+        <source>Lines that meet share the point but stay two lines.</source>
+        <translation>Lijnen die elkaar raken delen het punt maar blijven twee lijnen.</translation>
+    </message>
+    <message>
+        <source>Longer draws smoother and trails more; for the stabiliser &apos;towed&apos;.</source>
+        <translation>Langer tekent vloeiender en sleept meer na; voor de stabilisator ‘gesleept’.</translation>
+    </message>
+    <message>
+        <source>Makes lines broader and thinner, here and there or as a whole.</source>
+        <translation>Maakt lijnen breder en dunner, hier en daar of als geheel.</translation>
+    </message>
+    <message>
+        <source>Mass of the stabiliser</source>
+        <translation>Massa van de stabilisator</translation>
+    </message>
+    <message>
+        <source>Material</source>
+        <translation>Materiaal</translation>
+    </message>
+    <message>
+        <source>Mode</source>
+        <translation>Modus</translation>
+    </message>
+    <message>
+        <source>Moves along one axis, turns in steps of 15 degrees, corners stretch both axes freely; as the first button of the pen does.</source>
+        <translation>Verplaatst langs één as, draait in stappen van 15 graden, hoeken rekken beide assen vrij; zoals de eerste penknop.</translation>
+    </message>
+    <message>
+        <source>Moves, turns, scales and stretches what is selected, held back by the lines that lead out of it.</source>
+        <translation>Verplaatst, draait, schaalt en rekt wat geselecteerd is, tegengehouden door de lijnen die eruit leiden.</translation>
+    </message>
+    <message>
+        <source>No line is made broader than this; one that is may stay so.</source>
+        <translation>Geen lijn wordt breder dan dit; een die dat al is mag zo blijven.</translation>
+    </message>
+    <message>
+        <source>Of retracing: above 1 a light hand stays thin for longer.</source>
+        <translation>Bij overtrekken: boven 1 blijft een lichte hand langer dun.</translation>
+    </message>
+    <message>
+        <source>Paper</source>
+        <translation>Papier</translation>
+    </message>
+    <message>
+        <source>Pencil</source>
+        <translation>Potlood</translation>
+    </message>
+    <message>
+        <source>Pressure curve</source>
+        <translation>Drukkromme</translation>
+    </message>
+    <message>
+        <source>Pressure of a device that knows neither pressure nor depth.</source>
+        <translation>Druk van een apparaat dat druk noch diepte kent.</translation>
+    </message>
+    <message>
+        <source>Pressure of a mouse</source>
+        <translation>Druk van een muis</translation>
+    </message>
+    <message>
+        <source>Pull</source>
+        <translation>Trekken</translation>
+    </message>
+    <message>
+        <source>Pull a stretch of a line (brush), bend one segment (grab), push lines from outside (push), or draw a line over again (sweep).</source>
+        <translation>Een stuk lijn trekken (penseel), één segment buigen (pakken), lijnen van buitenaf duwen (duwen), of een lijn opnieuw trekken (vegen).</translation>
+    </message>
+    <message>
+        <source>Radius</source>
+        <translation>Straal</translation>
+    </message>
+    <message>
+        <source>Radius around the end of a line within which it attracts the dragged end; a tap connects ends that are this near.</source>
+        <translation>Straal rond een lijneind waarbinnen het gesleepte eind wordt aangetrokken; een tik verbindt einden die zo dichtbij zijn.</translation>
+    </message>
+    <message>
+        <source>Radius around the end of a line within which it attracts the pen.</source>
+        <translation>Straal rond een lijneind waarbinnen het de pen aantrekt.</translation>
+    </message>
+    <message>
+        <source>Radius of the eraser.</source>
+        <translation>Straal van de gum.</translation>
+    </message>
+    <message>
+        <source>Radius of the nib</source>
+        <translation>Straal van de punt</translation>
+    </message>
+    <message>
+        <source>Radius within which a line that begins or ends there is connected.</source>
+        <translation>Straal waarbinnen een lijn die daar begint of eindigt wordt verbonden.</translation>
+    </message>
+    <message>
+        <source>Radius within which the dragged end is connected.</source>
+        <translation>Straal waarbinnen het gesleepte eind wordt verbonden.</translation>
+    </message>
+    <message>
+        <source>Reach</source>
+        <translation>Bereik</translation>
+    </message>
+    <message>
+        <source>Reach of a click</source>
+        <translation>Bereik van een klik</translation>
+    </message>
+    <message>
+        <source>Reach of the attraction</source>
+        <translation>Bereik van de aantrekking</translation>
+    </message>
+    <message>
+        <source>Reach of the brush</source>
+        <translation>Bereik van het penseel</translation>
+    </message>
+    <message>
+        <source>Refine at pen-up</source>
+        <translation>Verfijnen bij optillen</translation>
+    </message>
+    <message>
+        <source>Rope of the stabiliser</source>
+        <translation>Touw van de stabilisator</translation>
+    </message>
+    <message>
+        <source>Rounds corners, which otherwise stay; ends of lines always do.</source>
+        <translation>Rondt hoeken af, die anders blijven; lijneinden blijven altijd.</translation>
+    </message>
+    <message>
+        <source>Scale widths</source>
+        <translation>Breedten schalen</translation>
+    </message>
+    <message>
+        <source>Scaling makes lines broader or thinner as well.</source>
+        <translation>Schalen maakt lijnen ook breder of dunner.</translation>
+    </message>
+    <message>
+        <source>Select</source>
+        <translation>Selecteren</translation>
+    </message>
+    <message>
+        <source>Selects what a line is drawn round; a short touch takes a line.</source>
+        <translation>Selecteert waar een lijn omheen getekend wordt; een korte aanraking neemt een lijn.</translation>
+    </message>
+    <message>
+        <source>Shape</source>
+        <translation>Vorm</translation>
+    </message>
+    <message>
+        <source>Share of friction and grain that is felt; the sheet stays as hard as it is.</source>
+        <translation>Aandeel van wrijving en korrel dat je voelt; het vel blijft zo hard als het is.</translation>
+    </message>
+    <message>
+        <source>Share of friction and roughness that is felt; the sheet stays as hard as it is.</source>
+        <translation>Aandeel van wrijving en ruwheid dat je voelt; het vel blijft zo hard als het is.</translation>
+    </message>
+    <message>
+        <source>Share of friction, grain, attraction and pull that is felt; the sheet stays as hard as it is.</source>
+        <translation>Aandeel van wrijving, korrel, aantrekking en trek dat je voelt; het vel blijft zo hard als het is.</translation>
+    </message>
+    <message>
+        <source>Share of friction, grain, attraction and stabiliser that is felt; the sheet stays as hard as it is.</source>
+        <translation>Aandeel van wrijving, korrel, aantrekking en stabilisator dat je voelt; het vel blijft zo hard als het is.</translation>
+    </message>
+    <message>
+        <source>Share of friction, stops and pull that is felt; the sheet stays as hard as it is.</source>
+        <translation>Aandeel van wrijving, aanslagen en trek dat je voelt; het vel blijft zo hard als het is.</translation>
+    </message>
+    <message>
+        <source>Share of the counter-force, friction and grain that is felt; the sheet stays as hard as it is.</source>
+        <translation>Aandeel van tegenkracht, wrijving en korrel dat je voelt; het vel blijft zo hard als het is.</translation>
+    </message>
+    <message>
+        <source>Share of the sheet&apos;s friction and grain that is felt; the sheet stays as hard as it is.</source>
+        <translation>Aandeel van wrijving en korrel van het vel dat je voelt; het vel blijft zo hard als het is.</translation>
+    </message>
+    <message>
+        <source>Share of the tethers, friction and grain that is felt.</source>
+        <translation>Aandeel van lijnen, wrijving en korrel dat je voelt.</translation>
+    </message>
+    <message>
+        <source>Sheet</source>
+        <translation>Vel</translation>
+    </message>
+    <message>
+        <source>Size of the round nib that pushes lines.</source>
+        <translation>Grootte van de ronde punt die lijnen duwt.</translation>
+    </message>
+    <message>
+        <source>Smooth</source>
+        <translation>Gladstrijken</translation>
+    </message>
+    <message>
+        <source>Smooth corners too</source>
+        <translation>Ook hoeken gladstrijken</translation>
+    </message>
+    <message>
+        <source>Snap radius</source>
+        <translation>Vastklikstraal</translation>
+    </message>
+    <message>
+        <source>Snapping</source>
+        <translation>Vastklikken</translation>
+    </message>
+    <message>
+        <source>Speed of the brush</source>
+        <translation>Snelheid van het penseel</translation>
+    </message>
+    <message>
+        <source>Stabiliser</source>
+        <translation>Stabilisator</translation>
+    </message>
+    <message>
+        <source>Steadies the hand: the line is drawn by a mass, or by a nib on a rope.</source>
+        <translation>Maakt de hand rustig: de lijn wordt getrokken door een massa, of door een punt aan een touw.</translation>
+    </message>
+    <message>
+        <source>Strength of forces</source>
+        <translation>Sterkte van de krachten</translation>
+    </message>
+    <message>
+        <source>The parts of lines inside by their control points (points) or by their joints only (on-curve), or whole lines of which any part is inside (strokes).</source>
+        <translation>De delen van lijnen erbinnen naar hun controlepunten (punten) of alleen hun knooppunten (op de kromme), of hele lijnen waarvan een deel erbinnen ligt (lijnen).</translation>
+    </message>
+    <message>
+        <source>Thinnest line</source>
+        <translation>Dunste lijn</translation>
+    </message>
+    <message>
+        <source>Thinnest retraced line</source>
+        <translation>Dunste overgetrokken lijn</translation>
+    </message>
+    <message>
+        <source>Time of sweep</source>
+        <translation>Tijd van vegen</translation>
+    </message>
+    <message>
+        <source>Tolerance</source>
+        <translation>Tolerantie</translation>
+    </message>
+    <message>
+        <source>Transform</source>
+        <translation>Transformeren</translation>
+    </message>
+    <message>
+        <source>Way along the line, to both sides of the pen, that is ironed; waves up to this long can be taken away.</source>
+        <translation>Weg langs de lijn, aan beide kanten van de pen, die wordt gladgestreken; golven tot deze lengte kunnen weg.</translation>
+    </message>
+    <message>
+        <source>Way along the line, to both sides of the pen, within which the width changes.</source>
+        <translation>Weg langs de lijn, aan beide kanten van de pen, waarbinnen de breedte verandert.</translation>
+    </message>
+    <message>
+        <source>Weights of grab</source>
+        <translation>Gewichten van pakken</translation>
+    </message>
+    <message>
+        <source>What a touch does</source>
+        <translation>Wat een aanraking doet</translation>
+    </message>
+    <message>
+        <source>What becomes of what was selected before; the first button of the pen adds, the second takes away.</source>
+        <translation>Wat er met de vorige selectie gebeurt; de eerste penknop voegt toe, de tweede haalt weg.</translation>
+    </message>
+    <message>
+        <source>What goes</source>
+        <translation>Wat verdwijnt</translation>
+    </message>
+    <message>
+        <source>What is covered, the part of a line up to its next crossings, or the whole line.</source>
+        <translation>Wat bedekt is, het deel van een lijn tot de volgende kruisingen, of de hele lijn.</translation>
+    </message>
+    <message>
+        <source>What the pen is made of: how it looks and how it slides.</source>
+        <translation>Waar de pen van gemaakt is: hoe hij eruitziet en hoe hij glijdt.</translation>
+    </message>
+    <message>
+        <source>What the sheet is made of: its hardness and its friction.</source>
+        <translation>Waar het vel van gemaakt is: zijn hardheid en wrijving.</translation>
+    </message>
+    <message>
+        <source>Whether ends of lines attract the pen (force), connect to it (snap), or both.</source>
+        <translation>Of lijneinden de pen aantrekken (kracht), ermee verbinden (vastklikken), of beide.</translation>
+    </message>
+    <message>
+        <source>Whether ends of lines attract the pen (force), connect to the dragged end (snap), or both.</source>
+        <translation>Of lijneinden de pen aantrekken (kracht), met het gesleepte eind verbinden (vastklikken), of beide.</translation>
+    </message>
+    <message>
+        <source>Width</source>
+        <translation>Breedte</translation>
+    </message>
+    <message>
+        <source>Width of a line at full pressure; at least that of the thinnest line.</source>
+        <translation>Breedte van een lijn bij volle druk; minstens die van de dunste lijn.</translation>
+    </message>
+    <message>
+        <source>Width of a line without pressure.</source>
+        <translation>Breedte van een lijn zonder druk.</translation>
+    </message>
+    <message>
+        <source>Width of a retraced line without pressure.</source>
+        <translation>Breedte van een overgetrokken lijn zonder druk.</translation>
+    </message>
+    <message>
+        <source>With nothing selected, a touch takes the nearest line within this distance.</source>
+        <translation>Is er niets geselecteerd, dan neemt een aanraking de dichtstbijzijnde lijn binnen deze afstand.</translation>
+    </message>
+    <message>
+        <source>add</source>
+        <translation>toevoegen</translation>
+    </message>
+    <message>
+        <source>auto</source>
+        <translation>auto</translation>
+    </message>
+    <message>
+        <source>blackboard</source>
+        <translation>schoolbord</translation>
+    </message>
+    <message>
+        <source>both</source>
+        <translation>beide</translation>
+    </message>
+    <message>
+        <source>brush</source>
+        <translation>penseel</translation>
+    </message>
+    <message>
+        <source>chalk</source>
+        <translation>krijt</translation>
+    </message>
+    <message>
+        <source>crayon</source>
+        <translation>waskrijt</translation>
+    </message>
+    <message>
+        <source>crossing</source>
+        <translation>kruising</translation>
+    </message>
+    <message>
+        <source>felt</source>
+        <translation>vilt</translation>
+    </message>
+    <message>
+        <source>felt-tip</source>
+        <translation>viltstift</translation>
+    </message>
+    <message>
+        <source>force</source>
+        <translation>kracht</translation>
+    </message>
+    <message>
+        <source>free</source>
+        <translation>vrij</translation>
+    </message>
+    <message>
+        <source>glass</source>
+        <translation>glas</translation>
+    </message>
+    <message>
+        <source>grab</source>
+        <translation>pakken</translation>
+    </message>
+    <message>
+        <source>inertia</source>
+        <translation>traagheid</translation>
+    </message>
+    <message>
+        <source>move</source>
+        <translation>verplaatsen</translation>
+    </message>
+    <message>
+        <source>off</source>
+        <translation>uit</translation>
+    </message>
+    <message>
+        <source>on-curve</source>
+        <translation>op de kromme</translation>
+    </message>
+    <message>
+        <source>paper</source>
+        <translation>papier</translation>
+    </message>
+    <message>
+        <source>pencil</source>
+        <translation>potlood</translation>
+    </message>
+    <message>
+        <source>points</source>
+        <translation>punten</translation>
+    </message>
+    <message>
+        <source>pressure</source>
+        <translation>druk</translation>
+    </message>
+    <message>
+        <source>printed</source>
+        <translation>gedrukt</translation>
+    </message>
+    <message>
+        <source>push</source>
+        <translation>duwen</translation>
+    </message>
+    <message>
+        <source>rectangle</source>
+        <translation>rechthoek</translation>
+    </message>
+    <message>
+        <source>replace</source>
+        <translation>vervangen</translation>
+    </message>
+    <message>
+        <source>retrace</source>
+        <translation>overtrekken</translation>
+    </message>
+    <message>
+        <source>rotate</source>
+        <translation>draaien</translation>
+    </message>
+    <message>
+        <source>scale</source>
+        <translation>schalen</translation>
+    </message>
+    <message>
+        <source>snap</source>
+        <translation>vastklikken</translation>
+    </message>
+    <message>
+        <source>soft</source>
+        <translation>zacht</translation>
+    </message>
+    <message>
+        <source>stretch</source>
+        <translation>rekken</translation>
+    </message>
+    <message>
+        <source>stroke</source>
+        <translation>lijn</translation>
+    </message>
+    <message>
+        <source>strokes</source>
+        <translation>lijnen</translation>
+    </message>
+    <message>
+        <source>subtract</source>
+        <translation>aftrekken</translation>
+    </message>
+    <message>
+        <source>sweep</source>
+        <translation>vegen</translation>
+    </message>
+    <message>
+        <source>thicker</source>
+        <translation>dikker</translation>
+    </message>
+    <message>
+        <source>thinner</source>
+        <translation>dunner</translation>
+    </message>
+    <message>
+        <source>touched</source>
+        <translation>geraakte</translation>
+    </message>
+    <message>
+        <source>towed</source>
+        <translation>gesleept</translation>
     </message>
 </context>
 </TS>
