@@ -33,6 +33,41 @@
     </message>
 </context>
 <context>
+    <name>ButtonRole</name>
+    <message>
+        <source>Nothing</source>
+        <translation>Nichts</translation>
+    </message>
+    <message>
+        <source>Erase while held</source>
+        <translation>Radieren, solange gehalten</translation>
+    </message>
+    <message>
+        <source>Pull while held</source>
+        <translation>Ziehen, solange gehalten</translation>
+    </message>
+    <message>
+        <source>Select while held</source>
+        <translation>Auswählen, solange gehalten</translation>
+    </message>
+    <message>
+        <source>Move the sheet while held</source>
+        <translation>Blatt verschieben, solange gehalten</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>Rückgängig</translation>
+    </message>
+    <message>
+        <source>The tool&apos;s first modifier (Shift)</source>
+        <translation>Erste Zusatztaste des Werkzeugs (Umschalt)</translation>
+    </message>
+    <message>
+        <source>The tool&apos;s second modifier (Ctrl)</source>
+        <translation>Zweite Zusatztaste des Werkzeugs (Strg)</translation>
+    </message>
+</context>
+<context>
     <name>ColorActions</name>
     <message>
         <source>&amp;Open a palette…</source>
@@ -615,6 +650,33 @@
     <message>
         <source>Okabe and Ito</source>
         <translation>Okabe und Ito</translation>
+    </message>
+</context>
+<context>
+    <name>PenActions</name>
+    <message>
+        <source>&amp;Pen pressure</source>
+        <translation>Stift&amp;druck</translation>
+    </message>
+    <message>
+        <source>Pressing harder draws wider; off, every line has the same width.</source>
+        <translation>Fester drücken zeichnet breiter; aus: jede Linie ist gleich breit.</translation>
+    </message>
+    <message>
+        <source>Hold the &amp;first modifier</source>
+        <translation>&amp;Erste Zusatztaste halten</translation>
+    </message>
+    <message>
+        <source>As if Shift were held, until it is chosen again.</source>
+        <translation>Als würde Umschalt gehalten, bis zum nächsten Wählen.</translation>
+    </message>
+    <message>
+        <source>Hold the &amp;second modifier</source>
+        <translation>&amp;Zweite Zusatztaste halten</translation>
+    </message>
+    <message>
+        <source>As if Ctrl were held, until it is chosen again.</source>
+        <translation>Als würde Strg gehalten, bis zum nächsten Wählen.</translation>
     </message>
 </context>
 <context>
@@ -1914,6 +1976,21 @@ Ihre Zeichnung ist noch da: speichern Sie sie anderswo.</translation>
     </message>
 </context>
 <context>
+    <name>felt::desktop::KeyboardPen</name>
+    <message>
+        <source>Cancelled, the pen is up</source>
+        <translation>Abgebrochen, der Stift ist oben</translation>
+    </message>
+    <message>
+        <source>The pen is down</source>
+        <translation>Der Stift ist unten</translation>
+    </message>
+    <message>
+        <source>The pen is up</source>
+        <translation>Der Stift ist oben</translation>
+    </message>
+</context>
+<context>
     <name>felt::desktop::LayersModel</name>
     <message>
         <source>%1, %2, %3</source>
@@ -2111,6 +2188,179 @@ Doppelklick benennt um, Ziehen verschiebt</translation>
     </message>
 </context>
 <context>
+    <name>felt::desktop::PenInput</name>
+    <message>
+        <source>Pressure is switched off.</source>
+        <translation>Druck ist ausgeschaltet.</translation>
+    </message>
+    <message>
+        <source>Your pen&apos;s pressure is seen.</source>
+        <translation>Der Druck Ihres Stifts wird erkannt.</translation>
+    </message>
+    <message>
+        <source>Your pen senses no pressure.</source>
+        <translation>Ihr Stift erkennt keinen Druck.</translation>
+    </message>
+</context>
+<context>
+    <name>felt::desktop::PenTestArea</name>
+    <message>
+        <source>Test area</source>
+        <translation>Probefläche</translation>
+    </message>
+    <message>
+        <source>Scribble here to try the pen; nothing of it is kept.</source>
+        <translation>Hier kritzeln, um den Stift zu probieren; nichts davon bleibt.</translation>
+    </message>
+    <message>
+        <source>Scribble here to try your pen</source>
+        <translation>Hier kritzeln, um den Stift zu probieren</translation>
+    </message>
+</context>
+<context>
+    <name>felt::desktop::PensPage</name>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>Pressure</source>
+        <translation>Druck</translation>
+    </message>
+    <message>
+        <source>&amp;Pressing harder draws wider</source>
+        <translation>Fester &amp;drücken zeichnet breiter</translation>
+    </message>
+    <message>
+        <source>Off: every line has the same width, however hard you press.</source>
+        <translation>Aus: jede Linie ist gleich breit, wie fest Sie auch drücken.</translation>
+    </message>
+    <message>
+        <source>&amp;Soft</source>
+        <translation>&amp;Weich</translation>
+    </message>
+    <message>
+        <source>Feel, from soft to firm</source>
+        <translation>Gefühl, von weich bis fest</translation>
+    </message>
+    <message>
+        <source>Soft: a light hand draws wide. Firm: press harder for the same width.</source>
+        <translation>Weich: eine leichte Hand zeichnet breit. Fest: fester drücken für dieselbe Breite.</translation>
+    </message>
+    <message>
+        <source>Firm</source>
+        <translation>Fest</translation>
+    </message>
+    <message>
+        <source>&amp;Touches from</source>
+        <translation>&amp;Berührt ab</translation>
+    </message>
+    <message>
+        <source>Pressure from which the pen touches</source>
+        <translation>Druck, ab dem der Stift berührt</translation>
+    </message>
+    <message>
+        <source>For a pen that draws before it is pressed.</source>
+        <translation>Für einen Stift, der zeichnet, bevor er gedrückt wird.</translation>
+    </message>
+    <message>
+        <source>&amp;Straight again</source>
+        <translation>Wieder &amp;gerade</translation>
+    </message>
+    <message>
+        <source>The curve that it came with.</source>
+        <translation>Die ursprüngliche Kurve.</translation>
+    </message>
+    <message>
+        <source>Pressure after the curve</source>
+        <translation>Druck nach der Kurve</translation>
+    </message>
+    <message>
+        <source>pen %1, line %2</source>
+        <translation>Stift %1, Linie %2</translation>
+    </message>
+    <message>
+        <source>&amp;Wipe</source>
+        <translation>&amp;Wischen</translation>
+    </message>
+    <message>
+        <source>Takes what was scribbled away.</source>
+        <translation>Nimmt das Gekritzel weg.</translation>
+    </message>
+    <message>
+        <source>Buttons, mouse and touch</source>
+        <translation>Tasten, Maus und Berührung</translation>
+    </message>
+    <message>
+        <source>Pen, &amp;lower button:</source>
+        <translation>Stift, &amp;untere Taste:</translation>
+    </message>
+    <message>
+        <source>Lower button of the pen</source>
+        <translation>Untere Taste des Stifts</translation>
+    </message>
+    <message>
+        <source>Pen, &amp;upper button:</source>
+        <translation>Stift, &amp;obere Taste:</translation>
+    </message>
+    <message>
+        <source>Upper button of the pen</source>
+        <translation>Obere Taste des Stifts</translation>
+    </message>
+    <message>
+        <source>Mouse, &amp;right button:</source>
+        <translation>Maus, &amp;rechte Taste:</translation>
+    </message>
+    <message>
+        <source>Right button of the mouse</source>
+        <translation>Rechte Maustaste</translation>
+    </message>
+    <message>
+        <source>Width of lines by mouse</source>
+        <translation>Linienbreite mit der Maus</translation>
+    </message>
+    <message>
+        <source>The same all along</source>
+        <translation>Überall gleich</translation>
+    </message>
+    <message>
+        <source>Thinner when fast</source>
+        <translation>Schnell ist dünner</translation>
+    </message>
+    <message>
+        <source>&amp;Mouse, width of lines:</source>
+        <translation>&amp;Maus, Linienbreite:</translation>
+    </message>
+    <message>
+        <source>What one finger does</source>
+        <translation>Was ein Finger tut</translation>
+    </message>
+    <message>
+        <source>Moves the sheet</source>
+        <translation>Verschiebt das Blatt</translation>
+    </message>
+    <message>
+        <source>Draws</source>
+        <translation>Zeichnet</translation>
+    </message>
+    <message>
+        <source>Nothing: touch is off</source>
+        <translation>Nichts: Berührung ist aus</translation>
+    </message>
+    <message>
+        <source>Two fingers move, zoom and turn the sheet. While the pen is near, touch is ignored.</source>
+        <translation>Zwei Finger verschieben, zoomen und drehen das Blatt. Ist der Stift nah, zählt Berührung nicht.</translation>
+    </message>
+    <message>
+        <source>One f&amp;inger:</source>
+        <translation>Ein &amp;Finger:</translation>
+    </message>
+    <message>
+        <source>mouse, line %1</source>
+        <translation>Maus, Linie %1</translation>
+    </message>
+</context>
+<context>
     <name>felt::desktop::Preferences</name>
     <message>
         <source>Preferences</source>
@@ -2131,6 +2381,25 @@ Doppelklick benennt um, Ziehen verschiebt</translation>
     <message>
         <source>Sheet</source>
         <translation>Blatt</translation>
+    </message>
+    <message>
+        <source>Pen</source>
+        <translation>Stift</translation>
+    </message>
+</context>
+<context>
+    <name>felt::desktop::PressureCurveEditor</name>
+    <message>
+        <source>Pressure curve</source>
+        <translation>Druckkurve</translation>
+    </message>
+    <message>
+        <source>From the pen&apos;s pressure, left to right, to the line&apos;s width, bottom to top. The arrow keys move a handle, Space takes the other one.</source>
+        <translation>Vom Druck des Stifts, links nach rechts, zur Breite der Linie, unten nach oben. Pfeiltasten bewegen einen Griff, die Leertaste nimmt den anderen.</translation>
+    </message>
+    <message>
+        <source>Drag the two handles. Higher is wider.</source>
+        <translation>Ziehen Sie die beiden Griffe. Höher ist breiter.</translation>
     </message>
 </context>
 <context>

@@ -33,6 +33,41 @@
     </message>
 </context>
 <context>
+    <name>ButtonRole</name>
+    <message>
+        <source>Nothing</source>
+        <translation>Niets</translation>
+    </message>
+    <message>
+        <source>Erase while held</source>
+        <translation>Gummen zolang ingedrukt</translation>
+    </message>
+    <message>
+        <source>Pull while held</source>
+        <translation>Trekken zolang ingedrukt</translation>
+    </message>
+    <message>
+        <source>Select while held</source>
+        <translation>Selecteren zolang ingedrukt</translation>
+    </message>
+    <message>
+        <source>Move the sheet while held</source>
+        <translation>Vel verschuiven zolang ingedrukt</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>Ongedaan maken</translation>
+    </message>
+    <message>
+        <source>The tool&apos;s first modifier (Shift)</source>
+        <translation>Eerste extra toets van het gereedschap (Shift)</translation>
+    </message>
+    <message>
+        <source>The tool&apos;s second modifier (Ctrl)</source>
+        <translation>Tweede extra toets van het gereedschap (Ctrl)</translation>
+    </message>
+</context>
+<context>
     <name>ColorActions</name>
     <message>
         <source>&amp;Open a palette…</source>
@@ -615,6 +650,33 @@
     <message>
         <source>Okabe and Ito</source>
         <translation>Okabe en Ito</translation>
+    </message>
+</context>
+<context>
+    <name>PenActions</name>
+    <message>
+        <source>&amp;Pen pressure</source>
+        <translation>Pen&amp;druk</translation>
+    </message>
+    <message>
+        <source>Pressing harder draws wider; off, every line has the same width.</source>
+        <translation>Harder drukken tekent breder; uit: elke lijn is even breed.</translation>
+    </message>
+    <message>
+        <source>Hold the &amp;first modifier</source>
+        <translation>&amp;Eerste extra toets vasthouden</translation>
+    </message>
+    <message>
+        <source>As if Shift were held, until it is chosen again.</source>
+        <translation>Alsof Shift ingedrukt is, tot je dit weer kiest.</translation>
+    </message>
+    <message>
+        <source>Hold the &amp;second modifier</source>
+        <translation>&amp;Tweede extra toets vasthouden</translation>
+    </message>
+    <message>
+        <source>As if Ctrl were held, until it is chosen again.</source>
+        <translation>Alsof Ctrl ingedrukt is, tot je dit weer kiest.</translation>
     </message>
 </context>
 <context>
@@ -1914,6 +1976,21 @@ Je tekening is er nog: sla haar ergens anders op.</translation>
     </message>
 </context>
 <context>
+    <name>felt::desktop::KeyboardPen</name>
+    <message>
+        <source>Cancelled, the pen is up</source>
+        <translation>Afgebroken, de pen is op</translation>
+    </message>
+    <message>
+        <source>The pen is down</source>
+        <translation>De pen is neer</translation>
+    </message>
+    <message>
+        <source>The pen is up</source>
+        <translation>De pen is op</translation>
+    </message>
+</context>
+<context>
     <name>felt::desktop::LayersModel</name>
     <message>
         <source>%1, %2, %3</source>
@@ -2111,6 +2188,179 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen</translation>
     </message>
 </context>
 <context>
+    <name>felt::desktop::PenInput</name>
+    <message>
+        <source>Pressure is switched off.</source>
+        <translation>Druk is uitgeschakeld.</translation>
+    </message>
+    <message>
+        <source>Your pen&apos;s pressure is seen.</source>
+        <translation>De druk van je pen wordt gezien.</translation>
+    </message>
+    <message>
+        <source>Your pen senses no pressure.</source>
+        <translation>Je pen voelt geen druk.</translation>
+    </message>
+</context>
+<context>
+    <name>felt::desktop::PenTestArea</name>
+    <message>
+        <source>Test area</source>
+        <translation>Proefvlak</translation>
+    </message>
+    <message>
+        <source>Scribble here to try the pen; nothing of it is kept.</source>
+        <translation>Krabbel hier om de pen te proberen; er blijft niets van bewaard.</translation>
+    </message>
+    <message>
+        <source>Scribble here to try your pen</source>
+        <translation>Krabbel hier om je pen te proberen</translation>
+    </message>
+</context>
+<context>
+    <name>felt::desktop::PensPage</name>
+    <message>
+        <source>%1 %</source>
+        <translation>%1%</translation>
+    </message>
+    <message>
+        <source>Pressure</source>
+        <translation>Druk</translation>
+    </message>
+    <message>
+        <source>&amp;Pressing harder draws wider</source>
+        <translation>Harder &amp;drukken tekent breder</translation>
+    </message>
+    <message>
+        <source>Off: every line has the same width, however hard you press.</source>
+        <translation>Uit: elke lijn is even breed, hoe hard je ook drukt.</translation>
+    </message>
+    <message>
+        <source>&amp;Soft</source>
+        <translation>&amp;Zacht</translation>
+    </message>
+    <message>
+        <source>Feel, from soft to firm</source>
+        <translation>Gevoel, van zacht tot stevig</translation>
+    </message>
+    <message>
+        <source>Soft: a light hand draws wide. Firm: press harder for the same width.</source>
+        <translation>Zacht: een lichte hand tekent breed. Stevig: druk harder voor dezelfde breedte.</translation>
+    </message>
+    <message>
+        <source>Firm</source>
+        <translation>Stevig</translation>
+    </message>
+    <message>
+        <source>&amp;Touches from</source>
+        <translation>&amp;Raakt vanaf</translation>
+    </message>
+    <message>
+        <source>Pressure from which the pen touches</source>
+        <translation>Druk vanaf welke de pen raakt</translation>
+    </message>
+    <message>
+        <source>For a pen that draws before it is pressed.</source>
+        <translation>Voor een pen die tekent voordat je drukt.</translation>
+    </message>
+    <message>
+        <source>&amp;Straight again</source>
+        <translation>Weer &amp;recht</translation>
+    </message>
+    <message>
+        <source>The curve that it came with.</source>
+        <translation>De oorspronkelijke kromme.</translation>
+    </message>
+    <message>
+        <source>Pressure after the curve</source>
+        <translation>Druk na de kromme</translation>
+    </message>
+    <message>
+        <source>pen %1, line %2</source>
+        <translation>pen %1, lijn %2</translation>
+    </message>
+    <message>
+        <source>&amp;Wipe</source>
+        <translation>&amp;Wissen</translation>
+    </message>
+    <message>
+        <source>Takes what was scribbled away.</source>
+        <translation>Haalt het gekrabbel weg.</translation>
+    </message>
+    <message>
+        <source>Buttons, mouse and touch</source>
+        <translation>Knoppen, muis en aanraking</translation>
+    </message>
+    <message>
+        <source>Pen, &amp;lower button:</source>
+        <translation>Pen, &amp;onderste knop:</translation>
+    </message>
+    <message>
+        <source>Lower button of the pen</source>
+        <translation>Onderste knop van de pen</translation>
+    </message>
+    <message>
+        <source>Pen, &amp;upper button:</source>
+        <translation>Pen, &amp;bovenste knop:</translation>
+    </message>
+    <message>
+        <source>Upper button of the pen</source>
+        <translation>Bovenste knop van de pen</translation>
+    </message>
+    <message>
+        <source>Mouse, &amp;right button:</source>
+        <translation>Muis, &amp;rechterknop:</translation>
+    </message>
+    <message>
+        <source>Right button of the mouse</source>
+        <translation>Rechtermuisknop</translation>
+    </message>
+    <message>
+        <source>Width of lines by mouse</source>
+        <translation>Lijnbreedte met de muis</translation>
+    </message>
+    <message>
+        <source>The same all along</source>
+        <translation>Overal gelijk</translation>
+    </message>
+    <message>
+        <source>Thinner when fast</source>
+        <translation>Snel is dunner</translation>
+    </message>
+    <message>
+        <source>&amp;Mouse, width of lines:</source>
+        <translation>&amp;Muis, lijnbreedte:</translation>
+    </message>
+    <message>
+        <source>What one finger does</source>
+        <translation>Wat één vinger doet</translation>
+    </message>
+    <message>
+        <source>Moves the sheet</source>
+        <translation>Verschuift het vel</translation>
+    </message>
+    <message>
+        <source>Draws</source>
+        <translation>Tekent</translation>
+    </message>
+    <message>
+        <source>Nothing: touch is off</source>
+        <translation>Niets: aanraking is uit</translation>
+    </message>
+    <message>
+        <source>Two fingers move, zoom and turn the sheet. While the pen is near, touch is ignored.</source>
+        <translation>Twee vingers verschuiven, zoomen en draaien het vel. Is de pen dichtbij, dan telt aanraking niet.</translation>
+    </message>
+    <message>
+        <source>One f&amp;inger:</source>
+        <translation>Eén &amp;vinger:</translation>
+    </message>
+    <message>
+        <source>mouse, line %1</source>
+        <translation>muis, lijn %1</translation>
+    </message>
+</context>
+<context>
     <name>felt::desktop::Preferences</name>
     <message>
         <source>Preferences</source>
@@ -2131,6 +2381,25 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen</translation>
     <message>
         <source>Sheet</source>
         <translation>Vel</translation>
+    </message>
+    <message>
+        <source>Pen</source>
+        <translation>Pen</translation>
+    </message>
+</context>
+<context>
+    <name>felt::desktop::PressureCurveEditor</name>
+    <message>
+        <source>Pressure curve</source>
+        <translation>Drukkromme</translation>
+    </message>
+    <message>
+        <source>From the pen&apos;s pressure, left to right, to the line&apos;s width, bottom to top. The arrow keys move a handle, Space takes the other one.</source>
+        <translation>Van de druk van de pen, links naar rechts, naar de breedte van de lijn, onder naar boven. Pijltoetsen bewegen een greep, de spatiebalk neemt de andere.</translation>
+    </message>
+    <message>
+        <source>Drag the two handles. Higher is wider.</source>
+        <translation>Sleep de twee grepen. Hoger is breder.</translation>
     </message>
 </context>
 <context>
