@@ -1371,8 +1371,8 @@
         <translation>Druck wird erkannt.</translation>
     </message>
     <message>
-        <source>No pressure seen yet: a mouse draws by its speed.</source>
-        <translation>Noch kein Druck erkannt: die Maus zeichnet nach Tempo.</translation>
+        <source>No pressure seen yet: a mouse draws lines of even width.</source>
+        <translation>Noch kein Druck erkannt: die Maus zeichnet gleich breite Linien.</translation>
     </message>
 </context>
 <context>

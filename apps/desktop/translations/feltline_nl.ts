@@ -1371,8 +1371,8 @@
         <translation>Druk wordt gezien.</translation>
     </message>
     <message>
-        <source>No pressure seen yet: a mouse draws by its speed.</source>
-        <translation>Nog geen druk gezien: een muis tekent naar snelheid.</translation>
+        <source>No pressure seen yet: a mouse draws lines of even width.</source>
+        <translation>Nog geen druk gezien: een muis tekent even brede lijnen.</translation>
     </message>
 </context>
 <context>
