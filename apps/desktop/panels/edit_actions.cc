@@ -122,7 +122,7 @@ void add_selecting(Actions& actions, Studio& studio) {
   actions
       .add(QStringLiteral("edit.invert_selection"),
            text(QT_TRANSLATE_NOOP("EditActions", "&Invert selection")),
-           {QKeySequence(Qt::CTRL | Qt::Key_I)},
+           {QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_I)},
            text(QT_TRANSLATE_NOOP("EditActions",
                                   "Selects all lines but those that are selected now.")),
            [&studio] { studio.apply(SelectStrokes{What::kInvert}); })
