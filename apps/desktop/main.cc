@@ -91,7 +91,8 @@ void serve(Windows& windows, const QStringList& files) {
 
 int run(const StartOptions& options) {
   Instance instance;
-  const bool is_apart = options.new_window || !options.record.isEmpty() || options.measure_start;
+  const bool is_apart = options.new_window || !options.record.isEmpty() || options.measure_start ||
+                        !options.picture.example.isEmpty();
   if (!is_apart && instance.hand_over(options.files)) return 0;
   StudioOptions studio;
   studio.device = chosen_pen_device();

@@ -172,7 +172,7 @@ TEST(EditActions, SelectDeleteAndDuplicateByKeys) {
   EXPECT_TRUE(desk.find("edit.delete")->isEnabled());
   QTest::keyClick(&desk.window, Qt::Key_D, Qt::ControlModifier);
   EXPECT_EQ(desk.studio.session().document().stroke_count(), 6U);
-  QTest::keyClick(&desk.window, Qt::Key_I, Qt::ControlModifier);
+  QTest::keyClick(&desk.window, Qt::Key_I, Qt::ControlModifier | Qt::ShiftModifier);
   EXPECT_EQ(desk.studio.session().selection().strokes().size(), 3U);
   QTest::keyClick(&desk.window, Qt::Key_Delete);
   EXPECT_EQ(desk.studio.session().document().stroke_count(), 3U);

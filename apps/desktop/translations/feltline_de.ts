@@ -919,10 +919,6 @@
         <translation>Linie ziehen, um sie zu biegen; sie geht zurück, wie Sie zurückgehen.</translation>
     </message>
     <message>
-        <source>ends and corners go along or stay, the other way round</source>
-        <translation>Enden und Ecken gehen mit oder bleiben, umgekehrt</translation>
-    </message>
-    <message>
         <source>Rub along a line to iron the tremor out; press to iron harder.</source>
         <translation>Eine Linie entlangreiben glättet Zittern; fester drücken glättet mehr.</translation>
     </message>
@@ -986,6 +982,10 @@
         <source>%1: %2</source>
         <extracomment>a key that is held, and what it does: &quot;Shift: thinner&quot;</extracomment>
         <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>ends and corners go along, or stay</source>
+        <translation>Enden und Ecken gehen mit oder bleiben</translation>
     </message>
 </context>
 <context>
@@ -1403,6 +1403,61 @@
     </message>
 </context>
 <context>
+    <name>felt::desktop::ClipboardActions</name>
+    <message>
+        <source>Cu&amp;t</source>
+        <translation>&amp;Ausschneiden</translation>
+    </message>
+    <message>
+        <source>Move the selected strokes to the clipboard</source>
+        <translation>Die ausgewählten Linien in die Zwischenablage legen</translation>
+    </message>
+    <message>
+        <source>&amp;Copy</source>
+        <translation>&amp;Kopieren</translation>
+    </message>
+    <message>
+        <source>Copy the selected strokes, or all</source>
+        <translation>Die ausgewählten Linien kopieren, oder alle</translation>
+    </message>
+    <message>
+        <source>&amp;Paste</source>
+        <translation>&amp;Einfügen</translation>
+    </message>
+    <message>
+        <source>Add the strokes of the clipboard</source>
+        <translation>Die Linien der Zwischenablage hinzufügen</translation>
+    </message>
+    <message>
+        <source>Copy as &amp;SVG</source>
+        <translation>Als &amp;SVG kopieren</translation>
+    </message>
+    <message>
+        <source>Copy the selected strokes, or all, as an SVG drawing</source>
+        <translation>Die ausgewählten Linien oder alle als SVG kopieren</translation>
+    </message>
+    <message>
+        <source>Copy as &amp;picture</source>
+        <translation>Als &amp;Bild kopieren</translation>
+    </message>
+    <message>
+        <source>Copy the selected strokes, or all, as a picture</source>
+        <translation>Die ausgewählten Linien oder alle als Bild kopieren</translation>
+    </message>
+    <message>
+        <source>Only whole strokes can be cut: select all of a stroke.</source>
+        <translation>Nur ganze Linien lassen sich ausschneiden: wählen Sie eine ganze aus.</translation>
+    </message>
+    <message>
+        <source>The clipboard cannot be pasted</source>
+        <translation>Die Zwischenablage lässt sich nicht einfügen</translation>
+    </message>
+    <message>
+        <source>The clipboard holds no strokes.</source>
+        <translation>Die Zwischenablage enthält keine Linien.</translation>
+    </message>
+</context>
+<context>
     <name>felt::desktop::ColorsPanel</name>
     <message>
         <source>Recent colours</source>
@@ -1487,6 +1542,81 @@
     <message>
         <source>Export the palette</source>
         <translation>Palette exportieren</translation>
+    </message>
+</context>
+<context>
+    <name>felt::desktop::ExportDialog</name>
+    <message>
+        <source>SVG drawing</source>
+        <translation>SVG-Zeichnung</translation>
+    </message>
+    <message>
+        <source>PDF page</source>
+        <translation>PDF-Seite</translation>
+    </message>
+    <message>
+        <source>PNG picture</source>
+        <translation>PNG-Bild</translation>
+    </message>
+    <message>
+        <source>Strokes (ndjson)</source>
+        <translation>Linien (ndjson)</translation>
+    </message>
+    <message>
+        <source>With the &amp;paper’s colour</source>
+        <translation>Mit der Farbe des &amp;Papiers</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>Exportieren</translation>
+    </message>
+    <message>
+        <source>The page</source>
+        <translation>Das Blatt</translation>
+    </message>
+    <message>
+        <source>The ink only</source>
+        <translation>Nur die Tinte</translation>
+    </message>
+    <message>
+        <source> dots per inch</source>
+        <translation> Punkte pro Zoll</translation>
+    </message>
+    <message>
+        <source>Preview</source>
+        <translation>Vorschau</translation>
+    </message>
+    <message>
+        <source>&amp;Format:</source>
+        <translation>&amp;Format:</translation>
+    </message>
+    <message>
+        <source>&amp;Show:</source>
+        <translation>&amp;Zeigen:</translation>
+    </message>
+    <message>
+        <source>&amp;Resolution:</source>
+        <translation>&amp;Auflösung:</translation>
+    </message>
+    <message>
+        <source>Size:</source>
+        <translation>Größe:</translation>
+    </message>
+    <message>
+        <source>&amp;Export…</source>
+        <translation>&amp;Exportieren …</translation>
+    </message>
+    <message>
+        <source>%1 × %2 mm</source>
+        <translation>%1 × %2 mm</translation>
+    </message>
+    <message>
+        <source>%1 × %2 pixels</source>
+        <translation>%1 × %2 Pixel</translation>
+    </message>
+    <message>
+        <source>All strokes, exactly</source>
+        <translation>Alle Linien, genau</translation>
     </message>
 </context>
 <context>
@@ -1643,6 +1773,18 @@ Ihre Zeichnung ist noch da: speichern Sie sie anderswo.</translation>
     <message>
         <source>&amp;Clear this list</source>
         <translation>Diese Liste &amp;leeren</translation>
+    </message>
+    <message>
+        <source>Recovered %1</source>
+        <translation>%1 (gerettet)</translation>
+    </message>
+    <message>
+        <source>No crash protection: save often</source>
+        <translation>Kein Absturzschutz: oft speichern</translation>
+    </message>
+    <message>
+        <source>What is needed for recovery cannot be written: %1</source>
+        <translation>Was zum Retten nötig ist, lässt sich nicht schreiben: %1</translation>
     </message>
 </context>
 <context>
@@ -2188,6 +2330,120 @@ Doppelklick benennt um, Ziehen verschiebt</translation>
     </message>
 </context>
 <context>
+    <name>felt::desktop::OutputActions</name>
+    <message>
+        <source>&amp;Export…</source>
+        <translation>&amp;Exportieren …</translation>
+    </message>
+    <message>
+        <source>Write the drawing as SVG, PDF or PNG for other programs</source>
+        <translation>Die Zeichnung als SVG, PDF oder PNG für andere Programme schreiben</translation>
+    </message>
+    <message>
+        <source>Pa&amp;ge setup…</source>
+        <translation>&amp;Blatt einrichten …</translation>
+    </message>
+    <message>
+        <source>Size, orientation and colour of the sheet</source>
+        <translation>Größe, Lage und Farbe des Blatts</translation>
+    </message>
+    <message>
+        <source>Print pre&amp;view…</source>
+        <translation>Druck&amp;vorschau …</translation>
+    </message>
+    <message>
+        <source>See what will be printed</source>
+        <translation>Sehen, was gedruckt wird</translation>
+    </message>
+    <message>
+        <source>&amp;Print…</source>
+        <translation>&amp;Drucken …</translation>
+    </message>
+    <message>
+        <source>Print the sheet at its true size</source>
+        <translation>Das Blatt in wahrer Größe drucken</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>Exportieren</translation>
+    </message>
+    <message>
+        <source>%1 files (*%2)</source>
+        <translation>%1-Dateien (*%2)</translation>
+    </message>
+    <message>
+        <source>“%1” was not exported</source>
+        <translation>„%1“ wurde nicht exportiert</translation>
+    </message>
+    <message>
+        <source>Print</source>
+        <translation>Drucken</translation>
+    </message>
+    <message>
+        <source>Print preview</source>
+        <translation>Druckvorschau</translation>
+    </message>
+</context>
+<context>
+    <name>felt::desktop::PageDialog</name>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>&amp;Portrait</source>
+        <translation>&amp;Hochformat</translation>
+    </message>
+    <message>
+        <source>&amp;Landscape</source>
+        <translation>&amp;Querformat</translation>
+    </message>
+    <message>
+        <source>&amp;None</source>
+        <translation>&amp;Keine</translation>
+    </message>
+    <message>
+        <source>Page setup</source>
+        <translation>Blatt einrichten</translation>
+    </message>
+    <message>
+        <source>Custom</source>
+        <translation>Eigene</translation>
+    </message>
+    <message>
+        <source>No paper: transparent in exported pictures</source>
+        <translation>Kein Papier: durchsichtig in exportierten Bildern</translation>
+    </message>
+    <message>
+        <source>Colour of the paper</source>
+        <translation>Farbe des Papiers</translation>
+    </message>
+    <message>
+        <source>&amp;Size:</source>
+        <translation>&amp;Größe:</translation>
+    </message>
+    <message>
+        <source>&amp;Width:</source>
+        <translation>&amp;Breite:</translation>
+    </message>
+    <message>
+        <source>&amp;Height:</source>
+        <translation>&amp;Höhe:</translation>
+    </message>
+    <message>
+        <source>Orientation:</source>
+        <translation>Lage:</translation>
+    </message>
+    <message>
+        <source>Paper:</source>
+        <translation>Papier:</translation>
+    </message>
+    <message>
+        <source>No paper</source>
+        <translation>Kein Papier</translation>
+    </message>
+</context>
+<context>
     <name>felt::desktop::PenInput</name>
     <message>
         <source>Pressure is switched off.</source>
@@ -2400,6 +2656,69 @@ Doppelklick benennt um, Ziehen verschiebt</translation>
     <message>
         <source>Drag the two handles. Higher is wider.</source>
         <translation>Ziehen Sie die beiden Griffe. Höher ist breiter.</translation>
+    </message>
+</context>
+<context>
+    <name>felt::desktop::RecoveryDialog</name>
+    <message>
+        <source>Untitled</source>
+        <translation>Ohne Namen</translation>
+    </message>
+    <message>
+        <source>Picture of the drawing</source>
+        <translation>Bild der Zeichnung</translation>
+    </message>
+    <message>
+        <source>Recover drawings</source>
+        <translation>Zeichnungen retten</translation>
+    </message>
+    <message>
+        <source>Feltline did not close in order. This was not saved:</source>
+        <translation>Feltline wurde nicht ordentlich beendet. Das war nicht gespeichert:</translation>
+    </message>
+    <message>
+        <source>&amp;Later</source>
+        <translation>&amp;Später</translation>
+    </message>
+    <message>
+        <source>Keep them, and ask again at the next start</source>
+        <translation>Behalten und beim nächsten Start wieder fragen</translation>
+    </message>
+    <message>
+        <source>Last changed %1, one line</source>
+        <translation>Zuletzt geändert %1, eine Linie</translation>
+    </message>
+    <message>
+        <source>Last changed %1, %2 lines</source>
+        <translation>Zuletzt geändert %1, %2 Linien</translation>
+    </message>
+    <message>
+        <source>Recover</source>
+        <translation>Retten</translation>
+    </message>
+    <message>
+        <source>Recover “%1”</source>
+        <translation>„%1“ retten</translation>
+    </message>
+    <message>
+        <source>Discard…</source>
+        <translation>Verwerfen …</translation>
+    </message>
+    <message>
+        <source>Throw “%1” away</source>
+        <translation>„%1“ wegwerfen</translation>
+    </message>
+    <message>
+        <source>Throw away</source>
+        <translation>Wegwerfen</translation>
+    </message>
+    <message>
+        <source>Throw “%1” away?</source>
+        <translation>„%1“ wegwerfen?</translation>
+    </message>
+    <message>
+        <source>It cannot be brought back.</source>
+        <translation>Das lässt sich nicht zurückholen.</translation>
     </message>
 </context>
 <context>

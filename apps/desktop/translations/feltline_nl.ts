@@ -919,10 +919,6 @@
         <translation>Sleep een lijn om hem te buigen; hij gaat terug als jij teruggaat.</translation>
     </message>
     <message>
-        <source>ends and corners go along or stay, the other way round</source>
-        <translation>uiteinden en hoeken gaan mee of blijven, andersom</translation>
-    </message>
-    <message>
         <source>Rub along a line to iron the tremor out; press to iron harder.</source>
         <translation>Wrijf langs een lijn om trillingen glad te strijken; druk om harder te strijken.</translation>
     </message>
@@ -986,6 +982,10 @@
         <source>%1: %2</source>
         <extracomment>a key that is held, and what it does: &quot;Shift: thinner&quot;</extracomment>
         <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>ends and corners go along, or stay</source>
+        <translation>uiteinden en hoeken gaan mee of blijven</translation>
     </message>
 </context>
 <context>
@@ -1403,6 +1403,61 @@
     </message>
 </context>
 <context>
+    <name>felt::desktop::ClipboardActions</name>
+    <message>
+        <source>Cu&amp;t</source>
+        <translation>&amp;Knippen</translation>
+    </message>
+    <message>
+        <source>Move the selected strokes to the clipboard</source>
+        <translation>De geselecteerde lijnen naar het klembord verplaatsen</translation>
+    </message>
+    <message>
+        <source>&amp;Copy</source>
+        <translation>&amp;Kopiëren</translation>
+    </message>
+    <message>
+        <source>Copy the selected strokes, or all</source>
+        <translation>De geselecteerde lijnen kopiëren, of alle</translation>
+    </message>
+    <message>
+        <source>&amp;Paste</source>
+        <translation>&amp;Plakken</translation>
+    </message>
+    <message>
+        <source>Add the strokes of the clipboard</source>
+        <translation>De lijnen van het klembord toevoegen</translation>
+    </message>
+    <message>
+        <source>Copy as &amp;SVG</source>
+        <translation>Kopiëren als &amp;SVG</translation>
+    </message>
+    <message>
+        <source>Copy the selected strokes, or all, as an SVG drawing</source>
+        <translation>De geselecteerde lijnen of alle als SVG kopiëren</translation>
+    </message>
+    <message>
+        <source>Copy as &amp;picture</source>
+        <translation>Kopiëren als &amp;afbeelding</translation>
+    </message>
+    <message>
+        <source>Copy the selected strokes, or all, as a picture</source>
+        <translation>De geselecteerde lijnen of alle als afbeelding kopiëren</translation>
+    </message>
+    <message>
+        <source>Only whole strokes can be cut: select all of a stroke.</source>
+        <translation>Alleen hele lijnen kun je knippen: selecteer een hele lijn.</translation>
+    </message>
+    <message>
+        <source>The clipboard cannot be pasted</source>
+        <translation>Het klembord kan niet worden geplakt</translation>
+    </message>
+    <message>
+        <source>The clipboard holds no strokes.</source>
+        <translation>Het klembord bevat geen lijnen.</translation>
+    </message>
+</context>
+<context>
     <name>felt::desktop::ColorsPanel</name>
     <message>
         <source>Recent colours</source>
@@ -1487,6 +1542,81 @@
     <message>
         <source>Export the palette</source>
         <translation>Palet exporteren</translation>
+    </message>
+</context>
+<context>
+    <name>felt::desktop::ExportDialog</name>
+    <message>
+        <source>SVG drawing</source>
+        <translation>SVG-tekening</translation>
+    </message>
+    <message>
+        <source>PDF page</source>
+        <translation>PDF-pagina</translation>
+    </message>
+    <message>
+        <source>PNG picture</source>
+        <translation>PNG-afbeelding</translation>
+    </message>
+    <message>
+        <source>Strokes (ndjson)</source>
+        <translation>Lijnen (ndjson)</translation>
+    </message>
+    <message>
+        <source>With the &amp;paper’s colour</source>
+        <translation>Met de kleur van het &amp;papier</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>Exporteren</translation>
+    </message>
+    <message>
+        <source>The page</source>
+        <translation>Het vel</translation>
+    </message>
+    <message>
+        <source>The ink only</source>
+        <translation>Alleen de inkt</translation>
+    </message>
+    <message>
+        <source> dots per inch</source>
+        <translation> punten per inch</translation>
+    </message>
+    <message>
+        <source>Preview</source>
+        <translation>Voorbeeld</translation>
+    </message>
+    <message>
+        <source>&amp;Format:</source>
+        <translation>&amp;Formaat:</translation>
+    </message>
+    <message>
+        <source>&amp;Show:</source>
+        <translation>&amp;Tonen:</translation>
+    </message>
+    <message>
+        <source>&amp;Resolution:</source>
+        <translation>&amp;Resolutie:</translation>
+    </message>
+    <message>
+        <source>Size:</source>
+        <translation>Grootte:</translation>
+    </message>
+    <message>
+        <source>&amp;Export…</source>
+        <translation>&amp;Exporteren…</translation>
+    </message>
+    <message>
+        <source>%1 × %2 mm</source>
+        <translation>%1 × %2 mm</translation>
+    </message>
+    <message>
+        <source>%1 × %2 pixels</source>
+        <translation>%1 × %2 pixels</translation>
+    </message>
+    <message>
+        <source>All strokes, exactly</source>
+        <translation>Alle lijnen, exact</translation>
     </message>
 </context>
 <context>
@@ -1643,6 +1773,18 @@ Je tekening is er nog: sla haar ergens anders op.</translation>
     <message>
         <source>&amp;Clear this list</source>
         <translation>Deze lijst &amp;wissen</translation>
+    </message>
+    <message>
+        <source>Recovered %1</source>
+        <translation>%1 (hersteld)</translation>
+    </message>
+    <message>
+        <source>No crash protection: save often</source>
+        <translation>Geen crashbescherming: sla vaak op</translation>
+    </message>
+    <message>
+        <source>What is needed for recovery cannot be written: %1</source>
+        <translation>Wat voor herstel nodig is kan niet worden geschreven: %1</translation>
     </message>
 </context>
 <context>
@@ -2188,6 +2330,120 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen</translation>
     </message>
 </context>
 <context>
+    <name>felt::desktop::OutputActions</name>
+    <message>
+        <source>&amp;Export…</source>
+        <translation>&amp;Exporteren…</translation>
+    </message>
+    <message>
+        <source>Write the drawing as SVG, PDF or PNG for other programs</source>
+        <translation>De tekening als SVG, PDF of PNG voor andere programma's schrijven</translation>
+    </message>
+    <message>
+        <source>Pa&amp;ge setup…</source>
+        <translation>Vel &amp;instellen…</translation>
+    </message>
+    <message>
+        <source>Size, orientation and colour of the sheet</source>
+        <translation>Grootte, stand en kleur van het vel</translation>
+    </message>
+    <message>
+        <source>Print pre&amp;view…</source>
+        <translation>Afdrukvoor&amp;beeld…</translation>
+    </message>
+    <message>
+        <source>See what will be printed</source>
+        <translation>Zien wat er wordt afgedrukt</translation>
+    </message>
+    <message>
+        <source>&amp;Print…</source>
+        <translation>Af&amp;drukken…</translation>
+    </message>
+    <message>
+        <source>Print the sheet at its true size</source>
+        <translation>Het vel op ware grootte afdrukken</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>Exporteren</translation>
+    </message>
+    <message>
+        <source>%1 files (*%2)</source>
+        <translation>%1-bestanden (*%2)</translation>
+    </message>
+    <message>
+        <source>“%1” was not exported</source>
+        <translation>‘%1’ is niet geëxporteerd</translation>
+    </message>
+    <message>
+        <source>Print</source>
+        <translation>Afdrukken</translation>
+    </message>
+    <message>
+        <source>Print preview</source>
+        <translation>Afdrukvoorbeeld</translation>
+    </message>
+</context>
+<context>
+    <name>felt::desktop::PageDialog</name>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>&amp;Portrait</source>
+        <translation>&amp;Staand</translation>
+    </message>
+    <message>
+        <source>&amp;Landscape</source>
+        <translation>&amp;Liggend</translation>
+    </message>
+    <message>
+        <source>&amp;None</source>
+        <translation>&amp;Geen</translation>
+    </message>
+    <message>
+        <source>Page setup</source>
+        <translation>Vel instellen</translation>
+    </message>
+    <message>
+        <source>Custom</source>
+        <translation>Aangepast</translation>
+    </message>
+    <message>
+        <source>No paper: transparent in exported pictures</source>
+        <translation>Geen papier: doorzichtig in geëxporteerde afbeeldingen</translation>
+    </message>
+    <message>
+        <source>Colour of the paper</source>
+        <translation>Kleur van het papier</translation>
+    </message>
+    <message>
+        <source>&amp;Size:</source>
+        <translation>&amp;Grootte:</translation>
+    </message>
+    <message>
+        <source>&amp;Width:</source>
+        <translation>&amp;Breedte:</translation>
+    </message>
+    <message>
+        <source>&amp;Height:</source>
+        <translation>&amp;Hoogte:</translation>
+    </message>
+    <message>
+        <source>Orientation:</source>
+        <translation>Stand:</translation>
+    </message>
+    <message>
+        <source>Paper:</source>
+        <translation>Papier:</translation>
+    </message>
+    <message>
+        <source>No paper</source>
+        <translation>Geen papier</translation>
+    </message>
+</context>
+<context>
     <name>felt::desktop::PenInput</name>
     <message>
         <source>Pressure is switched off.</source>
@@ -2400,6 +2656,69 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen</translation>
     <message>
         <source>Drag the two handles. Higher is wider.</source>
         <translation>Sleep de twee grepen. Hoger is breder.</translation>
+    </message>
+</context>
+<context>
+    <name>felt::desktop::RecoveryDialog</name>
+    <message>
+        <source>Untitled</source>
+        <translation>Naamloos</translation>
+    </message>
+    <message>
+        <source>Picture of the drawing</source>
+        <translation>Afbeelding van de tekening</translation>
+    </message>
+    <message>
+        <source>Recover drawings</source>
+        <translation>Tekeningen herstellen</translation>
+    </message>
+    <message>
+        <source>Feltline did not close in order. This was not saved:</source>
+        <translation>Feltline is niet netjes afgesloten. Dit was niet opgeslagen:</translation>
+    </message>
+    <message>
+        <source>&amp;Later</source>
+        <translation>&amp;Later</translation>
+    </message>
+    <message>
+        <source>Keep them, and ask again at the next start</source>
+        <translation>Bewaren en bij de volgende start weer vragen</translation>
+    </message>
+    <message>
+        <source>Last changed %1, one line</source>
+        <translation>Laatst gewijzigd %1, één lijn</translation>
+    </message>
+    <message>
+        <source>Last changed %1, %2 lines</source>
+        <translation>Laatst gewijzigd %1, %2 lijnen</translation>
+    </message>
+    <message>
+        <source>Recover</source>
+        <translation>Herstellen</translation>
+    </message>
+    <message>
+        <source>Recover “%1”</source>
+        <translation>‘%1’ herstellen</translation>
+    </message>
+    <message>
+        <source>Discard…</source>
+        <translation>Weggooien…</translation>
+    </message>
+    <message>
+        <source>Throw “%1” away</source>
+        <translation>‘%1’ weggooien</translation>
+    </message>
+    <message>
+        <source>Throw away</source>
+        <translation>Weggooien</translation>
+    </message>
+    <message>
+        <source>Throw “%1” away?</source>
+        <translation>‘%1’ weggooien?</translation>
+    </message>
+    <message>
+        <source>It cannot be brought back.</source>
+        <translation>Dat kan niet ongedaan worden gemaakt.</translation>
     </message>
 </context>
 <context>
