@@ -234,6 +234,14 @@
         <source>Forces are off. The panel Feel switches them on again.</source>
         <translation>Die Kräfte sind aus. Im Feld „Gefühl“ schaltet man sie wieder ein.</translation>
     </message>
+    <message>
+        <source>S&amp;ound of the pen</source>
+        <translation>&amp;Ton des Stifts</translation>
+    </message>
+    <message>
+        <source>Hear the pen rub on the sheet</source>
+        <translation>Den Stift auf dem Blatt reiben hören</translation>
+    </message>
 </context>
 <context>
     <name>FirstMinute</name>
@@ -682,16 +690,20 @@
 <context>
     <name>PenDevice</name>
     <message>
-        <source>The ink is exactly where the pen is; forces are shown.</source>
-        <translation>Die Tinte ist genau, wo der Stift ist; Kräfte werden angezeigt.</translation>
-    </message>
-    <message>
         <source>Simulated: %1</source>
         <translation>Simuliert: %1</translation>
     </message>
     <message>
-        <source>A simulated stylus in a simulated hand; forces move the pen.</source>
-        <translation>Ein simulierter Stift in einer simulierten Hand; Kräfte bewegen den Stift.</translation>
+        <source>Pen or mouse, exact</source>
+        <translation>Stift oder Maus, genau</translation>
+    </message>
+    <message>
+        <source>The ink is exactly where the pen is. Forces are shown, not felt.</source>
+        <translation>Die Tinte ist genau, wo der Stift ist. Kräfte werden gezeigt, nicht gefühlt.</translation>
+    </message>
+    <message>
+        <source>Mouse or pen lead a simulated hand that holds this stylus. Forces move the ink, so that you see what it would feel like.</source>
+        <translation>Maus oder Stift führen eine simulierte Hand, die diesen Stift hält. Kräfte bewegen die Tinte, so dass man sieht, wie es sich anfühlen würde.</translation>
     </message>
 </context>
 <context>
@@ -1341,6 +1353,69 @@
     </message>
 </context>
 <context>
+    <name>felt::desktop::CalibrationDialog</name>
+    <message>
+        <source>Drawing plane of %1</source>
+        <translation>Zeichenebene von %1</translation>
+    </message>
+    <message>
+        <source>The corner to touch</source>
+        <translation>Die Ecke, die zu berühren ist</translation>
+    </message>
+    <message>
+        <source>&amp;Take this place</source>
+        <translation>Diesen &amp;Ort nehmen</translation>
+    </message>
+    <message>
+        <source>&amp;Start again</source>
+        <translation>&amp;Neu beginnen</translation>
+    </message>
+    <message>
+        <source>&amp;Keep</source>
+        <translation>&amp;Behalten</translation>
+    </message>
+    <message>
+        <source>That is no drawing area: %1. Begin with the upper left corner again.</source>
+        <translation>Das ist keine Zeichenfläche: %1. Beginnen Sie wieder mit der Ecke oben links.</translation>
+    </message>
+    <message>
+        <source>Hold the pen&apos;s tip on the upper left corner of where you want to draw.</source>
+        <translation>Halten Sie die Stiftspitze auf die obere linke Ecke der Fläche, auf der Sie zeichnen wollen.</translation>
+    </message>
+    <message>
+        <source>Now on the upper right corner.</source>
+        <translation>Jetzt auf die Ecke oben rechts.</translation>
+    </message>
+    <message>
+        <source>Now on the lower left corner.</source>
+        <translation>Jetzt auf die Ecke unten links.</translation>
+    </message>
+    <message>
+        <source>The drawing area is %L1 mm wide and %L2 mm high.</source>
+        <translation>Die Zeichenfläche ist %L1 mm breit und %L2 mm hoch.</translation>
+    </message>
+    <message>
+        <source>Its corners fit within %L1 mm.</source>
+        <translation>Ihre Ecken passen auf %L1 mm.</translation>
+    </message>
+    <message>
+        <source>Its corner is not square: %L1 mm off. Starting again may be better.</source>
+        <translation>Ihre Ecke ist nicht rechtwinklig: %L1 mm daneben. Neu beginnen ist wohl besser.</translation>
+    </message>
+    <message>
+        <source>The device does not answer. Check its cable and power.</source>
+        <translation>Das Gerät antwortet nicht. Prüfen Sie Kabel und Strom.</translation>
+    </message>
+    <message>
+        <source>The pen is at %L1, %L2, %L3 mm.</source>
+        <translation>Der Stift ist bei %L1, %L2, %L3 mm.</translation>
+    </message>
+    <message>
+        <source>The pen is %L1 mm above the drawing plane.</source>
+        <translation>Der Stift ist %L1 mm über der Zeichenebene.</translation>
+    </message>
+</context>
+<context>
     <name>felt::desktop::Canvas</name>
     <message>
         <source>Sheet</source>
@@ -1542,6 +1617,57 @@
     <message>
         <source>Export the palette</source>
         <translation>Palette exportieren</translation>
+    </message>
+</context>
+<context>
+    <name>felt::desktop::DevicePage</name>
+    <message>
+        <source>Feels pressure, if the pen does. No motors.</source>
+        <translation>Erkennt Druck, wenn der Stift es tut. Keine Motoren.</translation>
+    </message>
+    <message>
+        <source>No motors.</source>
+        <translation>Keine Motoren.</translation>
+    </message>
+    <message>
+        <source>Pushes with up to %L1 N, for long with %L2 N. Loop of %L3 Hz.</source>
+        <translation>Drückt mit bis zu %L1 N, auf Dauer mit %L2 N. Schleife mit %L3 Hz.</translation>
+    </message>
+    <message>
+        <source>Set the drawing plane…</source>
+        <translation>Zeichenebene einrichten …</translation>
+    </message>
+    <message>
+        <source>Device</source>
+        <translation>Gerät</translation>
+    </message>
+    <message>
+        <source> N</source>
+        <translation> N</translation>
+    </message>
+    <message>
+        <source>No force is ever larger than this, whatever a tool asks for</source>
+        <translation>Keine Kraft ist je größer, was auch immer ein Werkzeug verlangt</translation>
+    </message>
+    <message>
+        <source>Largest force</source>
+        <translation>Größte Kraft</translation>
+    </message>
+    <message>
+        <source>&amp;Largest force</source>
+        <translation>&amp;Größte Kraft</translation>
+    </message>
+    <message>
+        <source>Forces stay off until you switch them on.</source>
+        <translation>Die Kräfte bleiben aus, bis Sie sie einschalten.</translation>
+    </message>
+    <message>
+        <source>The drawing plane is set.</source>
+        <translation>Die Zeichenebene ist eingerichtet.</translation>
+    </message>
+    <message>
+        <source>The drawing plane has not been set yet.</source>
+        <translation>Die Zeichenebene ist noch nicht eingerichtet.</translation>
     </message>
 </context>
 <context>
@@ -1926,6 +2052,10 @@ Ihre Zeichnung ist noch da: speichern Sie sie anderswo.</translation>
     <message>
         <source>Work on the hand: %L1 mJ</source>
         <translation>Arbeit an der Hand: %L1 mJ</translation>
+    </message>
+    <message>
+        <source>Asked: %L1 N, at most %L2 N of late. The table has each force.</source>
+        <translation>Verlangt: %L1 N, zuletzt höchstens %L2 N. Die Tabelle nennt jede Kraft.</translation>
     </message>
 </context>
 <context>
@@ -2642,6 +2772,10 @@ Doppelklick benennt um, Ziehen verschiebt</translation>
         <source>Pen</source>
         <translation>Stift</translation>
     </message>
+    <message>
+        <source>Device</source>
+        <translation>Gerät</translation>
+    </message>
 </context>
 <context>
     <name>felt::desktop::PressureCurveEditor</name>
@@ -2867,6 +3001,29 @@ Doppelklick benennt um, Ziehen verschiebt</translation>
     <message>
         <source>Not saved</source>
         <translation>Nicht gespeichert</translation>
+    </message>
+</context>
+<context>
+    <name>felt::desktop::TestPad</name>
+    <message>
+        <source>Test pad</source>
+        <translation>Probefläche</translation>
+    </message>
+    <message>
+        <source>Press here with pen or mouse to try the device</source>
+        <translation>Hier mit Stift oder Maus drücken, um das Gerät zu probieren</translation>
+    </message>
+    <message>
+        <source>Try this device on the sheet itself.</source>
+        <translation>Probieren Sie dieses Gerät auf dem Blatt selbst.</translation>
+    </message>
+    <message>
+        <source>Press here and feel</source>
+        <translation>Hier drücken und fühlen</translation>
+    </message>
+    <message>
+        <source>Force %L1 N</source>
+        <translation>Kraft %L1 N</translation>
     </message>
 </context>
 <context>

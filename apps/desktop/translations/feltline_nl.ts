@@ -234,6 +234,14 @@
         <source>Forces are off. The panel Feel switches them on again.</source>
         <translation>De krachten zijn uit. In het paneel Gevoel zet je ze weer aan.</translation>
     </message>
+    <message>
+        <source>S&amp;ound of the pen</source>
+        <translation>&amp;Geluid van de pen</translation>
+    </message>
+    <message>
+        <source>Hear the pen rub on the sheet</source>
+        <translation>De pen op het vel horen wrijven</translation>
+    </message>
 </context>
 <context>
     <name>FirstMinute</name>
@@ -682,16 +690,20 @@
 <context>
     <name>PenDevice</name>
     <message>
-        <source>The ink is exactly where the pen is; forces are shown.</source>
-        <translation>De inkt ligt precies waar de pen is; krachten worden getoond.</translation>
-    </message>
-    <message>
         <source>Simulated: %1</source>
         <translation>Gesimuleerd: %1</translation>
     </message>
     <message>
-        <source>A simulated stylus in a simulated hand; forces move the pen.</source>
-        <translation>Een gesimuleerde pen in een gesimuleerde hand; krachten bewegen de pen.</translation>
+        <source>Pen or mouse, exact</source>
+        <translation>Pen of muis, exact</translation>
+    </message>
+    <message>
+        <source>The ink is exactly where the pen is. Forces are shown, not felt.</source>
+        <translation>De inkt ligt precies waar de pen is. Krachten worden getoond, niet gevoeld.</translation>
+    </message>
+    <message>
+        <source>Mouse or pen lead a simulated hand that holds this stylus. Forces move the ink, so that you see what it would feel like.</source>
+        <translation>Muis of pen leiden een gesimuleerde hand die deze stylus vasthoudt. Krachten bewegen de inkt, zodat je ziet hoe het zou voelen.</translation>
     </message>
 </context>
 <context>
@@ -1341,6 +1353,69 @@
     </message>
 </context>
 <context>
+    <name>felt::desktop::CalibrationDialog</name>
+    <message>
+        <source>Drawing plane of %1</source>
+        <translation>Tekenvlak van %1</translation>
+    </message>
+    <message>
+        <source>The corner to touch</source>
+        <translation>De hoek om aan te raken</translation>
+    </message>
+    <message>
+        <source>&amp;Take this place</source>
+        <translation>Deze &amp;plek nemen</translation>
+    </message>
+    <message>
+        <source>&amp;Start again</source>
+        <translation>Op&amp;nieuw beginnen</translation>
+    </message>
+    <message>
+        <source>&amp;Keep</source>
+        <translation>&amp;Bewaren</translation>
+    </message>
+    <message>
+        <source>That is no drawing area: %1. Begin with the upper left corner again.</source>
+        <translation>Dat is geen tekenvlak: %1. Begin weer met de hoek linksboven.</translation>
+    </message>
+    <message>
+        <source>Hold the pen&apos;s tip on the upper left corner of where you want to draw.</source>
+        <translation>Houd de punt van de pen op de hoek linksboven van waar je wilt tekenen.</translation>
+    </message>
+    <message>
+        <source>Now on the upper right corner.</source>
+        <translation>Nu op de hoek rechtsboven.</translation>
+    </message>
+    <message>
+        <source>Now on the lower left corner.</source>
+        <translation>Nu op de hoek linksonder.</translation>
+    </message>
+    <message>
+        <source>The drawing area is %L1 mm wide and %L2 mm high.</source>
+        <translation>Het tekenvlak is %L1 mm breed en %L2 mm hoog.</translation>
+    </message>
+    <message>
+        <source>Its corners fit within %L1 mm.</source>
+        <translation>De hoeken passen binnen %L1 mm.</translation>
+    </message>
+    <message>
+        <source>Its corner is not square: %L1 mm off. Starting again may be better.</source>
+        <translation>De hoek is niet haaks: %L1 mm ernaast. Opnieuw beginnen is misschien beter.</translation>
+    </message>
+    <message>
+        <source>The device does not answer. Check its cable and power.</source>
+        <translation>Het apparaat antwoordt niet. Controleer kabel en stroom.</translation>
+    </message>
+    <message>
+        <source>The pen is at %L1, %L2, %L3 mm.</source>
+        <translation>De pen is op %L1, %L2, %L3 mm.</translation>
+    </message>
+    <message>
+        <source>The pen is %L1 mm above the drawing plane.</source>
+        <translation>De pen is %L1 mm boven het tekenvlak.</translation>
+    </message>
+</context>
+<context>
     <name>felt::desktop::Canvas</name>
     <message>
         <source>Sheet</source>
@@ -1542,6 +1617,57 @@
     <message>
         <source>Export the palette</source>
         <translation>Palet exporteren</translation>
+    </message>
+</context>
+<context>
+    <name>felt::desktop::DevicePage</name>
+    <message>
+        <source>Feels pressure, if the pen does. No motors.</source>
+        <translation>Voelt druk, als de pen dat doet. Geen motoren.</translation>
+    </message>
+    <message>
+        <source>No motors.</source>
+        <translation>Geen motoren.</translation>
+    </message>
+    <message>
+        <source>Pushes with up to %L1 N, for long with %L2 N. Loop of %L3 Hz.</source>
+        <translation>Duwt met hoogstens %L1 N, blijvend met %L2 N. Lus van %L3 Hz.</translation>
+    </message>
+    <message>
+        <source>Set the drawing plane…</source>
+        <translation>Tekenvlak instellen…</translation>
+    </message>
+    <message>
+        <source>Device</source>
+        <translation>Apparaat</translation>
+    </message>
+    <message>
+        <source> N</source>
+        <translation> N</translation>
+    </message>
+    <message>
+        <source>No force is ever larger than this, whatever a tool asks for</source>
+        <translation>Geen kracht is ooit groter, wat een gereedschap ook vraagt</translation>
+    </message>
+    <message>
+        <source>Largest force</source>
+        <translation>Grootste kracht</translation>
+    </message>
+    <message>
+        <source>&amp;Largest force</source>
+        <translation>&amp;Grootste kracht</translation>
+    </message>
+    <message>
+        <source>Forces stay off until you switch them on.</source>
+        <translation>De krachten blijven uit tot je ze aanzet.</translation>
+    </message>
+    <message>
+        <source>The drawing plane is set.</source>
+        <translation>Het tekenvlak is ingesteld.</translation>
+    </message>
+    <message>
+        <source>The drawing plane has not been set yet.</source>
+        <translation>Het tekenvlak is nog niet ingesteld.</translation>
     </message>
 </context>
 <context>
@@ -1926,6 +2052,10 @@ Je tekening is er nog: sla haar ergens anders op.</translation>
     <message>
         <source>Work on the hand: %L1 mJ</source>
         <translation>Arbeid op de hand: %L1 mJ</translation>
+    </message>
+    <message>
+        <source>Asked: %L1 N, at most %L2 N of late. The table has each force.</source>
+        <translation>Gevraagd: %L1 N, onlangs hoogstens %L2 N. De tabel toont elke kracht.</translation>
     </message>
 </context>
 <context>
@@ -2642,6 +2772,10 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen</translation>
         <source>Pen</source>
         <translation>Pen</translation>
     </message>
+    <message>
+        <source>Device</source>
+        <translation>Apparaat</translation>
+    </message>
 </context>
 <context>
     <name>felt::desktop::PressureCurveEditor</name>
@@ -2867,6 +3001,29 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen</translation>
     <message>
         <source>Not saved</source>
         <translation>Niet opgeslagen</translation>
+    </message>
+</context>
+<context>
+    <name>felt::desktop::TestPad</name>
+    <message>
+        <source>Test pad</source>
+        <translation>Proefvlak</translation>
+    </message>
+    <message>
+        <source>Press here with pen or mouse to try the device</source>
+        <translation>Druk hier met pen of muis om het apparaat te proberen</translation>
+    </message>
+    <message>
+        <source>Try this device on the sheet itself.</source>
+        <translation>Probeer dit apparaat op het vel zelf.</translation>
+    </message>
+    <message>
+        <source>Press here and feel</source>
+        <translation>Druk hier en voel</translation>
+    </message>
+    <message>
+        <source>Force %L1 N</source>
+        <translation>Kracht %L1 N</translation>
     </message>
 </context>
 <context>
