@@ -6,6 +6,7 @@
 #include <QEvent>
 #include <QLabel>
 #include <QPainter>
+#include <QPalette>
 #include <QSignalBlocker>
 #include <QStyle>
 #include <algorithm>
@@ -19,6 +20,9 @@ namespace {
 constexpr std::size_t kMostButtons = 3;  // more choices are a list
 constexpr int kLineGapPx = 2;
 constexpr int kResetIconPx = 14;
+constexpr int kResetPx = 18;  // the button: no higher than the name beside it
+constexpr int kChoiceRoomPx = 7;
+constexpr double kChoiceRoundPx = 3.5;
 
 /// A name that is cut off with dots where there is no room; the tip has what it means.
 class NameLabel : public QLabel {
@@ -35,6 +39,41 @@ class NameLabel : public QLabel {
     style()->drawItemText(&painter, rect(), Qt::AlignLeft | Qt::AlignVCenter, palette(),
                           isEnabled(), fontMetrics().elidedText(text(), Qt::ElideRight, width()),
                           foregroundRole());
+  }
+};
+
+/// One of a few choices side by side. The chosen one is filled and bold: seen in every theme.
+class ChoiceButton : public QToolButton {
+ public:
+  using QToolButton::QToolButton;
+
+  [[nodiscard]] QSize sizeHint() const override {
+    QFont font = this->font();
+    font.setBold(true);
+    const QFontMetrics metrics(font);
+    return {metrics.horizontalAdvance(text()) + 2 * kChoiceRoomPx,
+            metrics.height() + kChoiceRoomPx};
+  }
+  [[nodiscard]] QSize minimumSizeHint() const override { return sizeHint(); }
+
+ protected:
+  void paintEvent(QPaintEvent*) override {
+    QPainter painter(this);
+    painter.setRenderHint(QPainter::Antialiasing);
+    const QPalette& colors = palette();
+    const bool lit = underMouse() && !isChecked();
+    const QRectF box = QRectF(rect()).adjusted(1.0, 1.0, -1.0, -1.0);
+    painter.setBrush(colors.color(isChecked() ? QPalette::Highlight
+                                  : lit       ? QPalette::Midlight
+                                              : QPalette::Button));
+    painter.setPen(
+        QPen(colors.color(hasFocus() ? QPalette::Text : QPalette::Mid), hasFocus() ? 1.6 : 1.0));
+    painter.drawRoundedRect(box, kChoiceRoundPx, kChoiceRoundPx);
+    QFont font = this->font();
+    font.setBold(isChecked());
+    painter.setFont(font);
+    painter.setPen(colors.color(isChecked() ? QPalette::HighlightedText : QPalette::ButtonText));
+    painter.drawText(rect(), Qt::AlignCenter, text());
   }
 };
 
@@ -79,6 +118,7 @@ QToolButton* OptionRow::make_reset() {
   auto* button = new QToolButton(this);
   button->setIcon(icon_of("reset"));
   button->setIconSize({kResetIconPx, kResetIconPx});
+  button->setFixedSize(kResetPx, kResetPx);
   button->setAutoRaise(true);
   button->setObjectName(QStringLiteral("reset"));
   const QString fallback = value_text(spec_, default_value(spec_));
@@ -152,7 +192,7 @@ void OptionRow::make_buttons() {
   row->setSpacing(0);
   auto* group = new QButtonGroup(box);
   for (const std::string_view choice : spec_.choices) {
-    auto* button = new QToolButton(box);
+    auto* button = new ChoiceButton(box);
     button->setText(choice_text(choice));
     button->setCheckable(true);
     button->setFocusPolicy(Qt::StrongFocus);
@@ -185,6 +225,14 @@ void OptionRow::show_number(double value) {
   // Where the slider already says so it stays: a hand may be on it.
   if (scale_.value_at(slider_->value()) != value) slider_->setValue(scale_.place_of(value));
   slider_->setAccessibleDescription(scale_.text_of(value));
+}
+
+int OptionRow::number_width() const {
+  return spin_ ? spin_->sizeHint().width() : 0;
+}
+
+void OptionRow::set_number_width(int px) {
+  if (spin_) spin_->setFixedWidth(px);
 }
 
 void OptionRow::show_value(const OptionValue& value) {

@@ -29,6 +29,11 @@ class OptionRow : public QWidget {
   /// Shows a value, without saying that it was chosen.
   void show_value(const OptionValue& value);
 
+  /// How wide its number wants to be, 0 without one; and is, so that numbers below each other are
+  /// alike.
+  [[nodiscard]] int number_width() const;
+  void set_number_width(int px);
+
  Q_SIGNALS:
   void chosen(const felt::OptionValue& value);
 

@@ -2,6 +2,7 @@
 
 #include <QEvent>
 #include <QStyle>
+#include <algorithm>
 
 #include "desktop/panels/tool_icons.h"
 #include "desktop/panels/tool_texts.h"
@@ -121,6 +122,9 @@ OptionsPanel::Page& OptionsPanel::page_of(const ToolInfo& info) {
     lines->addWidget(heading(tr("Feel"), page.widget));
     add_row(page, lines, tool, *strength);
   }
+  int widest = 0;
+  for (const OptionRow* row : page.rows) widest = std::max(widest, row->number_width());
+  for (OptionRow* row : page.rows) row->set_number_width(widest);
   pages_box_->insertWidget(0, page.widget);
   show_values(info, page);
   return page;
