@@ -1,0 +1,51 @@
+// desktop_monkey --events N --seed S: exit 0 when nothing went wrong; a failure names its seed.
+#include <QApplication>
+#include <QCommandLineParser>
+#include <QStandardPaths>
+#include <cstdio>
+
+#include "monkey.h"
+
+int main(int argc, char** argv) {
+  using namespace felt::desktop;
+  QStandardPaths::setTestModeEnabled(true);
+  QCoreApplication::setOrganizationName(QStringLiteral("feltline"));
+  QCoreApplication::setApplicationName(QStringLiteral("feltline-monkey"));
+  QCoreApplication::setAttribute(Qt::AA_DontUseNativeDialogs);
+  // Whatever it writes, it writes into a folder of its own.
+  const QTemporaryDir home;
+  for (const char* name :
+       {"HOME", "XDG_CONFIG_HOME", "XDG_DATA_HOME", "XDG_STATE_HOME", "XDG_CACHE_HOME"}) {
+    qputenv(name, home.path().toLocal8Bit());
+  }
+  const QApplication app(argc, argv);
+  QCommandLineParser arguments;
+  arguments.addHelpOption();
+  arguments.addOption({QStringLiteral("events"), QStringLiteral("how many"), QStringLiteral("N"),
+                       QStringLiteral("2000")});
+  arguments.addOption({QStringLiteral("seed"), QStringLiteral("which ones"), QStringLiteral("S"),
+                       QStringLiteral("1")});
+  arguments.addOption({QStringLiteral("hang-ms"),
+                       QStringLiteral("CPU time of an event that counts as a hang"),
+                       QStringLiteral("MS"), QStringLiteral("200")});
+  arguments.process(app);
+
+  MonkeyOptions options;
+  options.events = arguments.value(QStringLiteral("events")).toULongLong();
+  options.seed = arguments.value(QStringLiteral("seed")).toULongLong();
+  options.hang_ms = arguments.value(QStringLiteral("hang-ms")).toDouble();
+  MainWindow window({});
+  window.resize(1200, 800);
+  window.show();
+  Monkey monkey(window, options);
+  QObject::connect(&monkey, &Monkey::finished, &app, &QCoreApplication::quit);
+  QApplication::setQuitOnLastWindowClosed(false);
+  monkey.start();
+  QApplication::exec();
+  std::printf("%s\n", monkey.report().c_str());
+  if (monkey.failure().empty()) return 0;
+  std::fprintf(stderr, "desktop_monkey --events %llu --seed %llu: %s\n",
+               static_cast<unsigned long long>(options.events),
+               static_cast<unsigned long long>(options.seed), monkey.failure().c_str());
+  return 1;
+}

@@ -1,0 +1,35 @@
+#include "witness.h"
+
+namespace felt::desktop {
+
+Witness::Witness(Studio& studio) : studio_(studio), seen_(studio.session().document()) {
+  connect(&studio, &Studio::edited, this, [this](const Edit& edit) {
+    const Result<void> applied = seen_.apply(edit);
+    if (!applied && trouble_.empty()) trouble_ = applied.error().message;
+  });
+  connect(&studio, &Studio::opened, this, [this] { seen_ = studio_.session().document(); });
+}
+
+std::string Witness::complaint() const {
+  if (!trouble_.empty()) return "an edit did not fit: " + trouble_;
+  if (!(seen_ == studio_.session().document())) return "the document changed without an edit";
+  return {};
+}
+
+std::string Witness::undo_and_redo() {
+  const Document before = studio_.session().document();
+  std::size_t undone = 0;
+  while (studio_.session().history().can_undo() && undone < 10'000) {
+    const std::uint64_t edits = studio_.session().edit_count();
+    studio_.apply(UndoEvent{});
+    // The first one may end a gesture instead.
+    if (studio_.session().edit_count() != edits) ++undone;
+  }
+  for (std::size_t i = 0; i < undone; ++i) studio_.apply(RedoEvent{});
+  if (!(studio_.session().document() == before)) {
+    return "undoing and redoing " + std::to_string(undone) + " steps gave another document";
+  }
+  return complaint();
+}
+
+}  // namespace felt::desktop
