@@ -32,17 +32,15 @@ Monkey::Monkey(MainWindow& window, const MonkeyOptions& options)
       eraser_(QStringLiteral("monkey eraser"), 7002, QInputDevice::DeviceType::Stylus,
               QPointingDevice::PointerType::Eraser,
               QInputDevice::Capability::Position | QInputDevice::Capability::Pressure, 1, 3) {
-  connect(&timer_, &QTimer::timeout, this, &Monkey::step);
 }
 
 void Monkey::start() {
-  timer_.start(0);
+  QTimer::singleShot(0, this, &Monkey::step);
 }
 
 void Monkey::step() {
   // An event may open a dialog, whose loop comes here again: that is another event then.
   if (!failure_.empty() || done_ >= options_.events) {
-    timer_.stop();
     if (QWidget* modal = QApplication::activeModalWidget()) {
       modal->close();
       QTimer::singleShot(0, this, &Monkey::step);
@@ -53,6 +51,9 @@ void Monkey::step() {
     return;
   }
   ++done_;
+  // Before the act: a dialog that it opens runs a loop, in which the next one comes. A timer that
+  // repeats would not, while its own event is being handled.
+  QTimer::singleShot(0, this, &Monkey::step);
   struct Choice {
     double weight;
     Act act;
@@ -82,6 +83,8 @@ void Monkey::step() {
     if ((at -= choice.weight) < 0.0) break;
   }
   doing_ = chosen->name;
+  if (options_.verbose)
+    std::fprintf(stderr, "%llu %s\n", static_cast<unsigned long long>(done_), chosen->name);
   const double start_ms = cpu_ms();
   const std::uint64_t start = done_;
   if (QApplication::activeModalWidget() && ++steps_in_dialog_ > 25) {
@@ -114,7 +117,9 @@ void Monkey::check_deeply() {
   if (wrong.empty()) wrong = witness_.undo_and_redo();
   if (wrong.empty()) {
     const QString path = folder_.filePath(QStringLiteral("drawing.felt"));
-    const Drawing drawing{studio.session().document(), studio.page()};
+    Drawing drawing;
+    drawing.document = studio.session().document();
+    drawing.page = studio.page();
     if (const Result<void> written = write_drawing(path, drawing); !written) {
       wrong = written.error().message;
     } else if (const Result<Drawing> read = read_drawing(path); !read) {

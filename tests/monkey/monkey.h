@@ -80,11 +80,8 @@ class Monkey : public QObject {
   Witness witness_;
   QTemporaryDir folder_;
   QPointingDevice pen_, eraser_;
-  QTimer timer_;
   std::uint64_t done_ = 0;
   int steps_in_dialog_ = 0;
-  bool in_step_ = false;
-  Qt::MouseButtons held_;
   std::string doing_;
   std::string failure_;
   std::map<std::string, std::uint64_t> counts_;

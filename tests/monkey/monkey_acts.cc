@@ -65,7 +65,6 @@ QWidget* Monkey::any_widget() {
 
 void Monkey::mouse(QEvent::Type type, QPointF at, Qt::MouseButton button, Qt::MouseButtons held) {
   Canvas& canvas = window_.canvas();
-  held_ = held;
   QMouseEvent event(type, at, QPointF(canvas.mapToGlobal(at.toPoint())), button, held,
                     QApplication::keyboardModifiers());
   QApplication::sendEvent(&canvas, &event);

@@ -28,11 +28,13 @@ int main(int argc, char** argv) {
   arguments.addOption({QStringLiteral("hang-ms"),
                        QStringLiteral("CPU time of an event that counts as a hang"),
                        QStringLiteral("MS"), QStringLiteral("200")});
+  arguments.addOption({QStringLiteral("verbose"), QStringLiteral("names each event")});
   arguments.process(app);
 
   MonkeyOptions options;
   options.events = arguments.value(QStringLiteral("events")).toULongLong();
   options.seed = arguments.value(QStringLiteral("seed")).toULongLong();
+  options.verbose = arguments.isSet(QStringLiteral("verbose"));
   options.hang_ms = arguments.value(QStringLiteral("hang-ms")).toDouble();
   MainWindow window({});
   window.resize(1200, 800);
