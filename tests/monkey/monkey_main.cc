@@ -40,7 +40,8 @@ int main(int argc, char** argv) {
   window.resize(1200, 800);
   window.show();
   Monkey monkey(window, options);
-  QObject::connect(&monkey, &Monkey::finished, &app, &QCoreApplication::quit);
+  // Not quit(), which would ask whether to save.
+  QObject::connect(&monkey, &Monkey::finished, &app, [] { QCoreApplication::exit(0); });
   QApplication::setQuitOnLastWindowClosed(false);
   monkey.start();
   QApplication::exec();
