@@ -1,5 +1,9 @@
 #include "desktop/help/help_actions.h"
 
+#include <QApplication>
+#include <QThreadPool>
+#include <utility>
+
 #include "desktop/help/about_dialog.h"
 #include "desktop/help/examples.h"
 #include "desktop/help/guide_dialog.h"
@@ -27,9 +31,8 @@ HelpActions::HelpActions(Actions& actions, QWidget* window)
               tr("Two minutes in which the program draws by itself"), [this] { show_tour(); });
   for (const Example& example : examples()) {
     actions.add(QStringLiteral("help.example_") + example.id, example.title, {},
-                tr("Opens this drawing, made by the project's simulated hand"), [this, example] {
-                  Q_EMIT wants_drawing(example_document(example.id), example.title);
-                });
+                tr("Opens this drawing, made by the project's simulated hand"),
+                [this, example] { make_example(example); });
   }
   actions.add(QStringLiteral("help.about"), tr("&About Feltline"), {},
               tr("Version, licence and what it is built on"), [this] {
@@ -37,6 +40,20 @@ HelpActions::HelpActions(Actions& actions, QWidget* window)
                   return new AboutDialog(parent);
                 });
               });
+}
+
+/// The hand takes its time to draw, so it does it beside the window's thread.
+void HelpActions::make_example(const Example& example) {
+  const QPointer<HelpActions> asked(this);
+  QThreadPool::globalInstance()->start([asked, example] {
+    Document drawing = example_document(example.id);
+    QMetaObject::invokeMethod(
+        qApp,
+        [asked, title = example.title, drawing = std::move(drawing)] {
+          if (asked) Q_EMIT asked->wants_drawing(drawing, title);
+        },
+        Qt::QueuedConnection);
+  });
 }
 
 void HelpActions::show_dialog(QPointer<QWidget>& dialog,

@@ -6,6 +6,7 @@
 #include <QWidget>
 
 #include "desktop/engine/actions.h"
+#include "desktop/help/examples.h"
 #include "felt/document/document.h"
 
 namespace felt::desktop {
@@ -25,6 +26,7 @@ class HelpActions : public QObject {
   void wants_sheet();
 
  private:
+  void make_example(const Example& example);
   void show_tour();
   /// One window of each kind, made when it is first asked for.
   void show_dialog(QPointer<QWidget>& dialog, QWidget* (*make)(const Actions&, QWidget*));
