@@ -1,6 +1,9 @@
 #include "desktop/files/clipboard.h"
 
 #include <QByteArray>
+#include <QHash>
+#include <QImage>
+#include <QVariant>
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -21,6 +24,7 @@ constexpr double kMostPixels = 16e6;
 constexpr double kMarginMm = 1.0;
 constexpr std::size_t kBatchBytes = std::size_t{64} << 10;
 const QString kSvgMime = QStringLiteral("image/svg+xml");
+const QString kImageMime = QStringLiteral("application/x-qt-image");  // Qt's name for any picture
 
 QByteArray bytes_of(const std::string& text) {
   return QByteArray(text.data(), qsizetype(text.size()));
@@ -64,6 +68,34 @@ Result<Sketch> sketch_of(const QByteArray& bytes) {
   }
 }
 
+/// Strokes that become SVG and pixels when another program asks for them: most copies are pasted
+/// here, and a large picture takes longer than a keystroke may.
+class PromisedStrokes final : public QMimeData {
+ public:
+  explicit PromisedStrokes(Sketch sketch) : sketch_(std::move(sketch)) {}
+
+  [[nodiscard]] QStringList formats() const override {
+    return {QString::fromLatin1(kStrokesMime), kSvgMime, kImageMime};
+  }
+  [[nodiscard]] bool hasFormat(const QString& mime) const override {
+    return formats().contains(mime);
+  }
+
+ protected:
+  [[nodiscard]] QVariant retrieveData(const QString& mime, QMetaType) const override {
+    QVariant& made = made_[mime];
+    if (made.isValid()) return made;
+    if (mime == QLatin1String(kStrokesMime)) made = ndjson_of(sketch_);
+    if (mime == kSvgMime) made = svg_of(sketch_);
+    if (mime == kImageMime) made = picture_of(sketch_);
+    return made;
+  }
+
+ private:
+  Sketch sketch_;
+  mutable QHash<QString, QVariant> made_;
+};
+
 }  // namespace
 
 Rect ink_area(const Sketch& sketch) {
@@ -72,12 +104,8 @@ Rect ink_area(const Sketch& sketch) {
   return (ink.empty() ? Rect{0.0, 0.0, 0.0, 0.0} : ink).inflated(kMarginMm);
 }
 
-std::unique_ptr<QMimeData> strokes_mime(const Sketch& sketch) {
-  auto data = std::make_unique<QMimeData>();
-  data->setData(QString::fromLatin1(kStrokesMime), ndjson_of(sketch));
-  data->setData(kSvgMime, svg_of(sketch));
-  data->setImageData(picture_of(sketch));
-  return data;
+std::unique_ptr<QMimeData> strokes_mime(Sketch sketch) {
+  return std::make_unique<PromisedStrokes>(std::move(sketch));
 }
 
 std::unique_ptr<QMimeData> svg_mime(const Sketch& sketch) {

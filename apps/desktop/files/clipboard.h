@@ -13,8 +13,8 @@ namespace felt::desktop {
 inline constexpr const char* kStrokesMime = "application/x-feltline-strokes";
 
 /// Strokes for the clipboard: our own type, image/svg+xml and a picture at 300 dots per inch (less
-/// where that would be a very large one).
-std::unique_ptr<QMimeData> strokes_mime(const Sketch& sketch);
+/// where that would be a very large one). The last two are made when somebody asks for them.
+std::unique_ptr<QMimeData> strokes_mime(Sketch sketch);
 /// One of the two alone, for programs that choose the wrong one.
 std::unique_ptr<QMimeData> svg_mime(const Sketch& sketch);
 std::unique_ptr<QMimeData> png_mime(const Sketch& sketch);
