@@ -11,11 +11,14 @@ namespace {
 
 constexpr int kMostParts = 6;  // more are painted as the rectangle around them
 
-/// What of a widget is painted one after the other. Rectangles whose edges lie within a device
-/// pixel would share it, and paint it twice.
+/// What of a widget is painted one after the other. Qt cuts painting off at whole pixels of the
+/// device. A rectangle that ends within one would cover it in part, and what was there before would
+/// shine through: all is painted a little further then, and Qt leaves the rest as it was.
+/// Several rectangles would overlap so, and paint ink with alpha twice.
 QList<QRect> parts_of(const QRegion& region, double dpr) {
   const bool is_whole = std::abs(dpr - std::round(dpr)) < 1e-6;
-  if (!is_whole || region.rectCount() > kMostParts) return {region.boundingRect()};
+  if (!is_whole) return {region.boundingRect().adjusted(-2, -2, 2, 2)};
+  if (region.rectCount() > kMostParts) return {region.boundingRect()};
   return {region.begin(), region.end()};
 }
 

@@ -29,6 +29,14 @@ std::size_t common(std::span<const T> a, std::span<const T> b) {
   return n;
 }
 
+/// Pixel for pixel, as tiles are: at scales that are no whole numbers, too.
+void draw_pixels(QPainter& painter, const QImage& image, const PixelRect& pixels, double dpr) {
+  painter.save();
+  painter.scale(1.0 / dpr, 1.0 / dpr);
+  painter.drawImage(QPoint(pixels.x0, pixels.y0), image);
+  painter.restore();
+}
+
 }  // namespace
 
 void InkBrush::fill(const DabRows& rows, std::size_t from, std::size_t to, const PixelRect& pixels,
@@ -36,7 +44,6 @@ void InkBrush::fill(const DabRows& rows, std::size_t from, std::size_t to, const
   if (image_.width() != pixels.width() || image_.height() != pixels.height()) {
     image_ = QImage(pixels.width(), pixels.height(), QImage::Format_ARGB32_Premultiplied);
   }
-  image_.setDevicePixelRatio(1.0);
   image_.fill(Qt::transparent);
   outline_.clear();
   rows.trace(pixels, outliner_, outline_, from, to);
@@ -53,8 +60,7 @@ void InkBrush::paint(QPainter& painter, const QRectF& part, const DeviceView& vi
   if (ink.isEmpty()) return;
   const PixelRect pixels = view.pixels_of(ink);
   fill(rows, 0, DabRows::kAll, pixels, color);
-  image_.setDevicePixelRatio(view.dpr);
-  painter.drawImage(QPointF(pixels.x0 / view.dpr, pixels.y0 / view.dpr), image_);
+  draw_pixels(painter, image_, pixels, view.dpr);
 }
 
 QImage& InkBrush::cover(const DabRows& rows, std::size_t from, std::size_t to,
@@ -172,8 +178,7 @@ void WetInkView::paint_row(QPainter& painter, const QRect& part, const Row& row)
   if (ink.isEmpty() || pixels.empty()) return;
   QImage& image = brush_.cover(row.dabs, row.settled, DabRows::kAll, pixels);
   ink_pixels(image, pixels, row);
-  image.setDevicePixelRatio(view_.dpr);
-  painter.drawImage(QPointF(pixels.x0 / view_.dpr, pixels.y0 / view_.dpr), image);
+  draw_pixels(painter, image, pixels, view_.dpr);
 }
 
 /// From coverage, this one or the mask's, to colour.
