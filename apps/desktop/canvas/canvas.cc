@@ -70,6 +70,7 @@ Canvas::Canvas(Studio& studio, QWidget* parent)
   clock_.start();
   ink_.set_document(studio.session().document());
   listen();
+  take_layers();
   take_look();
   take_grain();
 }
@@ -80,6 +81,7 @@ void Canvas::listen() {
   connect(&studio_, &Studio::edited, this, &Canvas::on_edit);
   connect(&studio_, &Studio::opened, this, [this] {
     ink_.set_document(studio_.session().document());
+    take_layers();
     take_grain();
     fit_page();
   });
@@ -89,6 +91,7 @@ void Canvas::listen() {
     if (keeps_page_fitted_) fit_page();
     lay_out();
   });
+  connect(&studio_, &Studio::layer_changed, this, &Canvas::take_layers);
   connect(&studio_, &Studio::tool_changed, this, &Canvas::hint_changed);
   connect(&studio_, &Studio::option_changed, this, [this](const QString& id) {
     if (id.endsWith(QLatin1String(".material"))) take_grain();
@@ -176,6 +179,18 @@ void Canvas::lay_out() {
   update();
 }
 
+/// Ink that is drawn lies below that of the layers above the one in use.
+void Canvas::take_layers() {
+  const Session& session = studio_.session();
+  const auto& layers = session.document().layers();
+  const auto use = std::find_if(layers.begin(), layers.end(),
+                                [&](const Layer& l) { return l.id == session.layer(); });
+  const bool is_covered = use != layers.end() && std::any_of(use + 1, layers.end(), [](auto& l) {
+                            return l.visible && !l.strokes.empty();
+                          });
+  ink_.draw_below(is_covered ? std::optional(session.layer()) : std::nullopt);
+}
+
 void Canvas::take_look() {
   shown_->desk.set_page(studio_.page());
   shown_->desk.set_palette(palette());
@@ -247,6 +262,7 @@ void Canvas::list_marks() {
 void Canvas::on_edit(const Edit& edit) {
   Shown& s = *shown_;
   ink_.apply(edit);
+  take_layers();
   // The ink that was wet is in the document. Of strokes that take the tiles a while, it stays
   // until they have them: it dries.
   const auto is_long = [](const StrokeChange& change) {

@@ -89,6 +89,7 @@ class Canvas : public QWidget {
   void list_marks();
   PenMark pen_mark(const PenState& pen);
   [[nodiscard]] double nib_radius_px(double pull_n) const;
+  void take_layers();
   void take_look();
   void take_status();
   [[nodiscard]] bool shows_first_minute() const;

@@ -101,7 +101,7 @@ void Canvas::paint_ground(QPainter& painter, const QRegion& region) {
                   static_cast<std::uint8_t>(c.blue()), 255};
     });
     ink_.paint(painter, part);
-    s.wet.paint(painter, part);
+    s.wet.paint(painter, part, [this](QImage& ink, QPoint at) { ink_.cover(ink, at); });
   }
   painter.setClipping(false);
 }

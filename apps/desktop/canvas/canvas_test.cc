@@ -72,6 +72,12 @@ TEST(Canvas, PaintingWhatChangedIsPaintingEverything) {
     Sitting sitting({520, 380},
                     seed == 2 ? QStringLiteral("simulated:touch") : QStringLiteral("tablet"));
     draw_something(sitting);
+    if (seed == 3) {  // below other ink
+      const LayerId low = sitting.studio.session().layer();
+      sitting.studio.apply(LayerEvent{LayerEvent::Do::kAdd, {}});
+      draw_something(sitting);
+      sitting.studio.apply(LayerEvent{LayerEvent::Do::kUse, low});
+    }
     for (const char* tool : tools) {
       sitting.tool(tool);
       for (int gesture = 0; gesture < 2; ++gesture) {
@@ -128,7 +134,13 @@ Apart jump_at_pen_up(Sitting& sitting, const std::vector<Point>& way) {
   // Time for the pen to stop, since its last moments are no ink.
   sitting.studio.apply(SelectTool{"eraser"});
   EXPECT_EQ(sitting.studio.session().document().stroke_count(), 1u);
-  return apart(wet, sitting.anew());
+  const QImage dry = sitting.anew();
+  // However fine the screen is: widths are fitted once more at the end, by less than is seen.
+  const QSize seen = sitting.canvas.size();
+  const auto as_seen = [&](const QImage& image) {
+    return image.scaled(seen, Qt::IgnoreAspectRatio, Qt::SmoothTransformation);
+  };
+  return apart(as_seen(wet), as_seen(dry));
 }
 
 TEST(Canvas, WetInkIsTheInkThatDries) {
@@ -150,11 +162,105 @@ TEST(Canvas, WetInkIsTheInkThatDries) {
     }
     const QImage empty = sitting.anew();
     const Apart off = jump_at_pen_up(sitting, loops);
-    const int inked = apart(empty, sitting.anew()).many;
+    const double dpr = sitting.canvas.devicePixelRatioF();
+    const int inked = qRound(apart(empty, sitting.anew()).many / (dpr * dpr));
     EXPECT_GT(inked, 2000);  // there is a line to look at
     EXPECT_LE(off.many, inked / 200)
         << color << ": " << off.most << " at " << off.where.x() << "," << off.where.y();
   }
+}
+
+void draw_evenly(Sitting& sitting, double width_mm) {
+  for (const char* width : {"pencil.min_width_mm", "pencil.max_width_mm"}) {
+    sitting.option(width, width_mm);
+  }
+  sitting.option("pencil.snap", std::string("off"));
+  sitting.option("pencil.refine", false);
+}
+
+/// Of a line of one width only the end is fitted once more: all the rest stays, pixel for pixel, at
+/// any scale of the screen. Gives back the picture with the wet line.
+QImage expect_no_jump(Sitting& sitting, const std::vector<Point>& way) {
+  sitting.canvas.set_pen_visible(false);
+  const std::size_t before = sitting.studio.session().document().stroke_count();
+  const QImage without = sitting.anew();
+  sitting.go(way.front(), false);
+  sitting.touch(0.5);
+  for (const Point& p : way) sitting.go(p, true, 0.5);
+  sitting.canvas.flush();
+  const QImage all = sitting.anew();
+  sitting.studio.apply(SelectTool{"eraser"});
+  EXPECT_EQ(sitting.studio.session().document().stroke_count(), before + 1);
+  // The frame that follows at once, and the one with all tiles.
+  for (int frame = 0; frame < 2; ++frame) {
+    QImage wet = all;
+    QImage dry = frame == 0 ? sitting.canvas.grab().toImage().convertToFormat(QImage::Format_RGB32)
+                            : sitting.anew();
+    for (QImage* image : {&wet, &dry}) {  // all but the end
+      image->setDevicePixelRatio(sitting.canvas.devicePixelRatioF());
+      QPainter painter(image);
+      painter.setBrush(Qt::black);
+      const double reach = 30.0 * sitting.canvas.view().px_per_mm();
+      painter.drawEllipse(sitting.canvas.view().to_px(way.back()), reach, reach);
+    }
+    EXPECT_GT(apart(without, dry).many, 2000);
+    const Apart off = apart(wet, dry);
+    EXPECT_EQ(off.many, 0) << "frame " << frame << ", " << off.most << " at " << off.where.x()
+                           << "," << off.where.y();
+  }
+  sitting.tool("pencil");
+  return all;
+}
+
+TEST(Canvas, WetInkOfOneWidthDriesWhereItIs) {
+  std::vector<Point> loops;
+  for (int i = 0; i <= 120; ++i) {
+    loops.push_back({40.0 + 1.4 * i + 18 * std::cos(0.25 * i), 100 + 40 * std::sin(0.25 * i)});
+  }
+  Sitting sitting;
+  draw_evenly(sitting, 2.0);
+  expect_no_jump(sitting, loops);
+}
+
+/// What is drawn in a layer is seen below the ink of the layers above it from its first sample on.
+TEST(Canvas, WetInkLiesBelowTheLayersAboveIt) {
+  Sitting sitting;
+  draw_evenly(sitting, 12.0);
+  const LayerId low = sitting.studio.session().layer();
+  sitting.option("sheet.color", std::string("#209040ff"));
+  sitting.draw({{30, 60}, {250, 60}});
+  sitting.studio.apply(LayerEvent{LayerEvent::Do::kAdd, {}});
+  const LayerId high = sitting.studio.session().layer();
+  sitting.option("sheet.color", std::string("#c02020ff"));
+  sitting.draw({{100, 30}, {100, 180}});
+  sitting.option("sheet.color", std::string("#2040c080"));
+  sitting.draw({{150, 30}, {150, 180}});
+  sitting.option("sheet.color", std::string("#202020ff"));
+  const auto color_at = [&](const QImage& seen, Point place) {
+    const double dpr = sitting.canvas.devicePixelRatioF();
+    return seen.pixelColor((sitting.canvas.view().to_px(place) * dpr).toPoint());
+  };
+  sitting.studio.apply(LayerEvent{LayerEvent::Do::kUse, low});
+  const QImage below = expect_no_jump(sitting, {{40, 100}, {180, 100}, {260, 150}});
+  EXPECT_EQ(color_at(below, {100, 100}), QColor("#c02020"));
+  EXPECT_EQ(color_at(below, {80, 100}), QColor("#202020"));
+  EXPECT_NEAR(color_at(below, {150, 100}).blue(), (0xc0 + 0x20) / 2, 2);
+  // Nothing that is hidden, gone or below covers it.
+  sitting.studio.apply(LayerEvent{LayerEvent::Do::kHide, high});
+  const QImage alone = expect_no_jump(sitting, {{40, 120}, {180, 120}, {260, 170}});
+  EXPECT_EQ(color_at(alone, {100, 120}), QColor("#202020"));
+  sitting.studio.apply(LayerEvent{LayerEvent::Do::kShow, high});
+  const QImage again = expect_no_jump(sitting, {{40, 140}, {180, 140}, {260, 190}});
+  EXPECT_EQ(color_at(again, {100, 140}), QColor("#c02020"));
+  CanvasView view = sitting.canvas.view();
+  view.turn(20, {200, 200});
+  view.zoom(1.1, {200, 200});
+  sitting.canvas.set_view(view);
+  const QImage turned = expect_no_jump(sitting, {{40, 80}, {180, 80}, {260, 130}});
+  EXPECT_EQ(color_at(turned, {100, 80}), QColor("#c02020"));
+  sitting.studio.apply(LayerEvent{LayerEvent::Do::kUse, high});
+  const QImage over = expect_no_jump(sitting, {{40, 160}, {180, 160}, {260, 200}});
+  EXPECT_EQ(color_at(over, {100, 160}), QColor("#202020"));
 }
 
 TEST(Canvas, WetInkWithAlphaCoversEachPlaceOnce) {

@@ -79,16 +79,22 @@ void InkDesk::show(const std::optional<Edit>& preview) {
   if (scene_->previewed().empty()) drop_splits();
 }
 
-void InkDesk::look(const PlaneSpec& plane, const PlaneRect& seen) {
-  Plane& known = planes_[plane.id];
-  known.spec = plane;
+void InkDesk::look(const PlaneSpec& plane, const PlaneRect& seen,
+                   const std::optional<PlaneSpec>& over) {
   current_ = plane.id;
+  over_ = over ? over->id : 0;
   seen_ = seen;
   ++uses_;
   const TileRange range = TileRange::of(seen);
-  for (auto& [place, tile] : known.tiles) {
-    if (range.contains(place)) tile.used = uses_;
-  }
+  const auto use = [&](const PlaneSpec& spec) {
+    Plane& known = planes_[spec.id];
+    known.spec = spec;
+    for (auto& [place, tile] : known.tiles) {
+      if (range.contains(place)) tile.used = uses_;
+    }
+  };
+  use(plane);
+  if (over) use(*over);
 }
 
 void InkDesk::forget(std::uint64_t plane) {
@@ -174,6 +180,14 @@ std::optional<InkDesk::Choice> InkDesk::nearest(const Plane& plane, const PlaneR
   return best;
 }
 
+/// What covers new ink: once the view itself is there, since nothing but that ink waits for it.
+std::optional<InkDesk::Choice> InkDesk::choose_over() const {
+  const auto over = planes_.find(over_);
+  if (over == planes_.end()) return std::nullopt;
+  const auto wrong = nearest(over->second, seen_, true);
+  return wrong ? wrong : nearest(over->second, seen_, false);
+}
+
 InkDesk::Choice InkDesk::choose() const {
   const auto current = planes_.find(current_);
   if (current == planes_.end()) return {};
@@ -184,6 +198,7 @@ InkDesk::Choice InkDesk::choose() const {
   };
   if (const auto wrong = nearest(plane, seen_, true)) return as(*wrong, Need::kRepair);
   if (const auto missing = nearest(plane, seen_, false)) return as(*missing, Need::kMissing);
+  if (const auto over = choose_over()) return as(*over, Need::kMissing);
   const std::size_t ring = TilePicture::kBytes * 4;
   if (bytes_ + ring < most_bytes_ && !seen_.empty()) {
     if (const auto near = nearest(plane, seen_.inflated(kTileSide), false)) {
@@ -221,13 +236,13 @@ bool InkDesk::paint(Plane& plane, Tile& tile, Begun& begun,
   const Pixels pixels = pixels_of(*begun.picture);
   const InkStyle& style = plane.spec.style;
   if (begun.job.next == 0) {
-    if (!scene_->previewed().empty()) {
+    if (!scene_->previewed().empty() && !plane.spec.above) {
       if (!tile.split) tile.split = std::make_unique<TileSplit>();
       if (painter_.paint_split(*scene_, begun.job.view, begun.part, style, *tile.split, pixels)) {
         return true;
       }
     }
-    begun.job = TilePainter::job_of(*scene_, begun.job.view, begun.part);
+    begun.job = TilePainter::job_of(*scene_, begun.job.view, begun.part, plane.spec.above);
   }
   const bool may_stop = !tile.must_finish;
   while (!begun.job.is_done()) {
@@ -273,7 +288,8 @@ void InkDesk::drop_old(std::vector<TileNews>& news) {
     const TileRange seen = TileRange::of(seen_);
     for (auto& [id, plane] : planes_) {
       for (auto at = plane.tiles.begin(); at != plane.tiles.end(); ++at) {
-        if (!at->second.picture || (id == current_ && seen.contains(at->first))) continue;
+        const bool is_seen = (id == current_ || id == over_) && seen.contains(at->first);
+        if (!at->second.picture || is_seen) continue;
         if (in && at->second.used >= oldest->second.used) continue;
         in = &plane;
         oldest = at;

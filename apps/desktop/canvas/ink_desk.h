@@ -24,7 +24,8 @@ class InkDesk {
   void open(const Document& document);
   void apply(const Edit& edit);
   void show(const std::optional<Edit>& preview);
-  void look(const PlaneSpec& plane, const PlaneRect& seen);
+  /// `over`: a plane of the same view that shows what lies above a layer; made after the other.
+  void look(const PlaneSpec& plane, const PlaneRect& seen, const std::optional<PlaneSpec>& over);
   void forget(std::uint64_t plane);
 
   /// Decides what work() is to do.
@@ -70,6 +71,7 @@ class InkDesk {
   static void damage(Plane& plane, const Rect& area);
   static void damage(Tile& tile, PixelRect part);
   [[nodiscard]] Choice choose() const;
+  [[nodiscard]] std::optional<Choice> choose_over() const;
   [[nodiscard]] std::optional<Choice> nearest(const Plane& plane, const PlaneRect& area,
                                               bool only_made) const;
   [[nodiscard]] Begun begin(const Choice& choice, Plane& plane, Tile& tile);
@@ -84,6 +86,7 @@ class InkDesk {
   TilePainter painter_;
   std::map<std::uint64_t, Plane> planes_;
   std::uint64_t current_ = 0;
+  std::uint64_t over_ = 0;  // or none
   PlaneRect seen_;
   Choice choice_;
   std::optional<Begun> begun_;

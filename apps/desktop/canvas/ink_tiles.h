@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <map>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "felt/render/tile_painter.h"
@@ -70,6 +71,8 @@ struct PlaneSpec {
   std::uint64_t id = 0;
   View view;
   InkStyle style;
+  /// Only the layers above this one: what covers ink that is drawn in it.
+  std::optional<LayerId> above{};
 };
 
 /// A tile that the worker made, or dropped to save memory.

@@ -73,12 +73,15 @@ struct InkView::State {
     std::uint64_t order = 0;
     StrokeId id;
     StrokePtr stroke;
+    LayerId layer;
   };
 
   explicit State(std::function<void()> on_news) : worker(std::move(on_news)) {}
 
   [[nodiscard]] Plane* current() { return planes.empty() ? nullptr : &planes.back(); }
   void choose_plane();
+  void choose_over();
+  void drop_over();
   void ask();
   [[nodiscard]] PlaneRect plane_rect(const QRect& device) const {
     return {device.left() + left, device.top() + top, device.right() + 1 + left,
@@ -93,6 +96,7 @@ struct InkView::State {
   void copy_tiles(QPainter& painter, const Plane& plane, const QRect& device, QRegion& missing);
   void paint_others(QPainter& painter, const QRegion& missing);
   void paint_fresh(QPainter& painter, Plane& plane, const QRect& device);
+  void cover(QImage& ink, QPoint at);
   [[nodiscard]] double covered(const Plane& plane, const View& from) const;
 
   CanvasView view;
@@ -102,6 +106,8 @@ struct InkView::State {
   std::uint64_t style = 0;  // counts changes of the two
   std::uint64_t last_plane = 0;
   std::vector<Plane> planes;       // the one in use last
+  std::optional<LayerId> new_ink;  // the layer that gets it, where others cover it
+  std::optional<Plane> over;       // these others, in the view of the plane in use
   std::int64_t left = 0, top = 0;  // of the widget, in the plane
   std::map<LayerId, bool> visible;
   std::vector<Fresh> fresh;
@@ -142,9 +148,26 @@ void InkView::State::choose_plane() {
   top = std::llround(at.y);
 }
 
+void InkView::State::drop_over() {
+  if (over) worker.forget(over->spec.id);
+  over.reset();
+}
+
+void InkView::State::choose_over() {
+  const Plane& plane = planes.back();
+  if (over && over->spec.above == new_ink && over->style == style &&
+      over->spec.view == plane.spec.view) {
+    return;
+  }
+  drop_over();
+  if (!new_ink) return;
+  over = Plane{{++last_plane, plane.spec.view, plane.spec.style, new_ink}, style, {}};
+}
+
 void InkView::State::ask() {
   choose_plane();
-  worker.look(planes.back().spec, seen());
+  choose_over();
+  worker.look(planes.back().spec, seen(), over ? std::optional(over->spec) : std::nullopt);
 }
 
 QRect InkView::State::on_widget(const PlaneRect& px) const {
@@ -166,6 +189,7 @@ void InkView::set_document(const Document& document) {
   s.visible.clear();
   for (const Layer& layer : document.layers()) s.visible[layer.id] = layer.visible;
   for (State::Plane& plane : s.planes) plane.tiles.clear();
+  if (s.over) s.over->tiles.clear();
   s.is_previewing = false;
   s.opened = s.worker.open(document);
   Q_EMIT changed(QRect({0, 0}, s.view.size().toSize()));
@@ -177,6 +201,10 @@ void InkView::apply(const Edit& edit) {
   const std::uint64_t order = s.worker.apply(edit);
   for (const LayerChange& c : edit.layers) {
     if (c.after) s.visible[c.id] = c.after->visible;
+  }
+  if (!edit.layers.empty() && s.over) {  // what lies above may be something else
+    s.drop_over();
+    s.ask();
   }
   const auto is_changed = [&edit](const State::Fresh& fresh) {
     return std::any_of(edit.changes.begin(), edit.changes.end(),
@@ -190,7 +218,7 @@ void InkView::apply(const Edit& edit) {
   for (const StrokeChange& c : edit.changes) {
     if (c.before || !s.visible[c.after_place.layer]) continue;
     if (c.after->segment_count() > kMostFreshSegments) continue;
-    s.fresh.push_back({order, c.id, c.after});
+    s.fresh.push_back({order, c.id, c.after, c.after_place.layer});
     const Rect px = plane.view.area_px(c.after->bounds()).inflated(2.0);
     const auto whole = [](double x) { return std::llround(std::clamp(x, -2e9, 2e9)); };
     Q_EMIT changed(
@@ -223,6 +251,15 @@ void InkView::set_outline_mode(bool on) {
   if (std::exchange(state_->is_outline, on) == on) return;
   ++state_->style;
   state_->ask();
+}
+
+void InkView::draw_below(std::optional<LayerId> layer) {
+  if (std::exchange(state_->new_ink, layer) == layer || state_->planes.empty()) return;
+  state_->ask();
+}
+
+void InkView::cover(QImage& ink, QPoint at) {
+  state_->cover(ink, at);
 }
 
 QTransform InkView::transform() const {
@@ -262,6 +299,10 @@ void InkView::take_news() {
   State& s = *state_;
   const PlaneRect seen = s.seen();
   for (TileNews& news : s.worker.take_news()) {
+    if (s.over && news.plane == s.over->spec.id) {
+      take_over(news);
+      continue;
+    }
     const auto plane =
         std::find_if(s.planes.begin(), s.planes.end(),
                      [&news](const State::Plane& p) { return p.spec.id == news.plane; });
@@ -284,6 +325,21 @@ void InkView::take_news() {
   if (!s.fresh.empty()) {
     s.fresh.erase(std::remove_if(s.fresh.begin(), s.fresh.end(), is_old), s.fresh.end());
   }
+}
+
+/// A tile of what covers new ink.
+void InkView::take_over(TileNews& news) {
+  State& s = *state_;
+  if (!news.is_there) {
+    s.over->tiles.erase(news.place);
+    return;
+  }
+  if (news.order < s.opened) return;
+  const bool is_first = s.over->tiles.count(news.place) == 0;
+  s.over->tiles[news.place] = {std::move(news.picture), news.order};
+  // Ink that flows meanwhile was painted without it.
+  const PlaneRect part = rect_of(news.place).intersected(s.seen());
+  if (is_first && !part.empty()) Q_EMIT changed(s.on_widget(part));
 }
 
 void InkView::paint(QPainter& painter, const QRect& part) {
@@ -398,11 +454,21 @@ void InkView::State::paint_fresh(QPainter& painter, Plane& plane, const QRect& d
                         PixelOrder::kBgra};
     strokes.draw(*f.stroke, seen.from({static_cast<double>(box.x()), static_cast<double>(box.y())}),
                  pixels.rect(), plane.spec.style, pixels);
+    if (f.layer == new_ink) cover(image, box.topLeft());
     painter.save();
     painter.setClipRegion(stale, Qt::IntersectClip);
     painter.drawImage(box.topLeft(), image);
     painter.restore();
   }
+}
+
+void InkView::State::cover(QImage& ink, QPoint at) {
+  if (!over) return;
+  QPainter painter(&ink);
+  painter.setCompositionMode(QPainter::CompositionMode_SourceAtop);
+  painter.translate(-at);
+  QRegion missing;
+  copy_tiles(painter, *over, QRect(at, ink.size()), missing);
 }
 
 }  // namespace felt::desktop

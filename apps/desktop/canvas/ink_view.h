@@ -1,5 +1,6 @@
 #pragma once
 
+#include <QImage>
 #include <QObject>
 #include <QPainter>
 #include <QRect>
@@ -12,6 +13,8 @@
 #include "felt/render/grain.h"
 
 namespace felt::desktop {
+
+struct TileNews;
 
 /// The picture of a document's ink for a widget: raster tiles that a worker keeps up to date, so
 /// that painting is copying and the pen is never waited for (performance 1.4).
@@ -42,6 +45,11 @@ class InkView : public QObject {
   void set_grain(const Grain& grain);
   /// Centre lines only, hair-thin.
   void set_outline_mode(bool on);
+  /// New ink goes into this layer, below the ink of the layers above it; none: over all ink.
+  void draw_below(std::optional<LayerId> layer);
+  /// Paints what covers new ink over a picture of it whose corner is at this device pixel of the
+  /// widget; only where it has ink itself, so that it can be painted over all that is there.
+  void cover(QImage& ink, QPoint at);
   /// From mm to widget pixels, exactly as the ink is painted: as the view says but for a part of a
   /// device pixel, so that panning copies. What is to lie on the ink without a seam uses this.
   [[nodiscard]] QTransform transform() const;
@@ -60,6 +68,7 @@ class InkView : public QObject {
 
  private:
   void take_news();
+  void take_over(TileNews& news);
   struct State;
   std::unique_ptr<State> state_;
 };

@@ -48,8 +48,9 @@ std::uint64_t InkWorker::apply(Edit edit) {
 std::uint64_t InkWorker::show(std::optional<Edit> preview) {
   return post(std::move(preview));
 }
-std::uint64_t InkWorker::look(const PlaneSpec& plane, const PlaneRect& seen) {
-  return post(Look{plane, seen});
+std::uint64_t InkWorker::look(const PlaneSpec& plane, const PlaneRect& seen,
+                              const std::optional<PlaneSpec>& over) {
+  return post(Look{plane, seen, over});
 }
 std::uint64_t InkWorker::forget(std::uint64_t plane) {
   return post(Forget{plane});
@@ -119,7 +120,7 @@ void InkWorker::run() {
             if constexpr (std::is_same_v<What, Document>) desk.open(what);
             if constexpr (std::is_same_v<What, Edit>) desk.apply(what);
             if constexpr (std::is_same_v<What, std::optional<Edit>>) desk.show(what);
-            if constexpr (std::is_same_v<What, Look>) desk.look(what.plane, what.seen);
+            if constexpr (std::is_same_v<What, Look>) desk.look(what.plane, what.seen, what.over);
             if constexpr (std::is_same_v<What, Forget>) desk.forget(what.plane);
           },
           order);

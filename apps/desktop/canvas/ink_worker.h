@@ -43,7 +43,8 @@ class InkWorker {
   std::uint64_t open(Document document);
   std::uint64_t apply(Edit edit);
   std::uint64_t show(std::optional<Edit> preview);
-  std::uint64_t look(const PlaneSpec& plane, const PlaneRect& seen);
+  std::uint64_t look(const PlaneSpec& plane, const PlaneRect& seen,
+                     const std::optional<PlaneSpec>& over = {});
   std::uint64_t forget(std::uint64_t plane);
 
   /// Takes what is new since the last time, in the order in which it was made.
@@ -59,6 +60,7 @@ class InkWorker {
   struct Look {
     PlaneSpec plane;
     PlaneRect seen;
+    std::optional<PlaneSpec> over;
   };
   struct Forget {
     std::uint64_t plane = 0;

@@ -167,17 +167,19 @@ double WetInkView::width_mm() const noexcept {
   return is_empty() ? 0.0 : wet_.segments.back().end_width_mm;
 }
 
-void WetInkView::paint(QPainter& painter, const QRect& part) {
-  for (const Row& row : drying_) paint_row(painter, part, row);
-  paint_row(painter, part, wet_);
+void WetInkView::paint(QPainter& painter, const QRect& part, const Cover& cover) {
+  for (const Row& row : drying_) paint_row(painter, part, row, cover);
+  paint_row(painter, part, wet_, cover);
 }
 
-void WetInkView::paint_row(QPainter& painter, const QRect& part, const Row& row) {
+void WetInkView::paint_row(QPainter& painter, const QRect& part, const Row& row,
+                           const Cover& cover) {
   const QRect ink = part & view_.part_of(row.dabs.bounds());
   const PixelRect pixels = view_.pixels_of(QRectF(ink)).intersected(screen());
   if (ink.isEmpty() || pixels.empty()) return;
   QImage& image = brush_.cover(row.dabs, row.settled, DabRows::kAll, pixels);
   ink_pixels(image, pixels, row);
+  if (cover) cover(image, {pixels.x0, pixels.y0});
   draw_pixels(painter, image, pixels, view_.dpr);
 }
 

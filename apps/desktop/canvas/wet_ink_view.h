@@ -3,6 +3,7 @@
 #include <QImage>
 #include <QPainter>
 #include <QRegion>
+#include <functional>
 #include <span>
 #include <utility>
 #include <vector>
@@ -62,7 +63,9 @@ class WetInkView {
   /// At the pen's end of what is wet, mm.
   [[nodiscard]] double width_mm() const noexcept;
 
-  void paint(QPainter& painter, const QRect& part);
+  /// What lies above a picture of ink whose corner is at this device pixel is painted over it.
+  using Cover = std::function<void(QImage& ink, QPoint at)>;
+  void paint(QPainter& painter, const QRect& part, const Cover& cover = {});
 
  private:
   struct Row {
@@ -77,7 +80,7 @@ class WetInkView {
   void add(Row& row, const Overlay::InkSegment& segment) const;
   void settle(Row& row, std::size_t to);
   void unsettle(Row& row) const;
-  void paint_row(QPainter& painter, const QRect& part, const Row& row);
+  void paint_row(QPainter& painter, const QRect& part, const Row& row, const Cover& cover);
   void ink_pixels(QImage& image, const PixelRect& pixels, const Row& row);
   [[nodiscard]] PixelRect screen() const;
 

@@ -324,9 +324,14 @@ void InkScene::carry_out(const Edit& edit) {
   for (std::size_t i = 0; i < layer_order_.size(); ++i) layers_.at(layer_order_[i]).position = i;
 }
 
-void InkScene::find(const Rect& area, std::vector<const SceneStroke*>& found) const {
+void InkScene::find(const Rect& area, std::vector<const SceneStroke*>& found,
+                    std::optional<LayerId> above) const {
   found.clear();
   for (const LayerId id : layer_order_) {
+    if (above) {
+      if (id == *above) above.reset();
+      continue;
+    }
     const SceneLayer& layer = layers_.at(id);
     if (!layer.is_visible) continue;
     const auto first = static_cast<std::ptrdiff_t>(found.size());

@@ -52,8 +52,9 @@ class InkScene {
   Result<void> show(const std::optional<Edit>& preview, InkDamage& damage);
 
   /// Replaces `found` by the strokes of visible layers whose boxes touch the area, lowest first.
-  /// They are there until the next change.
-  void find(const Rect& area, std::vector<const SceneStroke*>& found) const;
+  /// They are there until the next change. `above`: only of the layers above that one.
+  void find(const Rect& area, std::vector<const SceneStroke*>& found,
+            std::optional<LayerId> above = {}) const;
   [[nodiscard]] static InkHeight height(const SceneStroke& stroke) noexcept {
     return {stroke.layer->position, stroke.rank()};
   }

@@ -69,9 +69,10 @@ Gap gap_of(const InkScene& scene, const TileSplit& split) {
 
 }  // namespace
 
-InkJob TilePainter::job_of(const InkScene& scene, const View& view, PixelRect part) {
+InkJob TilePainter::job_of(const InkScene& scene, const View& view, PixelRect part,
+                           std::optional<LayerId> above) {
   std::vector<const SceneStroke*> found;
-  scene.find(area_of(view, part), found);
+  scene.find(area_of(view, part), found, above);
   InkJob job{view, part, {}, 0};
   job.strokes.reserve(found.size());
   for (const SceneStroke* s : found) job.strokes.push_back(s->stroke);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "felt/render/grain.h"
@@ -48,8 +49,9 @@ struct TileSplit {
 /// Paints parts of pictures of a scene, ink on nothing. One thread at a time.
 class TilePainter {
  public:
-  /// What draws `part` of this picture, straight.
-  [[nodiscard]] static InkJob job_of(const InkScene& scene, const View& view, PixelRect part);
+  /// What draws `part` of this picture, straight. `above`: only the layers above that one.
+  [[nodiscard]] static InkJob job_of(const InkScene& scene, const View& view, PixelRect part,
+                                     std::optional<LayerId> above = {});
   /// Draws the next stroke of a job. The part must have been cleared before the first one.
   void draw_next(InkJob& job, const InkStyle& style, Pixels target);
   /// Draws one stroke.
