@@ -25,7 +25,8 @@ class InkDesk {
   void apply(const Edit& edit);
   void show(const std::optional<Edit>& preview);
   /// `over`: a plane of the same view that shows what lies above a layer; made after the other.
-  void look(const PlaneSpec& plane, const PlaneRect& seen, const std::optional<PlaneSpec>& over);
+  void look(const PlaneSpec& plane, const PlaneRect& seen,
+            const std::optional<PlaneSpec>& over = {});
   void forget(std::uint64_t plane);
 
   /// Decides what work() is to do.
