@@ -80,7 +80,7 @@ void dress() {
 /// Another start wants these files here, or only to see the program.
 void serve(Windows& windows, const QStringList& files) {
   for (const QString& file : files) {
-    if (MainWindow* window = windows.open_file(file)) bring_forward(*window);
+    bring_forward(*windows.open_file(file));
   }
   if (!files.isEmpty()) return;
   const QWidgetList shown = QApplication::topLevelWidgets();

@@ -168,6 +168,12 @@ bool Studio::apply(decltype(Event::what) what) {
   return done.has_value();
 }
 
+void Studio::finish_gesture() {
+  turn();
+  // Said as an event that ends gestures, so that a recording has it.
+  if (session_->gesture_in_work()) apply(UseDevice{device_->device().capabilities()});
+}
+
 bool Studio::import(const QString& path, std::span<const SketchStroke> strokes) {
   drain();
   const Result<void> done = session_->import(event_time_ns(), path.toStdString(), strokes);
@@ -267,10 +273,12 @@ void Studio::set_force_limit(double newton) {
   if (std::isnan(newton)) return;
   newton = std::clamp(newton, 0.0, SafetyLimits{}.peak_force_n);
   if (std::exchange(force_limit_n_, newton) == newton) return;
-  const bool were_on = forces_on_;
   stop_loop();
+  // After a fault only a person switches them on again: one that the last samples told, and one
+  // that nobody has heard of yet.
+  const bool may_be_on = forces_on_ && servo_->latest().safety.state != SafetyState::kLatched;
   start_loop();
-  set_forces(were_on);
+  set_forces(may_be_on);
   tell();
 }
 

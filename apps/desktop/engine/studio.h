@@ -88,6 +88,8 @@ class Studio : public QObject {
   /// Does what an event does, now, after every sample that came before it. False: the session
   /// refuses; `refused` says why.
   bool apply(decltype(Event::what) what);
+  /// What is being drawn is ended as if the pen were lifted, and is in the document then.
+  void finish_gesture();
   /// Adds strokes as one step of undo. Likewise.
   bool import(const QString& path, std::span<const SketchStroke> strokes);
   /// Another tool until give_back(): a key is held, the pen is turned over. Nested borrowing does

@@ -172,6 +172,28 @@ TEST(PenDevices, AFaultThatNeedsAPersonIsToldWithWhatToDoAndForcesStayOff) {
   EXPECT_EQ(studio.tick().safety.state, SafetyState::kActive);
 }
 
+TEST(PenDevices, AnotherForceLimitDoesNotSwitchForcesOnAgainAfterAFault) {
+  const FakeDriver driver;
+  Studio studio(by_hand());
+  ASSERT_TRUE(studio.use_device(driver.info.id));
+  studio.set_forces(true);
+  studio.advance(1'000'000'000);
+  ASSERT_EQ(studio.tick().safety.state, SafetyState::kActive);
+  studio.set_force_limit(1.0);
+  EXPECT_TRUE(studio.forces_are_on()) << "there is no fault, and a person switched them on";
+  studio.advance(1'000'000'000);
+  ASSERT_EQ(studio.tick().safety.state, SafetyState::kActive);
+  FakePen::is_unplugged = true;
+  studio.advance(20'000'000);
+  ASSERT_EQ(studio.tick().safety.state, SafetyState::kLatched);
+  FakePen::is_unplugged = false;
+  studio.set_force_limit(2.0);
+  EXPECT_FALSE(studio.forces_are_on());
+  studio.advance(1'000'000'000);
+  EXPECT_EQ(studio.tick().safety.state, SafetyState::kOff);
+  EXPECT_EQ(studio.tick().sent, Force{});
+}
+
 struct Corners {
   static void touch(CalibrationDialog& dialog, const Vec3& sheet_mm) {
     FakePen::at.position = leaning().to_device(sheet_mm);

@@ -148,6 +148,14 @@ bool FileActions::open(const QString& given) {
   return true;
 }
 
+void FileActions::show_unsaved(Document document, const SheetPage& page, const QString& name) {
+  Drawing as_it_looks = drawing();
+  as_it_looks.document = std::move(document);
+  as_it_looks.page = page;
+  as_it_looks.layer = {};
+  show(std::move(as_it_looks), {}, name);
+}
+
 void FileActions::adopt(Drawing drawing, const QString& name) {
   show(std::move(drawing), {}, name);
   studio_.set_modified(true);
@@ -297,6 +305,7 @@ void FileActions::end_save(const QString& path, std::uint64_t revision, const Re
 
 bool FileActions::may_replace() {
   worker_.wait();
+  studio_.finish_gesture();  // a line that is being drawn is a change, too
   if (!studio_.is_modified()) return true;
   switch (dialogs_->ask_unsaved(window_, display_name())) {
     case FileDialogs::Unsaved::kDiscard:
@@ -308,7 +317,13 @@ bool FileActions::may_replace() {
   }
   if (!save()) return false;
   worker_.wait();
-  return !last_save_failed_;
+  // What ended while the file was being written is not in it yet.
+  studio_.finish_gesture();
+  if (!last_save_failed_ && studio_.is_modified()) {
+    begin_save(path_);
+    worker_.wait();
+  }
+  return !last_save_failed_ && !studio_.is_modified();
 }
 
 bool FileActions::may_close() {

@@ -56,6 +56,9 @@ class FileActions : public QObject {
   bool import(const QString& path);
   /// Opens the first where this window is pristine, imports the others.
   void take_dropped(const QStringList& paths);
+  /// A drawing that comes from no file, an example: it has this name, and nothing to save. Asks
+  /// nothing: for a window that is pristine.
+  void show_unsaved(Document document, const SheetPage& page, const QString& name);
   /// A drawing that was rescued: it has changes and this name, and no file.
   void adopt(Drawing drawing, const QString& name);
 

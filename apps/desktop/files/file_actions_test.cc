@@ -88,6 +88,45 @@ TEST(FileActions, WhatIsDrawnDuringASaveStaysUnsaved) {
   EXPECT_EQ(read_drawing(desk.at("a.felt")).value().document.stroke_count(), 3u);
 }
 
+/// The pen goes along a line; on the sheet or above it.
+void move_pen(TestDesk& desk, bool down, double y_mm) {
+  for (int i = 0; i < 50; ++i) {
+    desk.studio.point({desk.studio.now_ns(), {20.0 + i, y_mm}, down, 0.5});
+    desk.studio.advance(2'000'000);
+  }
+}
+
+TEST(FileActions, ALineThatIsBeingDrawnIsAskedAboutAndSaved) {
+  TestDesk desk;
+  move_pen(desk, false, 30.0);
+  move_pen(desk, true, 30.0);
+  ASSERT_TRUE(desk.studio.session().gesture_in_work());
+  EXPECT_EQ(desk.document().stroke_count(), 0u);
+  EXPECT_FALSE(desk.files->may_close()) << "the person is asked, and stops it";
+  EXPECT_EQ(desk.person->asked.size(), 1);
+  EXPECT_EQ(desk.document().stroke_count(), 1u);
+  move_pen(desk, false, 60.0);
+  move_pen(desk, true, 60.0);
+  ASSERT_TRUE(desk.studio.session().gesture_in_work());
+  desk.person->unsaved = FileDialogs::Unsaved::kSave;
+  desk.person->next = desk.at("line.felt");
+  EXPECT_TRUE(desk.files->may_close());
+  EXPECT_EQ(read_drawing(desk.at("line.felt")).value().document.stroke_count(), 2u);
+}
+
+TEST(FileActions, WhatEndsDuringTheLastSaveIsSavedBeforeTheWindowGoes) {
+  TestDesk desk;
+  desk.draw(1);
+  desk.person->unsaved = FileDialogs::Unsaved::kSave;
+  desk.person->next = desk.at("late.felt");
+  // Comes when the event loop runs: while the file is being written.
+  QMetaObject::invokeMethod(
+      &desk.studio, [&desk] { desk.draw(2); }, Qt::QueuedConnection);
+  EXPECT_TRUE(desk.files->may_close());
+  EXPECT_EQ(desk.document().stroke_count(), 6u);
+  EXPECT_EQ(read_drawing(desk.at("late.felt")).value().document.stroke_count(), 6u);
+}
+
 TEST(FileActions, AFileChangedByOthersIsNotOverwrittenUnasked) {
   TestDesk desk;
   desk.draw(1);

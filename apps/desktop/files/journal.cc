@@ -3,6 +3,7 @@
 #include <QCoreApplication>
 #include <QDir>
 #include <QFile>
+#include <QFileInfo>
 #include <QJsonDocument>
 #include <QJsonObject>
 #include <QStandardPaths>
@@ -47,8 +48,12 @@ Journal::Journal(Studio& studio, std::function<Drawing()> current, const QString
                  QObject* parent)
     : QObject(parent), studio_(&studio), current_(std::move(current)) {
   static int count = 0;
-  folder_ = root + QStringLiteral("/%1-%2").arg(QCoreApplication::applicationPid()).arg(++count);
-  QDir().mkpath(folder_);
+  // Of a process that died, and whose number is ours now, there may be one of the same name: in a
+  // container every start has the same number.
+  QDir().mkpath(root);
+  do {
+    folder_ = root + QStringLiteral("/%1-%2").arg(QCoreApplication::applicationPid()).arg(++count);
+  } while (!QDir().mkdir(folder_) && QFileInfo::exists(folder_));
   QFile::setPermissions(folder_, QFile::ReadOwner | QFile::WriteOwner | QFile::ExeOwner);
   lock_ = std::make_unique<QLockFile>(folder_ + QStringLiteral("/lock"));
   lock_->setStaleLockTime(0);

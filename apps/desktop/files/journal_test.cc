@@ -163,6 +163,40 @@ TEST(Journal, ACleanCloseLeavesNothingAndACrashLeavesAFolder) {
   EXPECT_TRUE(find_abandoned(root.path()).empty());
 }
 
+/// In a container every start has the same process number: the folder of the one that died has the
+/// name that the next one would take, and its lock names a process that lives.
+TEST(Journal, AFolderOfADeadProcessWithOurNumberIsLeftAloneAndOffered) {
+  QTemporaryDir root;
+  QString name;
+  QByteArray lock;
+  {
+    TestDesk desk;
+    desk.files->keep_journal(root.path());
+    desk.draw(1);
+    name = desk.files->journal()->folder();
+    QFile file(name + QStringLiteral("/lock"));
+    ASSERT_TRUE(file.open(QIODevice::ReadOnly));
+    lock = file.readAll();
+  }
+  const qsizetype dash = name.lastIndexOf(QLatin1Char('-'));
+  const QString next = name.left(dash + 1) + QString::number(name.mid(dash + 1).toInt() + 1);
+  ASSERT_TRUE(QDir().rename(name, next));
+  QFile file(next + QStringLiteral("/lock"));
+  ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+  file.write(lock);
+  file.close();
+
+  TestDesk desk;
+  desk.files->keep_journal(root.path());
+  EXPECT_NE(desk.files->journal()->folder(), next);
+  desk.draw(2, 1);
+  const std::vector<AbandonedFolder> left = find_abandoned(root.path());
+  ASSERT_EQ(left.size(), 1u) << "the dead one's, not the one in use";
+  EXPECT_EQ(left[0].path, next);
+  EXPECT_EQ(recover(next).value().drawing.document.stroke_count(), 3u);
+  desk.studio.set_modified(false);
+}
+
 TEST(Journal, AFailureIsSaidAndNothingElseHappens) {
   TestDesk desk;
   QFile file(desk.at("state"));

@@ -107,7 +107,10 @@ std::vector<AbandonedFolder> find_abandoned(const QString& root) {
   for (const QFileInfo& info : folders) {
     auto lock = std::make_unique<QLockFile>(info.filePath() + QStringLiteral("/lock"));
     lock->setStaleLockTime(0);
-    if (lock->tryLock(0)) found.push_back({info.filePath(), std::move(lock)});
+    // Who lives holds a lock of the system, too. A process that has the number of a dead one now,
+    // this one perhaps, does not.
+    if (!lock->tryLock(0) && !(lock->removeStaleLockFile() && lock->tryLock(0))) continue;
+    found.push_back({info.filePath(), std::move(lock)});
   }
   return found;
 }

@@ -2,7 +2,6 @@
 
 #include <QApplication>
 #include <QCloseEvent>
-#include <QFileInfo>
 #include <QKeyEvent>
 #include <QMenuBar>
 
@@ -66,6 +65,7 @@ MainWindow::MainWindow(StudioOptions options, QWidget* parent)
   make_menus(*this, *actions_, files_->recent_menu());
   connect(studio_, &Studio::modified_changed, this, &MainWindow::show_title);
   connect(files_, &FileActions::path_changed, this, &MainWindow::show_title);
+  connect(files_, &FileActions::drawing_changed, this, &MainWindow::show_title);
   connect(this, &MainWindow::wants_preferences, this, [this] {
     if (!preferences_) preferences_ = new Preferences(*this);
     preferences_->show();
@@ -222,9 +222,10 @@ void MainWindow::go_to_next_part() {
 }
 
 void MainWindow::show_title() {
-  const QString name =
-      files_->path().isEmpty() ? tr("Untitled") : QFileInfo(files_->path()).fileName();
-  setWindowTitle(QStringLiteral("%1[*] \u2013 Feltline").arg(name));
+  // In a title "[*]" is the place of the mark for changes, and twice "[*]" is those three letters.
+  QString name = files_->display_name();
+  name.replace(QStringLiteral("[*]"), QStringLiteral("[*][*]"));
+  setWindowTitle(name + QStringLiteral("[*] \u2013 Feltline"));
   setWindowModified(studio_->is_modified());
   setWindowFilePath(files_->path());
 }

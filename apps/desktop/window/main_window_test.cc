@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <QMenuBar>
+#include <QMessageBox>
 #include <QTest>
 #include <QToolBar>
 #include <memory>
@@ -17,6 +18,7 @@
 #include "desktop/window/preferences.h"
 #include "desktop/window/shortcuts_page.h"
 #include "desktop/window/tool_keys.h"
+#include "desktop/window/windows.h"
 
 namespace felt::desktop {
 namespace {
@@ -228,6 +230,41 @@ TEST(MainWindow, TheTitleSaysNameAndState) {
   window.studio().set_modified(true);
   EXPECT_TRUE(window.isWindowModified());
   window.studio().set_modified(false);
+}
+
+TEST(Windows, AnExampleKeepsItsNameAndTakesOnlyAWindowWithNothingInIt) {
+  Windows windows(still());
+  MainWindow* first = windows.open();
+  Document drawing;
+  EXPECT_EQ(windows.open_drawing(drawing, QStringLiteral("A cat[*]"), first), first);
+  EXPECT_EQ(first->files().display_name(), QStringLiteral("A cat[*]"));
+  EXPECT_TRUE(first->windowTitle().startsWith(QStringLiteral("A cat")));
+  EXPECT_FALSE(first->isWindowModified());
+  MainWindow* second = windows.open_drawing(drawing, QStringLiteral("A dog"), first);
+  EXPECT_NE(second, first) << "the first shows an example, and is not to be replaced";
+  delete second;
+  delete first;
+}
+
+TEST(Windows, AFileThatCannotBeOpenedSaysSoInAWindowThatStays) {
+  Windows windows(still());
+  MainWindow* first = windows.open();
+  const QString none = QStringLiteral("/nowhere/at all.felt");
+  EXPECT_EQ(windows.open_file(none), first) << "there is nothing in it";
+  first->studio().set_modified(true);
+  MainWindow* second = windows.open_file(none);
+  ASSERT_NE(second, nullptr);
+  EXPECT_NE(second, first);
+  QApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+  for (MainWindow* window : {first, second}) {
+    const auto* box = window->findChild<QMessageBox*>();
+    ASSERT_NE(box, nullptr);
+    EXPECT_TRUE(box->isVisible());
+    EXPECT_TRUE(box->text().contains(QStringLiteral("at all.felt")));
+  }
+  first->studio().set_modified(false);
+  delete second;
+  delete first;
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 #include "desktop/window/windows.h"
 
 #include <QFileInfo>
+#include <algorithm>
 #include <cstdio>
 
 #include "desktop/engine/settings.h"
@@ -11,11 +12,6 @@ namespace {
 
 /// Beside the window that is there already.
 constexpr QPoint kStep{28, 28};
-
-bool is_untouched(MainWindow& window) {
-  return window.files().path().isEmpty() && !window.studio().is_modified() &&
-         window.studio().session().document().stroke_count() == 0;
-}
 
 }  // namespace
 
@@ -54,19 +50,26 @@ MainWindow* Windows::open_file(const QString& path) {
     window->activateWindow();
     return window;
   }
-  const bool is_first = windows_.isEmpty();
-  MainWindow* window = make();
-  window->show();
-  if (window->files().open(path)) return window;
-  std::fprintf(stderr, "feltline-desktop: %s could not be opened\n", qPrintable(path));
-  if (is_first) return window;
-  window->deleteLater();
-  return nullptr;
+  MainWindow* window = pristine();
+  if (!window) window = open();
+  // Where it cannot be opened, the window stays: it says why.
+  if (!window->files().open(path)) {
+    std::fprintf(stderr, "feltline-desktop: %s could not be opened\n", qPrintable(path));
+  }
+  return window;
 }
 
-MainWindow* Windows::open_drawing(const Document& drawing, const QString&, MainWindow* here) {
-  MainWindow* window = here && is_untouched(*here) ? here : open();
-  window->studio().open(drawing, SheetPage{});
+/// A window with nothing in it, or null.
+MainWindow* Windows::pristine() const {
+  const auto found = std::find_if(windows_.begin(), windows_.end(), [](MainWindow* window) {
+    return window->files().is_pristine() && !window->files().worker().is_busy();
+  });
+  return found == windows_.end() ? nullptr : *found;
+}
+
+MainWindow* Windows::open_drawing(const Document& drawing, const QString& title, MainWindow* here) {
+  MainWindow* window = here && here->files().is_pristine() ? here : open();
+  window->files().show_unsaved(drawing, SheetPage{}, title);
   window->canvas().fit_page();
   window->raise();
   window->activateWindow();

@@ -18,9 +18,8 @@ class Windows : public QObject {
 
   /// A window with a fresh sheet.
   MainWindow* open();
-  /// A window with this file, or the one that has it already. Where it cannot be read the person
-  /// has been told, and null comes back unless it is the first window, which then shows a fresh
-  /// sheet.
+  /// A window with this file: the one that has it already, one with nothing in it, or another one.
+  /// Where it cannot be read, the window says so over a fresh sheet.
   MainWindow* open_file(const QString& path);
   /// Likewise with an example; in `here` where nothing was drawn there.
   MainWindow* open_drawing(const Document& drawing, const QString& title, MainWindow* here);
@@ -29,6 +28,7 @@ class Windows : public QObject {
 
  private:
   MainWindow* make();
+  [[nodiscard]] MainWindow* pristine() const;
   static void remember(MainWindow& window);
 
   StudioOptions options_;
