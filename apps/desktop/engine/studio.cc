@@ -10,9 +10,12 @@
 namespace felt::desktop {
 namespace {
 
-constexpr int kNearMs = 1;  // between two turns while the pen is near
-constexpr int kFarMs = 4;
-constexpr int kRestingMs = 16;
+// Ticks between two turns.
+constexpr int kNear = 1;
+constexpr int kFar = 4;
+constexpr int kResting = 16;
+constexpr std::int64_t kAfterTickNs = 60'000;     // the tick is over by then, as a rule
+constexpr int kMostLateLooks = 4;                 // after that many the next tick is waited for
 constexpr std::int64_t kNearNs = 100'000'000;     // since the pen was moved
 constexpr std::int64_t kRestingNs = 500'000'000;  // likewise
 constexpr std::int64_t kTurnNs = 4'000'000;       // of a studio that is not live
@@ -48,9 +51,8 @@ Studio::Studio(StudioOptions options, QObject* parent)
   device_ = *std::move(device);
   make_session(Document{});
   start_loop();
-  connect(&timer_, &QTimer::timeout, this, &Studio::turn);
-  timer_.setTimerType(Qt::PreciseTimer);
-  if (options_.live) timer_.start(kFarMs);
+  connect(&timer_, &TickTimer::due, this, &Studio::turn);
+  set_pace(true);
 }
 
 Studio::~Studio() {
@@ -202,7 +204,7 @@ void Studio::point(const PointerEvent& event) {
   PointerEvent of_loop = event;
   of_loop.time_ns -= clock_start_ns_;
   if (hand_) hand_->point(of_loop);
-  set_pace();
+  if (options_.live) wake_at(std::min(wake_ns_, next_tick_ns() + kAfterTickNs));
 }
 
 void Studio::set_mouse_pressure(MousePressure mouse) {
@@ -215,13 +217,20 @@ std::int64_t Studio::now_ns() const noexcept {
   return clock_start_ns_ + (thread_ ? thread_->now_ns() : 0);
 }
 
+std::int64_t Studio::next_tick_ns() const noexcept {
+  const std::int64_t now = now_ns(), period_ns = servo_->options().period_ns;
+  if (!thread_) return now + period_ns;
+  const std::int64_t first_ns = clock_start_ns_ + thread_->first_due_ns();
+  return now < first_ns ? first_ns : now + period_ns - (now - first_ns) % period_ns;
+}
+
 void Studio::turn() {
   if (in_turn_) return;  // a slot of ours asked for a paint
   in_turn_ = true;
-  drain();
+  const bool has_samples = drain();
   publish();
   tell();
-  set_pace();
+  set_pace(has_samples);
   in_turn_ = false;
 }
 
@@ -282,8 +291,9 @@ void Studio::set_force_limit(double newton) {
   tell();
 }
 
-void Studio::drain() {
-  if (!servo_) return;
+/// False: there were none.
+bool Studio::drain() {
+  if (!servo_) return false;
   std::array<PenSample, 256> batch;
   bool any = false;
   for (std::size_t n = 0; (n = servo_->for_edit().pop(batch)) > 0; any = true) {
@@ -295,7 +305,7 @@ void Studio::drain() {
   const bool is_other = std::exchange(told_safety_, tick.safety.state) != tick.safety.state;
   if (!any) {
     if (is_other) Q_EMIT ticked(tick);
-    return;
+    return false;
   }
   pen_.is_known = true;
   pen_.asked = tick.asked;
@@ -303,6 +313,7 @@ void Studio::drain() {
   if (!hand_) pen_.hand = {pen_.sample.position.x, pen_.sample.position.y};
   has_news_ = true;
   Q_EMIT ticked(tick);
+  return true;
 }
 
 void Studio::publish() {
@@ -327,12 +338,22 @@ void Studio::tell() {
   if (std::exchange(has_news_, false)) Q_EMIT shown();
 }
 
-void Studio::set_pace() {
+/// The next turn comes right after a tick: what it has read is seen some hundred microseconds
+/// later. A tick that is late is looked for again, soon.
+void Studio::set_pace(bool has_samples) {
   if (!options_.live) return;
-  const std::int64_t rest_ns = now_ns() - last_point_ns_;
+  const std::int64_t now = now_ns(), period_ns = servo_->options().period_ns;
+  const std::int64_t rest_ns = now - last_point_ns_;
   const bool is_near = rest_ns < kNearNs || in_contact(pen_.sample) || !hand_;
-  const int ms = is_near ? kNearMs : rest_ns < kRestingNs ? kFarMs : kRestingMs;
-  if (timer_.interval() != ms) timer_.setInterval(ms);
+  const int ticks = is_near ? kNear : rest_ns < kRestingNs ? kFar : kResting;
+  late_looks_ = has_samples || !is_near ? 0 : late_looks_ + 1;
+  if (late_looks_ > 0 && late_looks_ <= kMostLateLooks) return wake_at(now + kAfterTickNs);
+  wake_at(next_tick_ns() + (ticks - 1) * period_ns + kAfterTickNs);
+}
+
+void Studio::wake_at(std::int64_t time_ns) {
+  wake_ns_ = time_ns;
+  timer_.start(time_ns - now_ns());
 }
 
 }  // namespace felt::desktop

@@ -2,7 +2,6 @@
 
 #include <QObject>
 #include <QString>
-#include <QTimer>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -11,6 +10,7 @@
 #include <vector>
 
 #include "desktop/engine/pen_device.h"
+#include "desktop/engine/tick_timer.h"
 #include "felt/devices/simulated/pointer_hand.h"
 #include "felt/document/sheet_page.h"
 #include "felt/haptics/safety_limits.h"
@@ -61,8 +61,9 @@ struct PenState {
 ///   studio.apply(SelectTool{"pull"});                       // everything else, as events
 ///   connect(&studio, &Studio::edited, ...);
 ///
-/// Live, a real-time thread ticks the loop, and a timer drains its samples into the session (every
-/// millisecond while the pen is near, else every 4 ms and less). Qt's main thread only.
+/// Live, a real-time thread ticks the loop, and a timer drains its samples into the session: right
+/// after each tick while the pen is near, after each fourth when it was moved a while ago, else
+/// after each 16th. The loop wakes nobody. Qt's main thread only.
 class Studio : public QObject {
   Q_OBJECT
 
@@ -107,6 +108,8 @@ class Studio : public QObject {
   void set_mouse_pressure(MousePressure mouse);
   /// The loop's clock.
   [[nodiscard]] std::int64_t now_ns() const noexcept;
+  /// When the loop's next tick is due, on that clock. Not live: a period from now.
+  [[nodiscard]] std::int64_t next_tick_ns() const noexcept;
   /// Feeds all samples that wait into the session and shows what came of it. The canvas calls it
   /// before it paints.
   void turn();
@@ -163,11 +166,12 @@ class Studio : public QObject {
   void start_loop();
   void stop_loop();
   [[nodiscard]] std::int64_t event_time_ns();
-  void drain();
+  bool drain();
   void take(PenSample& sample);
   void publish();
   void tell();
-  void set_pace();
+  void set_pace(bool has_samples);
+  void wake_at(std::int64_t time_ns);
 
   StudioOptions options_;
   StudioListener listener_;
@@ -179,7 +183,9 @@ class Studio : public QObject {
   std::unique_ptr<Session> session_;
   SheetPage page_;
   PenState pen_;
-  QTimer timer_;
+  TickTimer timer_;
+  std::int64_t wake_ns_ = 0;  // when the timer comes
+  int late_looks_ = 0;        // in a row, for a tick that is late
   std::int64_t virtual_ns_ = 0;
   std::int64_t clock_start_ns_ = 0;  // what the session's clock said when this loop began
   std::int64_t last_point_ns_ = 0;

@@ -58,7 +58,8 @@ struct Desk {
 
   static std::string text_of(const Sketch& sketch) {
     std::string text;
-    for (const SketchStroke& stroke : sketch) append_sketch_line(text, stroke.id, stroke.stroke.data());
+    for (const SketchStroke& stroke : sketch)
+      append_sketch_line(text, stroke.id, stroke.stroke.data());
     return text;
   }
 };

@@ -134,6 +134,7 @@ void RealtimeThread::set_up() noexcept {
   status_.scheduling = schedule(options_.fifo_priority);
   status_.memory_locked = options_.lock_memory && lock_memory();
   touch_stack();
+  first_due_ns_ = now_ns() + servo_.options().period_ns;
 }
 
 // Returns the time at which it woke.
@@ -151,7 +152,7 @@ void RealtimeThread::loop() noexcept {
   const std::int64_t period_ns = servo_.options().period_ns;
   LoopStats stats;
   std::int64_t next_stats_ns = 0;
-  std::int64_t deadline_ns = now_ns() + period_ns;
+  std::int64_t deadline_ns = first_due_ns_;
   while (!stop_asked_.load(std::memory_order_relaxed)) {
     const std::int64_t woke_ns = wait_for(deadline_ns);
     const std::int64_t cpu_ns = options_.measure_cpu ? clock_ns(CLOCK_THREAD_CPUTIME_ID) : 0;

@@ -67,6 +67,10 @@ class RealtimeThread {
   [[nodiscard]] const RealtimeStatus& status() const noexcept { return status_; }
   /// The loop's clock: ns since this object was made, monotonic. Any thread.
   [[nodiscard]] std::int64_t now_ns() const noexcept;
+  /// When the first tick of the last start() was due, on that clock; the others are due whole
+  /// periods later. Whoever waits for a tick's sample sets a timer by it: the loop itself wakes
+  /// nobody.
+  [[nodiscard]] std::int64_t first_due_ns() const noexcept { return first_due_ns_; }
   /// How the loop kept its deadlines; while it runs, as of at most 0.2 s ago. Of the last start().
   [[nodiscard]] const LoopStats& stats() noexcept;
 
@@ -79,6 +83,7 @@ class RealtimeThread {
   Servo& servo_;
   RealtimeOptions options_;
   std::int64_t epoch_ns_;
+  std::int64_t first_due_ns_ = 0;
   RealtimeStatus status_;
   std::atomic<bool> is_set_up_{false};
   std::atomic<bool> stop_asked_{false};
