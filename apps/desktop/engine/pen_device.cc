@@ -4,6 +4,7 @@
 #include <QStringList>
 #include <algorithm>
 #include <array>
+#include <cstring>
 #include <utility>
 
 #include "desktop/engine/settings.h"
@@ -72,6 +73,15 @@ QString text_of(std::string_view text) {
   return QString::fromUtf8(text.data(), qsizetype(text.size()));
 }
 
+/// "3D Systems Touch (Phantom Omni)" is "Touch" to those who have one.
+QString model_of(QString label) {
+  label = label.section(QLatin1String(" ("), 0, 0).section(QLatin1Char(':'), 0, 0);
+  for (const char* maker : {"3D Systems ", "Novint ", "Force Dimension ", "Haply "}) {
+    if (label.startsWith(QLatin1String(maker))) label.remove(0, qsizetype(std::strlen(maker)));
+  }
+  return label;
+}
+
 PenDeviceInfo info_of(const StylusPreset& preset) {
   PenDeviceInfo info;
   info.capabilities = preset.capabilities;
@@ -83,7 +93,9 @@ PenDeviceInfo info_of(const StylusPreset& preset) {
     return info;
   }
   info.id = kSimulated + text_of(preset.name);
-  info.label = QCoreApplication::translate("PenDevice", "Simulated: %1").arg(text_of(preset.label));
+  const QString label = text_of(preset.label);
+  info.label = QCoreApplication::translate("PenDevice", "Simulated: %1").arg(label);
+  info.short_label = QCoreApplication::translate("PenDevice", "Simulated %1").arg(model_of(label));
   info.note = QCoreApplication::translate(
       "PenDevice",
       "Mouse or pen lead a simulated hand that holds this stylus. Forces move the ink, so that you "

@@ -18,10 +18,11 @@ inline constexpr auto kPenDeviceDefault = "tablet";
 
 /// A device that can be chosen, for lists.
 struct PenDeviceInfo {
-  QString id;               ///< "tablet", "simulated:touch"; what the settings keep
-  QString label;            ///< for people
-  QString note;             ///< one sentence: what it is good for
-  bool moves_hand = false;  ///< real motors: a person must switch the forces on
+  QString id;                ///< "tablet", "simulated:touch"; what the settings keep
+  QString label;             ///< for people
+  QString short_label = {};  ///< for the status line; empty: the label
+  QString note;              ///< one sentence: what it is good for
+  bool moves_hand = false;   ///< real motors: a person must switch the forces on
   /// It says where it is in a frame of its own: needs to be told where the drawing plane lies.
   bool has_own_frame = false;
   Capabilities capabilities{};  ///< as far as they are known while it is closed

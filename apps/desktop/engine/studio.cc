@@ -1,4 +1,5 @@
 #include "desktop/engine/studio.h"
+#include "desktop/engine/first_options.h"
 
 #include <algorithm>
 #include <array>
@@ -42,6 +43,14 @@ void copy_options(const Session& from, Session& to, std::int64_t now_ns) {
   if (tool != to.tool().info().id) static_cast<void>(to.apply({now_ns, SelectTool{tool}}));
 }
 
+/// What a hand that senses no pressure stands for, by the tool's own option where it has one.
+double absent_pressure(const Session& session) {
+  const Result<OptionValue> value =
+      session.option(std::string(session.tool().info().id) + ".mouse_pressure");
+  const auto* number = value ? std::get_if<double>(&*value) : nullptr;
+  return number ? *number : HandScriptOptions{}.absent_pressure;
+}
+
 }  // namespace
 
 Studio::Studio(StudioOptions options, QObject* parent)
@@ -75,7 +84,12 @@ void Studio::make_session(Document document) {
   // Said as events, so that whoever records them has all that the drawing depends on.
   const std::int64_t now_ns = event_time_ns();
   static_cast<void>(session->apply({now_ns, UseDevice{device_->device().capabilities()}}));
-  if (session_) copy_options(*session_, *session, now_ns);
+  if (session_) {
+    copy_options(*session_, *session, now_ns);
+  } else {
+    static_cast<void>(
+        session->apply({now_ns, SetOption{kMousePressureId, OptionValue(kFirstMousePressure)}}));
+  }
   session_ = std::move(session);
   told_selection_ = session_->selection_count();
   told_layer_ = session_->layer();
@@ -203,7 +217,10 @@ void Studio::point(const PointerEvent& event) {
   pen_.hand = event.position;
   PointerEvent of_loop = event;
   of_loop.time_ns -= clock_start_ns_;
-  if (hand_) hand_->point(of_loop);
+  if (hand_) {
+    hand_->set_absent_pressure(absent_pressure(*session_));
+    hand_->point(of_loop);
+  }
   if (options_.live) wake_at(std::min(wake_ns_, next_tick_ns() + kAfterTickNs));
 }
 

@@ -50,6 +50,7 @@ DevicePage::DevicePage(Studio& studio, QWidget* parent)
   limit_->setAccessibleName(tr("Largest force"));
   plane_->setWordWrap(true);
   auto* form = new QFormLayout;
+  form->setFieldGrowthPolicy(QFormLayout::FieldsStayAtSizeHint);
   form->addRow(tr("&Largest force"), limit_);
   form->addRow(plane_, calibrate_);
   auto* rows = new QVBoxLayout(this);

@@ -160,7 +160,8 @@ TEST(PenDevices, AFaultThatNeedsAPersonIsToldWithWhatToDoAndForcesStayOff) {
   studio.advance(20'000'000);
   EXPECT_EQ(studio.tick().safety.state, SafetyState::kLatched);
   EXPECT_FALSE(studio.forces_are_on());
-  EXPECT_FALSE(actions.find(QStringLiteral("feel.forces"))->isChecked());
+  EXPECT_EQ(actions.find(QStringLiteral("feel.forces"))->text().remove(QLatin1Char('&')),
+            QStringLiteral("Switch forces on"));
   ASSERT_EQ(told.size(), 1);
   EXPECT_TRUE(told.front().contains(QStringLiteral("Check the cable")));
   QString text;

@@ -35,17 +35,19 @@ void restore(Studio& studio) {
 }
 
 void add_switch(Actions& actions, Studio& studio) {
-  QAction* forces = actions.add_switch(
-      QStringLiteral("feel.forces"), QCoreApplication::translate("FeelActions", "&Forces"), {},
-      QCoreApplication::translate("FeelActions", "Let the pen be pushed, or not"),
-      studio.forces_are_on(), [&studio](bool on) { studio.set_forces(on); });
-  QObject::connect(&studio, &Studio::forces_changed, forces, [forces](bool on) {
-    const QSignalBlocker quiet(forces);
-    forces->setChecked(on);
-  });
+  QAction* forces = actions.add(
+      QStringLiteral("feel.forces"), QString(), {},
+      QCoreApplication::translate("FeelActions", "Stops all forces, or lets the pen be pushed"),
+      [&studio] { studio.set_forces(!studio.forces_are_on()); });
+  const auto say = [forces](bool on) {
+    forces->setText(on ? QCoreApplication::translate("FeelActions", "Stop &forces")
+                       : QCoreApplication::translate("FeelActions", "Switch &forces on"));
+  };
+  say(studio.forces_are_on());
+  QObject::connect(&studio, &Studio::forces_changed, forces, say);
   actions.add(QStringLiteral("feel.forces_off"),
-              QCoreApplication::translate("FeelActions", "Forces &off now (Esc twice)"), {},
-              QCoreApplication::translate("FeelActions", "No force, at once"),
+              QCoreApplication::translate("FeelActions", "Stop forces, &never start (Esc twice)"),
+              {}, QCoreApplication::translate("FeelActions", "No force, at once"),
               [&studio] { studio.set_forces(false); });
 }
 

@@ -11,6 +11,15 @@
 namespace felt::desktop {
 namespace {
 
+// Of the sheet and of ink on it, which no theme changes.
+constexpr QColor kPaper(0xff, 0xff, 0xff), kInk(0x23, 0x26, 0x2d);
+constexpr QColor kStopOnLight(0xc0, 0x32, 0x26), kStopOnDark(0xff, 0x7d, 0x6e);
+constexpr double kStopTint = 0.14;
+
+bool is_dark(const QPalette& palette) {
+  return palette.color(QPalette::Window).lightness() < 128;
+}
+
 constexpr double kPxPerMm = 96.0 / 25.4;  // device-independent pixels: 1/96 inch each
 
 QPixmap blank(QSize size, qreal dpr) {
@@ -66,14 +75,11 @@ void draw_stop(QPainter& painter) {
   painter.drawRect(QRectF(4, 6.8, 8, 2.4));
 }
 
-QPixmap material_swatch(const SurfaceMaterial& material, const QPalette& palette, QSize size,
-                        qreal dpr) {
+QPixmap material_swatch(const SurfaceMaterial& material, QSize size, qreal dpr) {
   const Grain grain(surface_grain(material));
   const QSize pixels = size * dpr;
   QImage image(pixels, QImage::Format_ARGB32_Premultiplied);
   image.setDevicePixelRatio(dpr);
-  image.fill(palette.color(QPalette::Base));
-  const QColor ink = palette.color(QPalette::Text), paper = palette.color(QPalette::Base);
   const double mm = 1.0 / (kPxPerMm * dpr);
   for (int y = 0; y < pixels.height(); ++y) {
     auto* row = reinterpret_cast<QRgb*>(image.scanLine(y));
@@ -89,11 +95,19 @@ QPixmap material_swatch(const SurfaceMaterial& material, const QPalette& palette
       const auto mix = [&](int from, int to) {
         return static_cast<int>(from + seen * (to - from));
       };
-      row[x] = qRgb(mix(paper.red(), ink.red()), mix(paper.green(), ink.green()),
-                    mix(paper.blue(), ink.blue()));
+      row[x] = qRgb(mix(kPaper.red(), kInk.red()), mix(kPaper.green(), kInk.green()),
+                    mix(kPaper.blue(), kInk.blue()));
     }
   }
   return QPixmap::fromImage(image);
+}
+
+/// White paper on a white button has an edge, too.
+QPixmap outlined(QPixmap swatch) {
+  QPainter painter(&swatch);
+  painter.setPen(QPen(QColor(0, 0, 0, 70), 1.0));
+  painter.drawRect(QRectF(QPointF(0, 0), swatch.deviceIndependentSize()).adjusted(0, 0, -1, -1));
+  return swatch;
 }
 
 /// The same, chosen.
@@ -146,9 +160,25 @@ QPixmap level_icon(FeelLevel level, const QPalette& palette, int size, qreal dpr
   return pixmap;
 }
 
+QIcon stop_icon(const QPalette& palette, int size, qreal dpr) {
+  QPalette red = palette;
+  red.setColor(QPalette::WindowText, is_dark(palette) ? kStopOnDark : kStopOnLight);
+  return QIcon(level_icon(FeelLevel::kStopped, red, size, dpr));
+}
+
+QPalette stop_palette(QPalette palette) {
+  const QColor red = is_dark(palette) ? kStopOnDark : kStopOnLight;
+  const QColor from = palette.color(QPalette::Button);
+  const auto mix = [](int a, int b) { return static_cast<int>(a + kStopTint * (b - a)); };
+  palette.setColor(QPalette::Button,
+                   QColor(mix(from.red(), red.red()), mix(from.green(), red.green()),
+                          mix(from.blue(), red.blue())));
+  return palette;
+}
+
 QIcon material_icon(const SurfaceMaterial& material, const QPalette& palette, QSize size,
                     qreal dpr) {
-  const QPixmap swatch = material_swatch(material, palette, size, dpr);
+  const QPixmap swatch = outlined(material_swatch(material, size, dpr));
   QIcon icon(swatch);
   icon.addPixmap(framed(swatch, palette), QIcon::Normal, QIcon::On);
   return icon;

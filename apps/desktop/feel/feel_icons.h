@@ -12,9 +12,16 @@ namespace felt::desktop {
 /// sign. In the colour of the text.
 QPixmap level_icon(FeelLevel level, const QPalette& palette, int size, qreal dpr);
 
+/// A stop sign, red where colours are seen: for the button that ends all forces.
+QIcon stop_icon(const QPalette& palette, int size, qreal dpr);
+
+/// Of that button: a little red in what it had.
+QPalette stop_palette(QPalette palette);
+
 /// How a material looks under chalk that is pressed on harder from left to right: the very relief
 /// that the hand feels (felt/render/grain.h), in life size.
-/// The one of the chosen material has a frame and a check mark.
+/// On the white of the sheet, in every theme. The one of the chosen material has a frame and a
+/// check mark.
 QIcon material_icon(const SurfaceMaterial& material, const QPalette& palette, QSize size,
                     qreal dpr);
 

@@ -33,15 +33,14 @@ QLabel* heading(const QString& text, QWidget* buddy, QWidget* parent) {
 
 FeelPanel::FeelPanel(Studio& studio, QWidget* parent)
     : QWidget(parent), studio_(studio), forces_(new QPushButton(this)), words_(new QLabel(this)) {
-  forces_->setCheckable(true);
   forces_->setIconSize({kIconPx, kIconPx});
   forces_->setMinimumHeight(5 * fontMetrics().height() / 2);
   QFont large = forces_->font();
   large.setPointSizeF(1.2 * large.pointSizeF());
   forces_->setFont(large);
   words_->setWordWrap(true);
-  connect(forces_, &QPushButton::clicked, this, [this](bool on) {
-    studio_.set_forces(on);
+  connect(forces_, &QPushButton::clicked, this, [this] {
+    studio_.set_forces(!studio_.forces_are_on());
     tell_forces();
   });
   auto* rows = new QVBoxLayout(this);
@@ -129,18 +128,17 @@ void FeelPanel::tell_forces() {
   const bool has_motors = studio_.device().device().capabilities().has_force();
   const bool on = studio_.forces_are_on();
   const SafetyWords words = words_for(safety, has_motors, on);
-  forces_->setChecked(on);
-  forces_->setText(on ? tr("Forces on") : tr("Forces off"));
-  forces_->setIcon(level_icon(words.level, palette(), kIconPx, devicePixelRatioF()));
-  forces_->setToolTip(on ? tr("Switch all forces off (Esc twice)") : tr("Switch the forces on"));
-  QString text = words.detail;
-  // What the button says is not said again.
-  if (words.level != FeelLevel::kOff && safety.state != SafetyState::kActive) {
-    text = words.state + QLatin1Char('.') + (text.isEmpty() ? QString() : QLatin1Char(' ') + text);
-  }
-  words_->setText(text);
-  words_->setVisible(!text.isEmpty());
-  forces_->setAccessibleDescription(text);
+  // The button says what it does, the line below it what is.
+  forces_->setText(on ? tr("Stop forces") : tr("Switch forces on"));
+  forces_->setIcon(on ? stop_icon(palette(), kIconPx, devicePixelRatioF())
+                      : QIcon(level_icon(FeelLevel::kOn, palette(), kIconPx, devicePixelRatioF())));
+  forces_->setToolTip(on ? tr("No force, at once (Esc twice)") : tr("Let the pen be pushed"));
+  forces_->setPalette(on ? stop_palette(palette()) : palette());
+  QStringList text{words.state + QLatin1Char('.')};
+  if (!words.detail.isEmpty()) text << words.detail;
+  if (on && safety.state != SafetyState::kLatched) text << tr("Esc twice stops them too.");
+  words_->setText(text.join(QLatin1Char(' ')));
+  forces_->setAccessibleDescription(words_->text());
 }
 
 void FeelPanel::tell_strength() {

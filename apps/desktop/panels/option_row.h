@@ -55,7 +55,7 @@ class OptionRow : public QWidget {
   void dress(QWidget* control, const QString& name);
   void show_number(double value);
 
-  const OptionSpec& spec_;
+  OptionSpec spec_;
   OptionScale scale_;
   QString label_;
   QVBoxLayout* lines_;

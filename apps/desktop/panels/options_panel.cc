@@ -4,6 +4,7 @@
 #include <QStyle>
 #include <algorithm>
 
+#include "desktop/engine/first_options.h"
 #include "desktop/panels/tool_icons.h"
 #include "desktop/panels/tool_texts.h"
 
@@ -132,7 +133,7 @@ OptionsPanel::Page& OptionsPanel::page_of(const ToolInfo& info) {
 
 void OptionsPanel::add_row(Page& page, QVBoxLayout* lines, const std::string& tool,
                            const OptionSpec& spec) {
-  auto* row = new OptionRow(spec, page.widget);
+  auto* row = new OptionRow(as_at_first(tool, spec), page.widget);
   lines->addWidget(row);
   page.rows.push_back(row);
   connect(row, &OptionRow::chosen, this, [this, row, tool](const OptionValue& value) {
@@ -183,7 +184,8 @@ void OptionsPanel::changeEvent(QEvent* event) {
 void OptionsPanel::reset_tool() {
   const ToolInfo& info = studio_.session().tool().info();
   const std::string tool(info.id);
-  for (const OptionSpec& spec : info.options) {
+  for (const OptionSpec& row : info.options) {
+    const OptionSpec spec = as_at_first(tool, row);
     const std::string id = id_of(tool, spec);
     const Result<OptionValue> now = studio_.session().option(id);
     if (now && *now != default_value(spec)) studio_.apply(SetOption{id, default_value(spec)});

@@ -1,5 +1,7 @@
 #include "desktop/panels/options_panel.h"
 
+#include "desktop/engine/first_options.h"
+
 #include <gtest/gtest.h>
 
 #include <QCheckBox>
@@ -171,7 +173,8 @@ TEST(OptionsPanel, ResetsTheWholeToolAndNoOther) {
   studio.apply(SetOption{"pencil.min_width_mm", 1.0});
   studio.apply(SetOption{"pencil.snap", std::string("off")});
   QTest::mouseClick(panel.findChild<QToolButton*>(QStringLiteral("reset_tool")), Qt::LeftButton);
-  for (const OptionSpec& spec : studio.session().tool().info().options) {
+  for (const OptionSpec& row : studio.session().tool().info().options) {
+    const OptionSpec spec = as_at_first("pencil", row);
     EXPECT_EQ(value_of(studio, spec), default_value(spec)) << spec.id;
   }
   EXPECT_EQ(studio.session().option("eraser.radius_mm").value(), OptionValue(7.0));

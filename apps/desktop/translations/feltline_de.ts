@@ -199,18 +199,6 @@
 <context>
     <name>FeelActions</name>
     <message>
-        <source>&amp;Forces</source>
-        <translation>&amp;Kräfte</translation>
-    </message>
-    <message>
-        <source>Let the pen be pushed, or not</source>
-        <translation>Ob der Stift geschoben wird oder nicht</translation>
-    </message>
-    <message>
-        <source>Forces &amp;off now (Esc twice)</source>
-        <translation>Kräfte sofort &amp;aus (zweimal Esc)</translation>
-    </message>
-    <message>
         <source>No force, at once</source>
         <translation>Keine Kraft mehr, sofort</translation>
     </message>
@@ -241,6 +229,22 @@
     <message>
         <source>Hear the pen rub on the sheet</source>
         <translation>Den Stift auf dem Blatt reiben hören</translation>
+    </message>
+    <message>
+        <source>Stops all forces, or lets the pen be pushed</source>
+        <translation>Hält alle Kräfte an oder lässt den Stift schieben</translation>
+    </message>
+    <message>
+        <source>Stop &amp;forces</source>
+        <translation>Kräfte &amp;anhalten</translation>
+    </message>
+    <message>
+        <source>Switch &amp;forces on</source>
+        <translation>Kräfte &amp;einschalten</translation>
+    </message>
+    <message>
+        <source>Stop forces, &amp;never start (Esc twice)</source>
+        <translation>Kräfte anhalten, &amp;nie einschalten (Esc zweimal)</translation>
     </message>
 </context>
 <context>
@@ -704,6 +708,10 @@
     <message>
         <source>Mouse or pen lead a simulated hand that holds this stylus. Forces move the ink, so that you see what it would feel like.</source>
         <translation>Maus oder Stift führen eine simulierte Hand, die diesen Stift hält. Kräfte bewegen die Tinte, so dass man sieht, wie es sich anfühlen würde.</translation>
+    </message>
+    <message>
+        <source>Simulated %1</source>
+        <translation>%1, simuliert</translation>
     </message>
 </context>
 <context>
@@ -1768,20 +1776,24 @@
         <translation>Bla&amp;tt</translation>
     </message>
     <message>
-        <source>Forces on</source>
-        <translation>Kräfte an</translation>
+        <source>Stop forces</source>
+        <translation>Kräfte anhalten</translation>
     </message>
     <message>
-        <source>Forces off</source>
-        <translation>Kräfte aus</translation>
+        <source>Switch forces on</source>
+        <translation>Kräfte einschalten</translation>
     </message>
     <message>
-        <source>Switch all forces off (Esc twice)</source>
-        <translation>Alle Kräfte ausschalten (zweimal Esc)</translation>
+        <source>No force, at once (Esc twice)</source>
+        <translation>Keine Kraft, sofort (Esc zweimal)</translation>
     </message>
     <message>
-        <source>Switch the forces on</source>
-        <translation>Die Kräfte einschalten</translation>
+        <source>Let the pen be pushed</source>
+        <translation>Der Stift wird geschoben</translation>
+    </message>
+    <message>
+        <source>Esc twice stops them too.</source>
+        <translation>Auch Esc zweimal hält sie an.</translation>
     </message>
 </context>
 <context>

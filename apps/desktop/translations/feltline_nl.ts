@@ -199,18 +199,6 @@
 <context>
     <name>FeelActions</name>
     <message>
-        <source>&amp;Forces</source>
-        <translation>&amp;Krachten</translation>
-    </message>
-    <message>
-        <source>Let the pen be pushed, or not</source>
-        <translation>Of de pen geduwd wordt of niet</translation>
-    </message>
-    <message>
-        <source>Forces &amp;off now (Esc twice)</source>
-        <translation>Krachten nu &amp;uit (tweemaal Esc)</translation>
-    </message>
-    <message>
         <source>No force, at once</source>
         <translation>Geen kracht meer, meteen</translation>
     </message>
@@ -241,6 +229,22 @@
     <message>
         <source>Hear the pen rub on the sheet</source>
         <translation>De pen op het vel horen wrijven</translation>
+    </message>
+    <message>
+        <source>Stops all forces, or lets the pen be pushed</source>
+        <translation>Stopt alle krachten, of laat de pen duwen</translation>
+    </message>
+    <message>
+        <source>Stop &amp;forces</source>
+        <translation>Krachten &amp;stoppen</translation>
+    </message>
+    <message>
+        <source>Switch &amp;forces on</source>
+        <translation>Krachten &amp;inschakelen</translation>
+    </message>
+    <message>
+        <source>Stop forces, &amp;never start (Esc twice)</source>
+        <translation>Krachten stoppen, &amp;nooit inschakelen (tweemaal Esc)</translation>
     </message>
 </context>
 <context>
@@ -704,6 +708,10 @@
     <message>
         <source>Mouse or pen lead a simulated hand that holds this stylus. Forces move the ink, so that you see what it would feel like.</source>
         <translation>Muis of pen leiden een gesimuleerde hand die deze stylus vasthoudt. Krachten bewegen de inkt, zodat je ziet hoe het zou voelen.</translation>
+    </message>
+    <message>
+        <source>Simulated %1</source>
+        <translation>%1, gesimuleerd</translation>
     </message>
 </context>
 <context>
@@ -1768,20 +1776,24 @@
         <translation>V&amp;el</translation>
     </message>
     <message>
-        <source>Forces on</source>
-        <translation>Krachten aan</translation>
+        <source>Stop forces</source>
+        <translation>Krachten stoppen</translation>
     </message>
     <message>
-        <source>Forces off</source>
-        <translation>Krachten uit</translation>
+        <source>Switch forces on</source>
+        <translation>Krachten inschakelen</translation>
     </message>
     <message>
-        <source>Switch all forces off (Esc twice)</source>
-        <translation>Alle krachten uitzetten (tweemaal Esc)</translation>
+        <source>No force, at once (Esc twice)</source>
+        <translation>Geen kracht, meteen (tweemaal Esc)</translation>
     </message>
     <message>
-        <source>Switch the forces on</source>
-        <translation>De krachten aanzetten</translation>
+        <source>Let the pen be pushed</source>
+        <translation>De pen wordt geduwd</translation>
+    </message>
+    <message>
+        <source>Esc twice stops them too.</source>
+        <translation>Ook tweemaal Esc stopt ze.</translation>
     </message>
 </context>
 <context>
@@ -2149,7 +2161,7 @@ Je tekening is er nog: sla haar ergens anders op.</translation>
     </message>
     <message>
         <source>Drawings are kept as .felt files, with their layers and their history of pen pressure. Export gives SVG, PDF and PNG to other programs.</source>
-        <translation>Tekeningen staan in .felt-bestanden, met hun lagen. Voor andere programma's zijn er SVG, PDF en PNG.</translation>
+        <translation>Tekeningen staan in .felt-bestanden, met hun lagen. Voor andere programma&apos;s zijn er SVG, PDF en PNG.</translation>
     </message>
 </context>
 <context>
@@ -2467,7 +2479,7 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen</translation>
     </message>
     <message>
         <source>Write the drawing as SVG, PDF or PNG for other programs</source>
-        <translation>De tekening als SVG, PDF of PNG voor andere programma's schrijven</translation>
+        <translation>De tekening als SVG, PDF of PNG voor andere programma&apos;s schrijven</translation>
     </message>
     <message>
         <source>Pa&amp;ge setup…</source>
@@ -2754,7 +2766,7 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen</translation>
     </message>
     <message>
         <source>Pages of the preferences</source>
-        <translation>Pagina's van de voorkeuren</translation>
+        <translation>Pagina&apos;s van de voorkeuren</translation>
     </message>
     <message>
         <source>General</source>

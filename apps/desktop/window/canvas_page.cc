@@ -1,5 +1,7 @@
 #include "desktop/window/canvas_page.h"
 
+#include <QLabel>
+#include <QStyle>
 #include <QVBoxLayout>
 
 #include "desktop/canvas/settings_keys.h"
@@ -7,13 +9,28 @@
 
 namespace felt::desktop {
 
+namespace {
+
+constexpr int kGapPx = 12;
+
+}  // namespace
+
 CanvasPage::CanvasPage(QWidget* parent) : QWidget(parent) {
   auto* all = new QVBoxLayout(this);
   all->setContentsMargins(0, 0, 0, 0);
-  all->setSpacing(10);
+  all->setSpacing(2);
   const auto add = [this, all](const char* key, bool fallback, const QString& text,
                                const QString& tip) {
-    all->addWidget(setting_switch(QString::fromLatin1(key), fallback, text, tip, this));
+    QCheckBox* box = setting_switch(QString::fromLatin1(key), fallback, text, tip, this);
+    box->setAccessibleDescription(tip);
+    all->addWidget(box);
+    auto* note = new QLabel(tip, this);
+    note->setForegroundRole(QPalette::PlaceholderText);
+    note->setWordWrap(true);
+    note->setIndent(style()->pixelMetric(QStyle::PM_IndicatorWidth) +
+                    style()->pixelMetric(QStyle::PM_CheckBoxLabelSpacing));
+    all->addWidget(note);
+    all->addSpacing(kGapPx);
   };
   add(canvas_keys::kForceArrow, canvas_keys::kForceArrowDefault, tr("Show the &force as an arrow"),
       tr("At the nib: which way it pushes, and how strong it is"));

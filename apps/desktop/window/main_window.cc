@@ -32,6 +32,8 @@ namespace {
 /// Of the layout that restoreState() knows; another one starts anew.
 constexpr int kLayoutVersion = 1;
 constexpr QSize kFirstSize{1280, 820};
+/// Of the height, in per cent: a tool has more options than a drawing has layers.
+constexpr int kOptionsShare = 64;
 
 }  // namespace
 
@@ -132,6 +134,8 @@ void MainWindow::place_panels() {
   dock("forces")->hide();  // a calm window first
   dock("options")->raise();
   dock("layers")->raise();
+  resizeDocks({dock("options"), dock("layers")}, {kOptionsShare, 100 - kOptionsShare},
+              Qt::Vertical);
 }
 
 void MainWindow::reset_layout() {

@@ -71,7 +71,8 @@ struct IconRow {
 };
 /// Where an icon has another name than the command.
 constexpr std::array kIcons{
-    IconRow{"view.fit_page", "zoom-fit"},
+    IconRow{"view.fit_page", "fit"},
+    IconRow{"view.hide_panels", "panels"},
     IconRow{"file.save_as", "save"},
 };
 

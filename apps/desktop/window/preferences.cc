@@ -2,31 +2,43 @@
 
 #include <QBoxLayout>
 #include <QDialogButtonBox>
+#include <QLabel>
 #include <QScrollArea>
+#include <algorithm>
 
 #include "desktop/feel/device_page.h"
+#include "desktop/panels/tool_icons.h"
 #include "desktop/pens/pens_page.h"
 #include "desktop/window/canvas_page.h"
 #include "desktop/window/general_page.h"
 #include "desktop/window/shortcuts_page.h"
 
 namespace felt::desktop {
+namespace {
+
+constexpr QSize kFirstSize{800, 580};
+constexpr int kIconPx = 22, kLeastListPx = 150, kListMarginPx = 36, kRowMarginPx = 16;
+constexpr double kTitleSize = 1.35;
+
+}  // namespace
 
 Preferences::Preferences(MainWindow& window)
     : QDialog(&window), list_(new QListWidget(this)), stack_(new QStackedWidget(this)) {
   setWindowTitle(tr("Preferences"));
   setAttribute(Qt::WA_DeleteOnClose);
-  resize(760, 540);
+  resize(kFirstSize);
   list_->setAccessibleName(tr("Pages of the preferences"));
-  list_->setFixedWidth(150);
+  list_->setIconSize({kIconPx, kIconPx});
+  list_->setSpacing(1);
   Actions& actions = window.actions();
-  add(QStringLiteral("general"), tr("General"), [] { return new GeneralPage; });
-  add(QStringLiteral("pen"), tr("Pen"), [] { return new PensPage; });
-  add(QStringLiteral("device"), tr("Device"),
+  add(QStringLiteral("general"), "preferences", tr("General"), [] { return new GeneralPage; });
+  add(QStringLiteral("pen"), "pen-pressure", tr("Pen"), [] { return new PensPage; });
+  add(QStringLiteral("device"), "device", tr("Device"),
       [&window] { return new DevicePage(window.studio()); });
-  add(QStringLiteral("canvas"), tr("Sheet"), [] { return new CanvasPage; });
-  add(QStringLiteral("shortcuts"), tr("Shortcuts"),
+  add(QStringLiteral("canvas"), "page", tr("Sheet"), [] { return new CanvasPage; });
+  add(QStringLiteral("shortcuts"), "keyboard", tr("Shortcuts"),
       [&actions] { return new ShortcutsPage(actions); });
+  list_->setFixedWidth(std::max(kLeastListPx, list_->sizeHintForColumn(0) + kListMarginPx));
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, this);
   connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
   auto* row = new QHBoxLayout;
@@ -40,9 +52,11 @@ Preferences::Preferences(MainWindow& window)
   list_->setCurrentRow(0);
 }
 
-void Preferences::add(const QString& name, const QString& title, std::function<QWidget*()> make) {
+void Preferences::add(const QString& name, const char* icon, const QString& title,
+                      std::function<QWidget*()> make) {
   pages_.push_back({name, std::move(make)});
-  list_->addItem(title);
+  auto* item = new QListWidgetItem(icon_of(icon), title, list_);
+  item->setSizeHint(QSize(0, fontMetrics().height() + kRowMarginPx));
   // A large page scrolls; the dialog keeps its size.
   auto* frame = new QScrollArea(this);
   frame->setFrameShape(QFrame::NoFrame);
@@ -56,7 +70,19 @@ void Preferences::show_row(int row) {
   Page& page = pages_[std::size_t(row)];
   if (!page.made) {
     page.made = page.make();
-    static_cast<QScrollArea*>(stack_->widget(row))->setWidget(page.made);
+    auto* sheet = new QWidget;
+    auto* lines = new QVBoxLayout(sheet);
+    lines->setContentsMargins(0, 0, kRowMarginPx / 2, 0);
+    lines->setSpacing(kRowMarginPx);
+    auto* title = new QLabel(list_->item(row)->text(), sheet);
+    QFont font = title->font();
+    font.setPointSizeF(kTitleSize * font.pointSizeF());
+    font.setBold(true);
+    title->setFont(font);
+    lines->addWidget(title);
+    lines->addWidget(page.made, 1);
+    if (page.made->layout()) page.made->layout()->setContentsMargins(0, 0, 0, 0);
+    static_cast<QScrollArea*>(stack_->widget(row))->setWidget(sheet);
   }
   stack_->setCurrentIndex(row);
 }

@@ -29,7 +29,8 @@ class Preferences : public QDialog {
     std::function<QWidget*()> make;
     QWidget* made = nullptr;
   };
-  void add(const QString& name, const QString& title, std::function<QWidget*()> make);
+  void add(const QString& name, const char* icon, const QString& title,
+           std::function<QWidget*()> make);
   void show_row(int row);
 
   std::vector<Page> pages_;

@@ -1,5 +1,6 @@
 #include "desktop/window/status_line.h"
 
+#include <QEvent>
 #include <QLocale>
 #include <cmath>
 
@@ -22,6 +23,7 @@ StatusLine::StatusLine(Studio& studio, Canvas& canvas, QWidget* parent)
   hint_->setTextFormat(Qt::PlainText);
   hint_->setMinimumWidth(1);
   hint_->setContentsMargins(6, 0, 6, 0);
+  hint_->installEventFilter(this);
   addWidget(hint_, 1);
   place_ = field(tr("Place of the pen"), QStringLiteral("-888.8, -888.8 mm"));
   pressure_ = field(tr("Pressure"), tr("Pressure %1").arg(percent(1.0)));
@@ -68,9 +70,10 @@ void StatusLine::elide_hint() {
   hint_->setText(hint_->fontMetrics().elidedText(hint_text_, Qt::ElideRight, hint_->width() - 12));
 }
 
-void StatusLine::resizeEvent(QResizeEvent* event) {
-  QStatusBar::resizeEvent(event);
-  elide_hint();
+/// By the label's own size: it also changes when another field comes or goes.
+bool StatusLine::eventFilter(QObject* watched, QEvent* event) {
+  if (watched == hint_ && event->type() == QEvent::Resize) elide_hint();
+  return QStatusBar::eventFilter(watched, event);
 }
 
 void StatusLine::show_pen() {
@@ -95,7 +98,9 @@ void StatusLine::show_view() {
 }
 
 void StatusLine::show_device() {
-  const QString& name = studio_.device().info().label;
+  const PenDeviceInfo& info = studio_.device().info();
+  const QString& name = info.short_label.isEmpty() ? info.label : info.short_label;
+  device_->setToolTip(info.label);
   device_->setText(studio_.forces_are_on() ? name : tr("%1, forces off").arg(name));
 }
 

@@ -18,7 +18,7 @@ class StatusLine : public QStatusBar {
   StatusLine(Studio& studio, Canvas& canvas, QWidget* parent = nullptr);
 
  protected:
-  void resizeEvent(QResizeEvent* event) override;
+  bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
   void show_tool();

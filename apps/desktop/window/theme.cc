@@ -1,10 +1,13 @@
 #include "desktop/window/theme.h"
 
 #include <QApplication>
+#include <QDockWidget>
+#include <QMainWindow>
 #include <QPainter>
 #include <QProxyStyle>
 #include <QStyleFactory>
 #include <QStyleOption>
+#include <algorithm>
 
 #include "desktop/engine/settings.h"
 #include "desktop/window/settings_keys.h"
@@ -13,10 +16,34 @@ namespace felt::desktop {
 namespace {
 
 constexpr int kRowPx = 6;
+constexpr int kGripDots = 5;
 
 /// Fusion with a ring around what has the focus that can be seen across a desk.
 class DeskStyle final : public QProxyStyle {
  public:
+  /// A panel whose tab has its name already.
+  static bool is_tabbed(const QWidget* widget) {
+    const auto* dock = qobject_cast<const QDockWidget*>(widget);
+    const auto* window = dock ? qobject_cast<const QMainWindow*>(dock->parentWidget()) : nullptr;
+    if (!window || dock->isFloating()) return false;
+    const auto others = window->tabifiedDockWidgets(const_cast<QDockWidget*>(dock));
+    return std::any_of(others.begin(), others.end(),
+                       [](const QDockWidget* other) { return !other->isHidden(); });
+  }
+
+  /// Where to take hold of it.
+  static void draw_grip(const QStyleOption& option, QPainter& painter) {
+    painter.save();
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(option.palette.color(QPalette::PlaceholderText));
+    for (int i = 0; i < kGripDots; ++i) {
+      painter.drawEllipse(QPointF(option.rect.left() + 8 + 5 * i, option.rect.center().y() + 1), 1,
+                          1);
+    }
+    painter.restore();
+  }
+
   DeskStyle() : QProxyStyle(QStyleFactory::create(QStringLiteral("Fusion"))) {}
 
   void drawPrimitive(PrimitiveElement element, const QStyleOption* option, QPainter* painter,
@@ -35,6 +62,7 @@ class DeskStyle final : public QProxyStyle {
 
   void drawControl(ControlElement element, const QStyleOption* option, QPainter* painter,
                    const QWidget* widget) const override {
+    if (element == CE_DockWidgetTitle && is_tabbed(widget)) return draw_grip(*option, *painter);
     if (element != CE_ToolBar) return QProxyStyle::drawControl(element, option, painter, widget);
     painter->fillRect(option->rect, option->palette.color(QPalette::Window));
   }

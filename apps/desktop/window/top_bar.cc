@@ -1,11 +1,14 @@
 #include "desktop/window/top_bar.h"
 
 #include <QComboBox>
+#include <QEvent>
 #include <QLabel>
 #include <QToolButton>
 
 #include "desktop/feel/feel_actions.h"
+#include "desktop/feel/feel_icons.h"
 #include "desktop/feel/material_words.h"
+#include "desktop/panels/tool_icons.h"
 #include "felt/haptics/material.h"
 
 namespace felt::desktop {
@@ -19,7 +22,8 @@ QString text_of(std::string_view text) {
 
 }  // namespace
 
-TopBar::TopBar(const Actions& actions, Canvas& canvas, QWidget* parent) : QToolBar(parent) {
+TopBar::TopBar(const Actions& actions, Canvas& canvas, QWidget* parent)
+    : QToolBar(parent), studio_(canvas.studio()) {
   setObjectName(QStringLiteral("top"));
   setWindowTitle(tr("Top bar"));
   setMovable(false);
@@ -36,7 +40,8 @@ TopBar::TopBar(const Actions& actions, Canvas& canvas, QWidget* parent) : QToolB
   addWidget(gap);
   add_material(canvas.studio());
   addSeparator();
-  add_named(actions, "feel.forces");
+  add_forces(actions);
+  addSeparator();
   add_named(actions, "view.hide_panels");
 }
 
@@ -48,6 +53,31 @@ void TopBar::add_named(const Actions& actions, const char* name) {
   if (!button) return;
   button->setAccessibleName(action->text().remove(QLatin1Char('&')));
   button->setFocusPolicy(Qt::TabFocus);
+}
+
+/// With its words, at every width: nobody should have to guess how forces are stopped.
+void TopBar::add_forces(const Actions& actions) {
+  add_named(actions, "feel.forces");
+  forces_ = actions.find(QStringLiteral("feel.forces"));
+  auto* button = qobject_cast<QToolButton*>(widgetForAction(forces_));
+  if (!button) return;
+  button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+  connect(&studio_, &Studio::forces_changed, this, &TopBar::show_forces);
+  connect(forces_, &QAction::changed, button,
+          [this, button] { button->setAccessibleName(forces_->text().remove(QLatin1Char('&'))); });
+  show_forces();
+}
+
+void TopBar::show_forces() {
+  if (!forces_) return;
+  forces_->setIcon(studio_.forces_are_on()
+                       ? stop_icon(palette(), iconSize().height(), devicePixelRatioF())
+                       : icon_of("force-on"));
+}
+
+void TopBar::changeEvent(QEvent* event) {
+  QToolBar::changeEvent(event);
+  if (event->type() == QEvent::PaletteChange) show_forces();
 }
 
 void TopBar::add_material(Studio& studio) {

@@ -14,9 +14,17 @@ class TopBar : public QToolBar {
  public:
   TopBar(const Actions& actions, Canvas& canvas, QWidget* parent = nullptr);
 
+ protected:
+  void changeEvent(QEvent* event) override;
+
  private:
+  void add_forces(const Actions& actions);
+  void show_forces();
   void add_named(const Actions& actions, const char* name);
   void add_material(Studio& studio);
+
+  Studio& studio_;
+  QAction* forces_ = nullptr;
 };
 
 }  // namespace felt::desktop

@@ -20,7 +20,7 @@ struct PointerEvent {
 
 /// How hard a pointer presses that senses no pressure (R18).
 enum class MousePressure : std::uint8_t {
-  kConstant,  ///< absent_pressure, 0.5
+  kConstant,  ///< absent_pressure, 0.5 unless it is set
   kBySpeed,   ///< slower is harder: 0.8 at rest down to 0.2 at 300 mm/s and more
 };
 
@@ -41,6 +41,8 @@ class PointerHand {
   void point(const PointerEvent& event) noexcept;
   /// From the next event on.
   void set_mouse(MousePressure mouse) noexcept { mouse_ = mouse; }
+  /// What kConstant stands for, 0..1, from the next event on.
+  void set_absent_pressure(double pressure) noexcept { options_.absent_pressure = pressure; }
   /// The pressure that the last event stood for; 0 in the air.
   [[nodiscard]] double pressure() const noexcept { return pressure_; }
 
