@@ -123,8 +123,12 @@ QWidget* FeelPanel::make_materials() {
 }
 
 void FeelPanel::tell_forces() {
-  const SafetyReport& safety = studio_.tick().safety;
+  SafetyReport safety = studio_.tick().safety;
   told_state_ = safety.state;
+  // Switched on, and no tick has come since: never "off" while a force may come.
+  if (studio_.forces_are_on() && safety.state == SafetyState::kOff) {
+    safety.state = SafetyState::kEngaging;
+  }
   const bool has_motors = studio_.device().device().capabilities().has_force();
   const bool on = studio_.forces_are_on();
   const SafetyWords words = words_for(safety, has_motors, on);
