@@ -12,7 +12,6 @@
 #include <string>
 #include <vector>
 
-#include "desktop/engine/first_options.h"
 #include "desktop/engine/settings.h"
 #include "desktop/pens/settings_keys.h"
 #include "felt/io/ndjson_writer.h"
@@ -324,7 +323,7 @@ TEST_F(PenInputTest, PressureCanBeSwitchedOffAndHasAThreshold) {
   for (const double raw : {0.3, 0.9}) {
     tablet(QEvent::TabletPress, {100, 100}, raw, Qt::LeftButton, Qt::LeftButton);
     wait(50);
-    EXPECT_EQ(studio_.pen().sample.pressure, kFirstMousePressure);
+    EXPECT_EQ(studio_.pen().sample.pressure, 0.5);
     release({100, 100});
   }
 }
