@@ -11,9 +11,7 @@ mkdir -p "$out"
 shot() { echo "$1.png"; "$program" --language en --screenshot "$out/$1.png" "${@:2}" 2>/dev/null; }
 
 
-shot desktop --example cat --size 1280x800
-shot desktop-dark --example cat --size 1280x800 --theme dark --panel feel --panel forces
-shot desktop-pencil --script "$root/share/demo/1-pencil.ndjson" --size 1280x800 --panel forces
+shot desktop --example cat --script "$root/docs/images/desktop-pull.ndjson" --until-ms 2600 --tool pull --size 1280x800
+shot desktop-dark --script "$root/share/demo/1-pencil.ndjson" --until-ms 45000 --size 1280x800 --theme dark --panel feel --panel forces
 shot desktop-keys --dialog shortcuts
 shot desktop-tour --dialog tour/1
-shot desktop-preferences --dialog preferences/shortcuts --theme dark
