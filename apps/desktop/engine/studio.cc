@@ -327,7 +327,10 @@ bool Studio::drain() {
   pen_.is_known = true;
   pen_.asked = tick.asked;
   pen_.sent = tick.sent;
-  if (!hand_) pen_.hand = {pen_.sample.position.x, pen_.sample.position.y};
+  // Where nobody points (a script leads the hand), the hand is where the pen is.
+  if (!hand_ || last_point_ns_ == 0) {
+    pen_.hand = {pen_.sample.position.x, pen_.sample.position.y};
+  }
   has_news_ = true;
   Q_EMIT ticked(tick);
   return true;
