@@ -11,7 +11,7 @@ run 0 "$feltline" convert a.ndjson -o a.felt --page A5-landscape
 run 0 "$feltline" convert a.felt -o b.ndjson
 nameless b.ndjson
 [ "$(head -c 15 a.felt)" = "SQLite format 3" ] || fail "no database"
-[ "$(ls -A | grep -c felt)" = 1 ] || fail "files beside a.felt: $(ls -A)"
+[ "$(find . -maxdepth 1 -name "*felt*" | wc -l)" = 1 ] || fail "files beside a.felt: $(ls -A)"
 run 0 "$feltline" fit in.ndjson -o fitted.felt --page A5-landscape --jobs 2
 same fitted.felt a.felt
 run 0 "$feltline" convert a.felt -o copy.felt

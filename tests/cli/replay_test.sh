@@ -181,7 +181,7 @@ END
 run 0 "$feltline" replay recorded.ndjson --as-recorded -o recorded.out.ndjson
 lines recorded.out.ndjson 4
 mkdir -p elsewhere
-cd elsewhere
+cd elsewhere || exit 1
 run 0 "$feltline" replay ../recorded.ndjson --as-recorded -o here.ndjson
 same here.ndjson ../recorded.out.ndjson
 cd ..

@@ -31,8 +31,7 @@ Monkey::Monkey(MainWindow& window, const MonkeyOptions& options)
            QInputDevice::Capability::Position | QInputDevice::Capability::Pressure, 1, 3),
       eraser_(QStringLiteral("monkey eraser"), 7002, QInputDevice::DeviceType::Stylus,
               QPointingDevice::PointerType::Eraser,
-              QInputDevice::Capability::Position | QInputDevice::Capability::Pressure, 1, 3) {
-}
+              QInputDevice::Capability::Position | QInputDevice::Capability::Pressure, 1, 3) {}
 
 void Monkey::start() {
   QTimer::singleShot(0, this, &Monkey::step);

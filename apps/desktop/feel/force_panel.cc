@@ -10,8 +10,8 @@
 namespace felt::desktop {
 namespace {
 
-constexpr int kFrameMs = 33;   // between two repaints of the plot
-constexpr int kWordsMs = 250;  // between two readings of numbers
+constexpr int kFrameMs = 33;       // between two repaints of the plot
+constexpr int kWordsMs = 250;      // between two readings of numbers
 constexpr int kTablesToTell = 12;  // 3 s
 constexpr int kIconPx = 22;
 constexpr int kNameColumn = 0, kNowColumn = 1, kMostColumn = 2;

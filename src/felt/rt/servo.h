@@ -57,7 +57,7 @@ class Servo {
  public:
   static constexpr std::size_t kRingSamples = 16384;  ///< 16 s at 1 kHz
   using Ring = SpscRing<PenSample, kRingSamples>;
-  static constexpr int kMostBetween = 32;  ///< samples between two ticks (Device::between)
+  static constexpr int kMostBetween = 32;          ///< samples between two ticks (Device::between)
   static constexpr double kStrengthRampS = 0.050;  ///< from none to all
 
   /// The device must outlive the servo. Forces are off until arm().
