@@ -56,17 +56,6 @@ std::string ascii(const std::string& text) {
   return plain;
 }
 
-Sketch sketch_of(const Document& document) {
-  Sketch sketch;
-  for (const Layer& layer : document.layers()) {
-    if (!layer.visible) continue;
-    for (const StrokeId id : layer.strokes) {
-      sketch.push_back({"s" + std::to_string(id.value), *document.find(id)});
-    }
-  }
-  return sketch;
-}
-
 /// The overlay's pen: places in mm, widths in units of the picture.
 class OverlayPen {
  public:
@@ -197,7 +186,7 @@ SessionView view_of(const Session& session, std::optional<Point> pen) {
   Document shown = session.document();
   // A preview that does not fit is a defect of the tool, which its commit will tell.
   if (session.preview()) (void)shown.apply(*session.preview());
-  view.sketch = sketch_of(shown);
+  view.sketch = visible_strokes(shown);
   return view;
 }
 

@@ -140,21 +140,14 @@ QString with_suffix(const QString& path, DrawingFormat format) {
   return present && *present == format ? path : path + suffix_of(format);
 }
 
-Sketch visible_strokes(const Document& document) {
-  Sketch sketch;
-  for (const Layer& layer : document.layers()) {
-    if (!layer.visible) continue;
-    for (const StrokeId id : layer.strokes) {
-      sketch.push_back({"s" + std::to_string(id.value), *document.find(id)});
-    }
-  }
-  return sketch;
-}
-
 Result<Drawing> read_drawing(const QString& path) {
   const Result<DrawingFormat> format = drawing_format(path);
   if (!format) return tl::unexpected(format.error());
   const std::string name = path.toStdString();
+  // A pipe or a device may never end, and the window would wait for it.
+  if (const QFileInfo info(path); info.exists() && !info.isFile()) {
+    return fail(ErrorCode::kUnsupported, name + ": is no file, but a folder, a pipe or a device");
+  }
   switch (*format) {
     case DrawingFormat::kFelt:
       return read_felt(name);

@@ -39,7 +39,4 @@ Result<Drawing> read_drawing(const QString& path);
 /// .felt take the strokes of visible layers. Error: names the file and the reason. Any thread.
 Result<void> write_drawing(const QString& path, const Drawing& drawing);
 
-/// The strokes of visible layers in drawing order, named after their ids.
-Sketch visible_strokes(const Document& document);
-
 }  // namespace felt::desktop

@@ -230,14 +230,7 @@ Result<OptionValue> Session::option(std::string_view id) const {
 }
 
 Sketch Session::sketch() const {
-  Sketch sketch;
-  for (const Layer& layer : document_.layers()) {
-    if (!layer.visible) continue;
-    for (const StrokeId id : layer.strokes) {
-      sketch.push_back({"s" + std::to_string(id.value), *document_.find(id)});
-    }
-  }
-  return sketch;
+  return visible_strokes(document_);
 }
 
 Scene Session::scene() const {
@@ -253,6 +246,17 @@ Result<std::size_t> Session::find_tool(std::string_view id) const {
   for (const auto& tool : tools_)
     known += (known.empty() ? "" : ", ") + std::string(tool->info().id);
   return fail(ErrorCode::kNotFound, "no tool \"" + std::string(id) + "\"; there are " + known);
+}
+
+Sketch visible_strokes(const Document& document) {
+  Sketch sketch;
+  for (const Layer& layer : document.layers()) {
+    if (!layer.visible) continue;
+    for (const StrokeId id : layer.strokes) {
+      sketch.push_back({"s" + std::to_string(id.value), *document.find(id)});
+    }
+  }
+  return sketch;
 }
 
 Document document_of(std::span<const SketchStroke> strokes) {
