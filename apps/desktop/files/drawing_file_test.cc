@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include <QTemporaryDir>
 
@@ -74,6 +75,14 @@ TEST(DrawingFile, ErrorsNameFileAndPlace) {
   EXPECT_THAT(read_drawing(folder.filePath(QStringLiteral("a.pdf"))).error().message,
               HasSubstr("not read"));
   EXPECT_FALSE(write_drawing(folder.filePath(QStringLiteral("no/such.felt")), {}));
+}
+
+TEST(DrawingFile, APipeIsRefusedAndNotWaitedFor) {
+  const QTemporaryDir folder;
+  const QString path = folder.filePath(QStringLiteral("a.felt"));
+  ASSERT_EQ(::mkfifo(path.toLocal8Bit().constData(), 0600), 0);
+  EXPECT_THAT(read_drawing(path).error().message, HasSubstr("a.felt: is no file"));
+  EXPECT_FALSE(read_drawing(folder.path() + QStringLiteral("/.felt")));
 }
 
 TEST(DrawingFile, SuffixesComeOnce) {
