@@ -175,8 +175,18 @@ bool Studio::apply(decltype(Event::what) what) {
   drain();
   const auto* option = std::get_if<SetOption>(&what);
   const QString option_id = option ? QString::fromStdString(option->id) : QString();
+  // A drawing is kept with its sheet's material and colour; an empty one is nothing to be asked
+  // about.
+  const bool is_of_drawing =
+      option_id.startsWith(QLatin1String("sheet.")) && session_->document().stroke_count() > 0;
+  const OptionValue before =
+      is_of_drawing ? session_->option(option->id).value_or(OptionValue{}) : OptionValue{};
   const Result<void> done = session_->apply({event_time_ns(), std::move(what)});
   publish();
+  if (is_of_drawing && done &&
+      session_->option(option_id.toStdString()).value_or(OptionValue{}) != before) {
+    set_modified(true);
+  }
   if (!option_id.isEmpty() && done) Q_EMIT option_changed(option_id);
   tell();
   Q_EMIT shown();

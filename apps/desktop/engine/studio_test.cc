@@ -266,5 +266,24 @@ TEST(RecordingFile, WritesEachSessionIntoAFileOfItsOwn) {
   EXPECT_EQ(record_into(QString(), nowhere), nullptr);
 }
 
+TEST(Studio, TheSheetOfADrawingIsPartOfIt) {
+  Studio studio({.live = false});
+  studio.apply(SetOption{"sheet.material", std::string("felt")});
+  EXPECT_FALSE(studio.is_modified());  // nothing is drawn
+  studio.point({studio.now_ns(), {30, 40}, true, 0.5});
+  studio.advance(100'000'000);
+  studio.point({studio.now_ns(), {60, 40}, true, 0.5});
+  studio.advance(100'000'000);
+  studio.point({studio.now_ns(), {60, 40}, false, 0.0});
+  studio.advance(300'000'000);
+  studio.apply(SelectTool{"pull"});
+  ASSERT_GT(studio.session().document().stroke_count(), 0u);
+  studio.set_modified(false);
+  studio.apply(SetOption{"sheet.material", std::string("felt")});
+  EXPECT_FALSE(studio.is_modified());  // as it was
+  studio.apply(SetOption{"sheet.color", std::string("#2040a0")});
+  EXPECT_TRUE(studio.is_modified());
+}
+
 }  // namespace
 }  // namespace felt::desktop
