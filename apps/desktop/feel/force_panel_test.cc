@@ -5,6 +5,7 @@
 #include <QTest>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <memory>
 #include <random>
 
@@ -86,7 +87,7 @@ TEST(ForceHistory, NumbersThatAreNoneAndTooManyNamesAreSurvived) {
     TickReport tick;
     tick.sample.time_ns = now += kMs;
     tick.terms.add(name, {std::nan(""), 0, 0});
-    tick.asked = {INFINITY, 0, 0};
+    tick.asked = {std::numeric_limits<double>::infinity(), 0, 0};
     history.add(tick);
   }
   EXPECT_EQ(history.tracks(), ForceHistory::kTracks);
