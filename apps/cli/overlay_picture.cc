@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "felt/document/visible_strokes.h"
 #include "felt/render/page.h"
 #include "felt/render/plot.h"
 #include "felt/render/plot_canvas.h"

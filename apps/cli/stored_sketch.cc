@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "felt/document/visible_strokes.h"
 #include "felt/io/svg_reader.h"
 #include "felt/store/felt_file.h"
 #include "format.h"
@@ -25,16 +26,8 @@ Result<Sketch> read_stored_sketch(const std::string& path) {
   if (format_or(path, Format::kNdjson) == Format::kSvg) {
     return read_svg(path).map([](SvgDrawing drawing) { return std::move(drawing.sketch); });
   }
-  return read_felt(path).map([](const StoredDrawing& drawing) {
-    Sketch sketch;
-    for (const Layer& layer : drawing.document.layers()) {
-      if (!layer.visible) continue;
-      for (const StrokeId id : layer.strokes) {
-        sketch.push_back({"s" + std::to_string(id.value), *drawing.document.find(id)});
-      }
-    }
-    return sketch;
-  });
+  return read_felt(path).map(
+      [](const StoredDrawing& drawing) { return visible_strokes(drawing.document); });
 }
 
 }  // namespace felt::cli

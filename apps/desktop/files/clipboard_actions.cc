@@ -8,6 +8,7 @@
 
 #include "desktop/files/clipboard.h"
 #include "desktop/files/drawing_file.h"
+#include "felt/document/visible_strokes.h"
 
 namespace felt::desktop {
 namespace {

@@ -8,6 +8,7 @@
 #include <QImage>
 
 #include "desktop/files/test_desk.h"
+#include "felt/document/visible_strokes.h"
 
 namespace felt::desktop {
 namespace {

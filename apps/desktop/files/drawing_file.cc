@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "felt/base/read_file.h"
+#include "felt/document/visible_strokes.h"
 #include "felt/io/ndjson_parser.h"
 #include "felt/io/ndjson_writer.h"
 #include "felt/io/pdf_writer.h"

@@ -8,6 +8,7 @@
 
 #include "felt/base/atomic_file.h"
 #include "felt/document/random_document.h"
+#include "felt/document/visible_strokes.h"
 #include "felt/io/ndjson_writer.h"
 
 namespace felt::desktop {

@@ -17,6 +17,7 @@
 #include "desktop/engine/settings.h"
 #include "desktop/files/settings_keys.h"
 #include "desktop/files/sheet_picture.h"
+#include "felt/document/visible_strokes.h"
 #include "felt/render/view.h"
 
 namespace felt::desktop {

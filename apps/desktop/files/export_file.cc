@@ -1,6 +1,7 @@
 #include "desktop/files/export_file.h"
 
 #include "desktop/files/clipboard.h"
+#include "felt/document/visible_strokes.h"
 #include "felt/io/pdf_writer.h"
 #include "felt/io/png.h"
 #include "felt/io/svg_writer.h"

@@ -15,6 +15,7 @@
 #include "desktop/files/clipboard_actions.h"
 #include "desktop/files/output_actions.h"
 #include "desktop/files/settings_keys.h"
+#include "felt/document/visible_strokes.h"
 #include "felt/stroke/color_text.h"
 
 namespace felt::desktop {

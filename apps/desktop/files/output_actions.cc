@@ -12,6 +12,7 @@
 #include "desktop/files/export_dialog.h"
 #include "desktop/files/file_actions.h"
 #include "desktop/files/page_dialog.h"
+#include "felt/document/visible_strokes.h"
 #include "felt/render/view.h"
 #include "felt/stroke/outline_path.h"
 

@@ -16,6 +16,7 @@
 #include "desktop/files/sheet_picture.h"
 #include "desktop/files/test_desk.h"
 #include "felt/base/read_file.h"
+#include "felt/document/visible_strokes.h"
 
 namespace felt::desktop {
 namespace {

@@ -13,6 +13,7 @@
 #include <utility>
 
 #include "desktop/files/sheet_picture.h"
+#include "felt/document/visible_strokes.h"
 
 namespace felt::desktop {
 namespace {

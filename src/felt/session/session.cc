@@ -6,6 +6,7 @@
 
 #include "felt/base/check.h"
 #include "felt/document/edit_builder.h"
+#include "felt/document/visible_strokes.h"
 #include "felt/session/layer_edit.h"
 
 namespace felt {
@@ -246,17 +247,6 @@ Result<std::size_t> Session::find_tool(std::string_view id) const {
   for (const auto& tool : tools_)
     known += (known.empty() ? "" : ", ") + std::string(tool->info().id);
   return fail(ErrorCode::kNotFound, "no tool \"" + std::string(id) + "\"; there are " + known);
-}
-
-Sketch visible_strokes(const Document& document) {
-  Sketch sketch;
-  for (const Layer& layer : document.layers()) {
-    if (!layer.visible) continue;
-    for (const StrokeId id : layer.strokes) {
-      sketch.push_back({"s" + std::to_string(id.value), *document.find(id)});
-    }
-  }
-  return sketch;
 }
 
 Document document_of(std::span<const SketchStroke> strokes) {

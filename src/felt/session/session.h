@@ -156,9 +156,6 @@ class Session {
   std::uint64_t selections_ = 0;
 };
 
-/// The strokes of visible layers in drawing order, each named after its id.
-Sketch visible_strokes(const Document& document);
-
 /// A document of these strokes: one layer, in their order. For SessionOptions.
 Document document_of(std::span<const SketchStroke> strokes);
 

@@ -1,0 +1,55 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "felt/io/layered_sketch.h"
+#include "felt/stroke/ink_fitter.h"
+
+namespace felt {
+
+/// One kind of thing that a reader could not take as it was, for people: "line 12: text 'title': is
+/// no ink and was left out (and 3 more)".
+struct ImportNotice {
+  std::int64_t line = 0;   ///< where it was met first, from 1; 0 where the format has no lines
+  std::string element;     ///< "path 'leaf'", "trace 7": the first of them
+  std::string what;        ///< what became of it, a clause that follows the element
+  std::int64_t count = 1;  ///< how often in this file
+
+  friend bool operator==(const ImportNotice&, const ImportNotice&) = default;
+};
+
+/// Notices of one file in the order in which they first came, the same `what` counted together.
+/// Bounded, whatever the file: beyond kMostKinds all others become one.
+class ImportReport {
+ public:
+  static constexpr std::size_t kMostKinds = 100;
+  static constexpr std::size_t kMaxElementBytes = 200;  ///< longer names are shortened
+
+  void add(std::int64_t line, std::string element, std::string what);
+  [[nodiscard]] std::span<const ImportNotice> notices() const noexcept { return notices_; }
+  [[nodiscard]] bool empty() const noexcept { return notices_.empty(); }
+
+ private:
+  std::vector<ImportNotice> notices_;
+};
+
+/// "line 12: text 'title' is no ink and was left out (and 3 more like it)".
+std::string notice_text(const ImportNotice& notice);
+
+/// What a reader of a foreign format gives: all that it could take, and what it could not.
+struct ImportedDrawing {
+  LayeredSketch drawing;
+  ImportReport report;
+};
+
+/// What readers of foreign formats need to know.
+struct ImportOptions {
+  /// How samples of a pen become ink, where a format holds samples and no curves.
+  InkFitOptions fit{};
+};
+
+}  // namespace felt

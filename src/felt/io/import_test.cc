@@ -1,0 +1,38 @@
+#include "felt/io/import.h"
+
+#include <gtest/gtest.h>
+
+namespace felt {
+namespace {
+
+TEST(ImportReport, TheSameIsCountedAndTheFirstPlaceKept) {
+  ImportReport report;
+  report.add(12, "text 'title'", "is no ink and was left out");
+  report.add(20, "image", "is a picture and was left out");
+  report.add(40, "text", "is no ink and was left out");
+  ASSERT_EQ(report.notices().size(), 2u);
+  EXPECT_EQ(notice_text(report.notices()[0]),
+            "line 12: text 'title' is no ink and was left out (and 1 more like it)");
+  EXPECT_EQ(notice_text(report.notices()[1]), "line 20: image is a picture and was left out");
+  EXPECT_EQ(notice_text({0, "", "a page was left out", 1}), "a page was left out");
+}
+
+TEST(ImportReport, IsBoundedWhateverTheFile) {
+  ImportReport report;
+  for (int k = 0; k < 5000; ++k) {
+    report.add(k, std::string(100'000, 'x'), "oddity " + std::to_string(k));
+  }
+  ASSERT_EQ(report.notices().size(), ImportReport::kMostKinds);
+  EXPECT_EQ(report.notices().back().count, 5000 - 99);
+  EXPECT_LE(report.notices().front().element.size(), ImportReport::kMaxElementBytes + 3);
+}
+
+TEST(ImportReport, ANameIsNotCutWithinACharacter) {
+  ImportReport report;
+  std::string name(ImportReport::kMaxElementBytes - 1, 'x');
+  report.add(1, name + "\xc3\xa4\xc3\xa4", "is odd");
+  EXPECT_EQ(report.notices()[0].element, name + "...");
+}
+
+}  // namespace
+}  // namespace felt

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "felt/document/sheet_page.h"
+#include "felt/stroke/sketch.h"
+
+namespace felt {
+
+/// A layer as formats know it, with its strokes in drawing order.
+struct SketchLayer {
+  std::string name;
+  bool visible = true;
+  bool locked = false;
+  Sketch strokes;
+
+  friend bool operator==(const SketchLayer&, const SketchLayer&) = default;
+};
+
+/// A drawing as it travels between programs: layers from the lowest to the topmost, and the sheet
+/// where there is one. What writers of whole drawings take and readers of foreign files return.
+struct LayeredSketch {
+  std::vector<SketchLayer> layers;
+  std::optional<SheetPage> page;
+
+  friend bool operator==(const LayeredSketch&, const LayeredSketch&) = default;
+};
+
+}  // namespace felt
