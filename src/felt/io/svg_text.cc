@@ -201,14 +201,20 @@ void append_path_data(std::string& out, const OutlinePath& path) {
   }
 }
 
-void append_svg_head(std::string& out, const Rect& area, Rgba paper) {
+void append_svg_head(std::string& out, const Rect& area, Rgba paper, std::string_view page) {
   const std::size_t begin = out.size();
   out +=
       "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
       "<svg xmlns=\"http://www.w3.org/2000/svg\" "
       "xmlns:inkscape=\"http://www.inkscape.org/namespaces/inkscape\" xmlns:felt=\"";
   out += kSvgNamespace;
-  out += "\" version=\"1.1\" felt:version=\"1\" width=\"";
+  out += "\" version=\"1.1\" felt:version=\"1\" ";
+  if (!page.empty()) {
+    out += "xmlns:sodipodi=\"http://sodipodi.sourceforge.net/DTD/sodipodi-0.dtd\" felt:page=\"";
+    out += page;
+    out += "\" ";
+  }
+  out += "width=\"";
   append_length(out, area.width());
   out += "mm\" height=\"";
   append_length(out, area.height());
@@ -253,6 +259,36 @@ Result<void> append_svg_stroke(std::string& out, const SketchStroke& stroke, std
   append_widths(out, d);
   out += "\"/>\n";
   return {};
+}
+
+std::string svg_page_text(const std::optional<SheetPage>& page) {
+  if (!page) return "none";
+  std::string text;
+  append_number(text, page->width_mm);
+  text += ' ';
+  append_number(text, page->height_mm);
+  // All eight digits: the colour of an opaque paper too says that it is one.
+  const Rgba paper = page->paper;
+  text += ' ' + color_to_text({paper.r, paper.g, paper.b, 255});
+  constexpr std::string_view kDigits = "0123456789abcdef";
+  text += kDigits[paper.a >> 4];
+  text += kDigits[paper.a & 15];
+  return text;
+}
+
+Result<void> append_svg_layer_begin(std::string& out, const SketchLayer& layer,
+                                    std::size_t number) {
+  std::string label;
+  if (auto ok = append_xml_attribute(label, layer.name); !ok) return ok;
+  out += "<g id=\"layer" + std::to_string(number) +
+         "\" inkscape:groupmode=\"layer\" inkscape:label=\"" + label + '"';
+  if (layer.locked) out += " sodipodi:insensitive=\"true\"";
+  out += layer.visible ? " style=\"display:inline\">\n" : " style=\"display:none\">\n";
+  return {};
+}
+
+void append_svg_layer_end(std::string& out) {
+  out += "</g>\n";
 }
 
 void append_svg_tail(std::string& out) {

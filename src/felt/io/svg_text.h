@@ -1,10 +1,12 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 
 #include "felt/base/result.h"
 #include "felt/geometry/rect.h"
+#include "felt/io/layered_sketch.h"
 #include "felt/stroke/outline_path.h"
 #include "felt/stroke/sketch.h"
 
@@ -24,8 +26,19 @@ inline constexpr std::size_t kSvgHeadBytes = 640;
 inline constexpr double kSvgStepsPerMm = 1e4;
 
 /// XML declaration and start of the root element, which shows `area` in mm at its true size; then
-/// the paper, a filled rectangle, unless its alpha is 0.
-void append_svg_head(std::string& out, const Rect& area, Rgba paper);
+/// the paper, a filled rectangle, unless its alpha is 0. `page`, where it is not empty, says what
+/// page the model has, as svg_page_text gives it.
+void append_svg_head(std::string& out, const Rect& area, Rgba paper, std::string_view page = {});
+
+/// The page of a drawing for append_svg_head: "297 210 #ffffffff", or "none".
+std::string svg_page_text(const std::optional<SheetPage>& page);
+
+/// Start of a layer, as Inkscape has them; `number` makes its element id unique. Nothing is
+/// appended on error: a name that XML cannot hold.
+Result<void> append_svg_layer_begin(std::string& out, const SketchLayer& layer, std::size_t number);
+
+/// End of a layer.
+void append_svg_layer_end(std::string& out);
 
 /// One stroke: a filled path that any viewer shows right, with Inkscape's PowerStroke and our own
 /// attributes on it. `number` makes the element ids unique. `tolerance_mm` is for the outline; the

@@ -70,6 +70,44 @@ Result<std::string> svg_text(const Sketch& sketch, const SvgOptions& options) {
   return text;
 }
 
+namespace {
+
+/// The strokes of a layer, numbered on from `number`.
+Result<void> append_layer(std::string& text, const SketchLayer& layer, std::size_t& number,
+                          double tolerance_mm) {
+  for (const SketchStroke& s : layer.strokes) {
+    if (auto ok = append_svg_stroke(text, s, ++number, tolerance_mm); !ok) {
+      return tl::unexpected<Error>(with_context(ok.error(), "stroke " + std::to_string(number)));
+    }
+  }
+  append_svg_layer_end(text);
+  return {};
+}
+
+}  // namespace
+
+Result<std::string> svg_text(const LayeredSketch& drawing, const SvgOptions& options) {
+  Rect ink;
+  for (const SketchLayer& layer : drawing.layers) {
+    for (const SketchStroke& s : layer.strokes) ink.extend(s.stroke.bounds());
+  }
+  const std::optional<SheetPage>& page = drawing.page;
+  std::string text;
+  append_svg_head(text, page ? page->area() : svg_area(ink, options),
+                  page ? page->paper : options.paper, svg_page_text(page));
+  std::size_t number = 0;
+  for (std::size_t i = 0; i < drawing.layers.size(); ++i) {
+    const SketchLayer& layer = drawing.layers[i];
+    auto ok = append_svg_layer_begin(text, layer, i + 1);
+    if (ok) ok = append_layer(text, layer, number, options.tolerance_mm);
+    if (!ok) {
+      return tl::unexpected<Error>(with_context(ok.error(), "layer " + std::to_string(i + 1)));
+    }
+  }
+  append_svg_tail(text);
+  return text;
+}
+
 Result<void> write_svg(const std::string& path, const Sketch& sketch, const SvgOptions& options) {
   auto writer = SvgWriter::create(path, options);
   if (!writer) return tl::unexpected<Error>(std::move(writer.error()));

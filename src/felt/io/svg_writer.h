@@ -7,6 +7,7 @@
 #include "felt/base/atomic_file.h"
 #include "felt/base/result.h"
 #include "felt/geometry/rect.h"
+#include "felt/io/layered_sketch.h"
 #include "felt/stroke/sketch.h"
 
 namespace felt {
@@ -57,6 +58,11 @@ Rect svg_area(const Rect& ink, const SvgOptions& options) noexcept;
 
 /// The whole file as text.
 Result<std::string> svg_text(const Sketch& sketch, const SvgOptions& options);
+
+/// A whole drawing: its layers become layers of Inkscape, hidden and locked ones too. Its page,
+/// where there is one, goes before the sheet and the paper of the options. import_svg gives it back
+/// equal.
+Result<std::string> svg_text(const LayeredSketch& drawing, const SvgOptions& options);
 
 /// Writes a whole sketch. Error: the first stroke that cannot be written, or the file.
 Result<void> write_svg(const std::string& path, const Sketch& sketch, const SvgOptions& options);

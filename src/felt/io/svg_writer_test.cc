@@ -107,14 +107,15 @@ TEST(SvgWriter, StatesTheAreaInMillimetres) {
   EXPECT_STREQ(svg.attribute("width").value(), "35mm");
   EXPECT_STREQ(svg.attribute("viewBox").value(), "7.5 17.5 35 5");
   const SvgOptions a4{.sheet = Rect{0, 0, 210, 297}};
-  EXPECT_STREQ(parsed(*svg_text({}, a4)).child("svg").attribute("viewBox").value(), "0 0 210 297");
+  EXPECT_STREQ(parsed(*svg_text(Sketch{}, a4)).child("svg").attribute("viewBox").value(),
+               "0 0 210 297");
 }
 
 TEST(SvgWriter, EveryAlphaComesBack) {
   StrokeData data = testing::straight_stroke({0, 0}, {9, 0}, 1, 1).data();
   for (int a = 0; a < 256; ++a) {
     data.color.a = static_cast<std::uint8_t>(a);
-    const auto document = parsed(svg_text({{"a", *Stroke::create(data)}}, {}).value());
+    const auto document = parsed(svg_text(Sketch{{"a", *Stroke::create(data)}}, {}).value());
     EXPECT_EQ(model_of(document.child("svg").child("path")).color, data.color);
   }
 }
@@ -124,12 +125,12 @@ TEST(SvgWriter, RefusesWhatXmlCannotHold) {
   for (const std::string& id :
        {std::string("a\x01"), std::string("nul\0", 4), std::string("\xff"), std::string("\xc0\x80"),
         std::string("\xed\xa0\x80"), std::string("\xef\xbf\xbe"), std::string("cut \xe2\x82")}) {
-    const auto text = svg_text({{"fine", s}, {id, s}}, {});
+    const auto text = svg_text(Sketch{{"fine", s}, {id, s}}, {});
     ASSERT_FALSE(text);
     EXPECT_EQ(text.error().code, ErrorCode::kInvalidData);
     EXPECT_THAT(text.error().message, HasSubstr("stroke 2"));
   }
-  EXPECT_TRUE(svg_text({{"Skizze \xe2\x9c\x8f \xf0\x9f\x8e\xa8", s}}, {}));
+  EXPECT_TRUE(svg_text(Sketch{{"Skizze \xe2\x9c\x8f \xf0\x9f\x8e\xa8", s}}, {}));
 }
 
 TEST(SvgWriter, FileAndTextAreTheSame) {
