@@ -21,6 +21,14 @@ tl::unexpected<Error> error_of(sqlite3* db) {
 
 }  // namespace
 
+Result<Statement> Statement::of(sqlite3* db, const char* sql) {
+  Statement statement;
+  if (sqlite3_prepare_v2(db, sql, -1, &statement.statement_, nullptr) != SQLITE_OK) {
+    return error_of(db);
+  }
+  return statement;
+}
+
 Statement::Statement(Statement&& other) noexcept
     : statement_(std::exchange(other.statement_, nullptr)) {}
 

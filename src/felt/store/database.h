@@ -16,6 +16,8 @@ namespace felt {
 class Statement {
  public:
   Statement() noexcept = default;
+  /// Of a connection that somebody else owns and that outlives it.
+  static Result<Statement> of(sqlite3* db, const char* sql);
   Statement(Statement&& other) noexcept;
   Statement& operator=(Statement&& other) noexcept;
   ~Statement();
