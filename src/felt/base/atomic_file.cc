@@ -5,72 +5,21 @@
 #include <unistd.h>
 
 #include <array>
-#include <atomic>
 #include <cerrno>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
-#include <memory>
 #include <utility>
 
+#include "felt/base/file_steps.h"
+
 namespace felt {
+
+using namespace file_steps;
+
 namespace {
 
 constexpr std::size_t kBufferBytes = std::size_t{1} << 16;
-constexpr int kNameAttempts = 100;
-
-/// write(2) until all is out. False with errno on failure.
-bool write_all(int fd, std::string_view bytes) noexcept {
-  while (!bytes.empty()) {
-    const ssize_t n = ::write(fd, bytes.data(), bytes.size());
-    if (n < 0 && errno != EINTR) return false;
-    if (n > 0) bytes.remove_prefix(static_cast<std::size_t>(n));
-  }
-  return true;
-}
-
-/// The file that a path means once links are followed; the path itself where nothing exists yet.
-std::string resolved(const std::string& path) {
-  const std::unique_ptr<char, decltype(&std::free)> real(::realpath(path.c_str(), nullptr),
-                                                         &std::free);
-  return real ? std::string(real.get()) : path;
-}
-
-std::string folder_of(const std::string& path) {
-  const auto slash = path.rfind('/');
-  if (slash == std::string::npos) return ".";
-  return slash == 0 ? "/" : path.substr(0, slash);
-}
-
-std::string name_of(const std::string& path) {
-  return path.substr(path.rfind('/') + 1);
-}
-
-/// A name that no other file of this or another process has at the moment.
-std::string temporary_name(const std::string& target) {
-  static std::atomic<unsigned> counter{0};
-  return folder_of(target) + "/." + name_of(target) + "." + std::to_string(::getpid()) + "-" +
-         std::to_string(counter.fetch_add(1)) + ".tmp";
-}
-
-/// The name under which the system shows an open file, also one without a name of its own.
-std::string descriptor_path(int fd) {
-  return "/proc/self/fd/" + std::to_string(fd);
-}
-
-/// A file in `folder` that has no name yet and vanishes with the process; -1 where the system has
-/// no such files, or no way to name them later.
-int open_unnamed(const std::string& folder) {
-#ifdef O_TMPFILE
-  // 0666 less the umask: the permissions that any new file gets.
-  const int fd = ::open(folder.c_str(), O_TMPFILE | O_RDWR | O_CLOEXEC, 0666);
-  if (fd < 0 || ::access(descriptor_path(fd).c_str(), F_OK) == 0) return fd;
-  ::close(fd);
-#else
-  static_cast<void>(folder);
-#endif
-  return -1;
-}
 
 }  // namespace
 
@@ -86,10 +35,9 @@ Result<AtomicFile> AtomicFile::create(const std::string& path) {
     errno = EISDIR;
     return file.error("cannot write");
   }
-  if (auto ok = replaceable ? file.open_beside_target() : file.open_spool(); !ok) {
-    return tl::unexpected<Error>(std::move(ok.error()));
-  }
-  if (replaceable && exists) ::fchmod(file.fd_, info.st_mode & 07777);
+  auto ok = replaceable ? file.open_beside_target() : file.open_spool();
+  if (ok && replaceable && exists) ok = file.take_after_target();
+  if (!ok) return tl::unexpected<Error>(std::move(ok.error()));
   return file;
 }
 
@@ -103,9 +51,11 @@ AtomicFile& AtomicFile::operator=(AtomicFile&& other) noexcept {
   shown_name_ = std::move(other.shown_name_);
   target_ = std::move(other.target_);
   temporary_ = std::exchange(other.temporary_, {});
+  previous_ = std::exchange(other.previous_, {});
   is_spool_ = other.is_spool_;
   buffer_ = std::exchange(other.buffer_, {});
   fd_ = std::exchange(other.fd_, -1);
+  old_fd_ = std::exchange(other.old_fd_, -1);
   return *this;
 }
 
@@ -114,10 +64,11 @@ AtomicFile::~AtomicFile() {
 }
 
 void AtomicFile::discard() noexcept {
-  if (fd_ >= 0) ::close(fd_);
-  fd_ = -1;
   if (!temporary_.empty()) ::unlink(temporary_.c_str());
   temporary_.clear();
+  for (int* fd : {&fd_, &old_fd_}) {
+    if (*fd >= 0) ::close(std::exchange(*fd, -1));
+  }
 }
 
 tl::unexpected<Error> AtomicFile::error(const char* doing) const {
@@ -128,17 +79,23 @@ tl::unexpected<Error> AtomicFile::error(const char* doing) const {
 
 Result<void> AtomicFile::open_beside_target() {
   fd_ = open_unnamed(folder_of(target_));
-  if (fd_ >= 0) return {};
-  for (int attempt = 0; attempt < kNameAttempts; ++attempt) {
-    std::string name = temporary_name(target_);
-    fd_ = ::open(name.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-    if (fd_ >= 0) {
-      temporary_ = std::move(name);
-      return {};
-    }
-    if (errno != EEXIST) break;
+  if (fd_ < 0) fd_ = open_named(target_, temporary_);
+  if (fd_ >= 0) {
+    hold_lock(fd_);
+    return {};
   }
-  return error("cannot create");
+  const bool is_refused = errno == EACCES || errno == EPERM || errno == EROFS;
+  return error(is_refused ? "its folder may not be written" : "cannot create");
+}
+
+/// The file that is there is left alone where its owner said so, though its folder would let us.
+Result<void> AtomicFile::take_after_target() {
+  if (::access(target_.c_str(), W_OK) != 0) return error("may not be written");
+  old_fd_ = ::open(target_.c_str(), O_RDONLY | O_CLOEXEC);
+  if (old_fd_ < 0) return {};  // may be written and not read: nothing to take over
+  hold_lock(old_fd_);
+  copy_attributes(old_fd_, fd_);
+  return {};
 }
 
 Result<void> AtomicFile::open_spool() {
@@ -177,9 +134,18 @@ Result<void> AtomicFile::overwrite(std::uint64_t offset, std::string_view bytes)
 }
 
 Result<void> AtomicFile::commit() {
+  return commit(nullptr);
+}
+
+Result<void> AtomicFile::commit_verified(std::string_view bytes) {
+  return commit(&bytes);
+}
+
+Result<void> AtomicFile::commit(const std::string_view* expected) {
   if (auto ok = flush(); !ok) return ok;
-  auto done = is_spool_ ? copy_to_target() : replace_target();
+  auto done = is_spool_ ? copy_to_target() : replace_target(expected);
   discard();
+  if (done && !is_spool_) remove_leftovers(target_, expected != nullptr);
   return done;
 }
 
@@ -203,33 +169,44 @@ Result<void> AtomicFile::copy_to_target() {
   return done;
 }
 
-Result<void> AtomicFile::replace_target() {
+Result<void> AtomicFile::replace_target(const std::string_view* expected) {
   if (::fsync(fd_) != 0) return error("cannot write to the disk");
-  if (auto ok = give_name(); !ok) return ok;
-  if (::rename(temporary_.c_str(), target_.c_str()) != 0) return error("cannot replace");
-  temporary_.clear();
-  // The rename itself survives a power cut only once the folder is on the disk. Some file systems
-  // cannot sync a folder and say so by EINVAL; there is nothing more to do then.
-  const int folder = ::open(folder_of(target_).c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-  if (folder < 0) return {};
-  const bool synced = ::fsync(folder) == 0 || errno == EINVAL;
-  ::close(folder);
-  return synced ? Result<void>() : error("cannot write the folder to the disk");
+  if (temporary_.empty()) temporary_ = give_name(fd_, target_);
+  if (temporary_.empty()) return error("cannot create");
+  if (!expected) return put_in_place();
+  if (!holds(temporary_, *expected)) {
+    if (errno != 0) return error("cannot read back what was written");
+    return fail(ErrorCode::kIo, shown_name_ + ": the disk does not keep what is written to it");
+  }
+  // A second name is more than a rename needs, which replaces whole files only: where there can be
+  // none, this save is as good as most.
+  if (old_fd_ >= 0) previous_ = keep_beside(target_);
+  return put_in_place().and_then([&] { return check_in_place(*expected); });
 }
 
-/// A file without a name cannot replace another in one step: it gets a name of its own first.
-Result<void> AtomicFile::give_name() {
-  for (int attempt = 0; temporary_.empty() && attempt < kNameAttempts; ++attempt) {
-    std::string name = temporary_name(target_);
-    if (::linkat(AT_FDCWD, descriptor_path(fd_).c_str(), AT_FDCWD, name.c_str(),
-                 AT_SYMLINK_FOLLOW) == 0) {
-      temporary_ = std::move(name);
-    } else if (errno != EEXIST) {
-      break;
-    }
+Result<void> AtomicFile::put_in_place() {
+  if (::rename(temporary_.c_str(), target_.c_str()) != 0) {
+    const auto failed = error("cannot replace");
+    if (!previous_.empty()) ::unlink(previous_.c_str());  // nothing but the same file
+    return failed;
   }
-  if (temporary_.empty()) return error("cannot create");
+  temporary_.clear();
+  // The rename itself survives a power cut only once the folder is on the disk. Until then the old
+  // file stays, and the next save that is sure of itself removes it.
+  if (!sync_folder(folder_of(target_))) return error("cannot write the folder to the disk");
   return {};
+}
+
+Result<void> AtomicFile::check_in_place(std::string_view expected) {
+  if (holds(target_, expected)) {
+    if (!previous_.empty()) ::unlink(previous_.c_str());
+    return {};
+  }
+  std::string message = shown_name_ + ": the disk does not keep what is written to it";
+  if (errno != 0) message += std::string(": ") + std::strerror(errno);
+  const bool is_back = !previous_.empty() && ::rename(previous_.c_str(), target_.c_str()) == 0 &&
+                       sync_folder(folder_of(target_));
+  return fail(ErrorCode::kIo, message + (is_back ? "; the file that was there is back" : ""));
 }
 
 Result<void> write_file(const std::string& path, std::string_view bytes) {
@@ -237,6 +214,13 @@ Result<void> write_file(const std::string& path, std::string_view bytes) {
   if (!file) return tl::unexpected<Error>(std::move(file.error()));
   if (auto ok = file->write(bytes); !ok) return ok;
   return file->commit();
+}
+
+Result<void> save_file(const std::string& path, std::string_view bytes) {
+  auto file = AtomicFile::create(path);
+  if (!file) return tl::unexpected<Error>(std::move(file.error()));
+  if (auto ok = file->write(bytes); !ok) return ok;
+  return file->commit_verified(bytes);
 }
 
 }  // namespace felt

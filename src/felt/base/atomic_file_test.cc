@@ -3,13 +3,19 @@
 #include <fcntl.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/file.h>
 #include <sys/stat.h>
+#include <sys/wait.h>
+#include <sys/xattr.h>
 #include <unistd.h>
+
+#include <array>
 
 #include <filesystem>
 #include <fstream>
 #include <sstream>
 
+#include "felt/base/file_steps.h"
 #include "felt/base/read_file.h"
 
 namespace felt {
@@ -37,7 +43,9 @@ class AtomicFileTest : public ::testing::Test {
     return static_cast<std::size_t>(
         std::distance(fs::directory_iterator(folder_), fs::directory_iterator()));
   }
-  [[nodiscard]] std::string path(const char* name) const { return (folder_ / name).string(); }
+  [[nodiscard]] std::string path(const std::string& name) const {
+    return (folder_ / name).string();
+  }
 
   fs::path folder_;
 };
@@ -129,6 +137,104 @@ TEST_F(AtomicFileTest, ReadsBackWhatWasWritten) {
   EXPECT_THAT(read_file(path("a"), bytes.size() - 1).error().message, HasSubstr("larger than"));
   EXPECT_EQ(read_file(path("b"), 10).error().code, ErrorCode::kNotFound);
   EXPECT_THAT(read_file(folder_.string(), 10).error().message, HasSubstr("directory"));
+}
+
+TEST_F(AtomicFileTest, ASavedFileIsVerifiedAndLeavesNothingBeside) {
+  const std::string old(300'000, 'o'), fresh = std::string(200'000, 'n') + '\0' + "end";
+  ASSERT_TRUE(save_file(path("a"), old));
+  EXPECT_EQ(read(path("a")), old);
+  ASSERT_TRUE(save_file(path("a"), fresh));
+  EXPECT_EQ(read(path("a")), fresh);
+  EXPECT_EQ(entries(), 1u);
+  const auto file = save_file(path("none/a"), fresh);
+  EXPECT_EQ(file.error().code, ErrorCode::kNotFound);
+}
+
+TEST_F(AtomicFileTest, WhatWasNotToldIsNotSaved) {
+  ASSERT_TRUE(save_file(path("a"), "old"));
+  auto file = AtomicFile::create(path("a")).value();
+  ASSERT_TRUE(file.write("new"));
+  EXPECT_THAT(file.commit_verified("other").error().message, HasSubstr("does not keep"));
+  EXPECT_EQ(read(path("a")), "old");
+  EXPECT_EQ(entries(), 1u);
+}
+
+TEST_F(AtomicFileTest, TheStepsTellSameBytesFromOthers) {
+  ASSERT_TRUE(write_file(path("a"), std::string(65'536, 'x')));
+  EXPECT_TRUE(file_steps::holds(path("a"), std::string(65'536, 'x')));
+  EXPECT_FALSE(file_steps::holds(path("a"), std::string(65'535, 'x')));
+  EXPECT_EQ(errno, 0);
+  EXPECT_FALSE(file_steps::holds(path("a"), std::string(65'537, 'x')));
+  EXPECT_FALSE(file_steps::holds(path("a"), std::string(65'535, 'x') + 'y'));
+  EXPECT_FALSE(file_steps::holds(path("b"), ""));
+  EXPECT_EQ(errno, ENOENT);
+  const std::string kept = file_steps::keep_beside(path("a"));
+  ASSERT_TRUE(write_file(path("a"), "other"));
+  EXPECT_TRUE(file_steps::holds(kept, std::string(65'536, 'x')));
+}
+
+TEST_F(AtomicFileTest, KeepsExtendedAttributes) {
+  ASSERT_TRUE(save_file(path("a"), "old"));
+  if (::setxattr(path("a").c_str(), "user.felt.note", "mine", 4, 0) != 0) {
+    GTEST_SKIP() << "this file system has no extended attributes";
+  }
+  ASSERT_TRUE(save_file(path("a"), "new"));
+  std::array<char, 8> value{};
+  EXPECT_EQ(::getxattr(path("a").c_str(), "user.felt.note", value.data(), value.size()), 4);
+  EXPECT_STREQ(value.data(), "mine");
+}
+
+TEST_F(AtomicFileTest, ALinkToNothingYetIsFollowedToo) {
+  fs::create_directory(folder_ / "far");
+  fs::create_symlink("far/b", path("a"));
+  ASSERT_TRUE(save_file(path("a"), "new"));
+  EXPECT_TRUE(fs::is_symlink(path("a")));
+  EXPECT_EQ(read(path("far/b")), "new");
+}
+
+TEST_F(AtomicFileTest, LitterOfTheDeadIsRemovedAndNobodyElses) {
+  const std::string long_name(250, 'n');
+  for (const std::string& name : {std::string("a"), long_name}) {
+    const std::string hidden = "." + name.substr(0, 200) + ".";
+    for (const char* mark : {"123-0.tmp", "99999-12.old"}) {
+      std::ofstream(path(hidden + mark)) << "litter";
+    }
+    std::ofstream(path(hidden + "mine.tmp")) << "a person's";
+    std::ofstream(path(hidden + "7-7.tmp")) << "at work";
+    const int at_work = ::open(path(hidden + "7-7.tmp").c_str(), O_RDONLY);
+    ASSERT_EQ(::flock(at_work, LOCK_EX), 0);
+    ASSERT_TRUE(save_file(path(name), "new"));
+    EXPECT_FALSE(fs::exists(path(hidden + "123-0.tmp")));
+    EXPECT_FALSE(fs::exists(path(hidden + "99999-12.old")));
+    EXPECT_TRUE(fs::exists(path(hidden + "mine.tmp")));
+    EXPECT_TRUE(fs::exists(path(hidden + "7-7.tmp")));
+    ::close(at_work);
+  }
+}
+
+/// As somebody who may not do everything: root asks nobody.
+TEST_F(AtomicFileTest, WhatMayNotBeWrittenIsSaidAndLeftAlone) {
+  ASSERT_TRUE(save_file(path("a"), "old"));
+  fs::create_directory(folder_ / "closed");
+  ASSERT_TRUE(save_file(path("closed/b"), "old"));
+  fs::permissions(path("a"), fs::perms(0444));
+  fs::permissions(folder_, fs::perms(0777));
+  fs::permissions(path("closed"), fs::perms(0555));
+  const pid_t child = ::fork();
+  if (child == 0) {
+    if (::getuid() == 0 && ::setuid(65534) != 0) ::_exit(3);
+    const auto file = save_file(path("a"), "new");
+    if (file || file.error().message.find("may not be written") == std::string::npos) ::_exit(1);
+    const auto folder = save_file(path("closed/b"), "new");
+    if (folder || folder.error().message.find("folder may not") == std::string::npos) ::_exit(2);
+    ::_exit(0);
+  }
+  int status = 0;
+  ::waitpid(child, &status, 0);
+  EXPECT_EQ(WEXITSTATUS(status), 0);
+  EXPECT_EQ(read(path("a")), "old");
+  EXPECT_EQ(read(path("closed/b")), "old");
+  fs::permissions(path("closed"), fs::perms(0755));
 }
 
 }  // namespace

@@ -80,7 +80,7 @@ Result<StoredDrawing> read_felt(const std::string& path) {
 
 Result<void> write_felt(const std::string& path, const StoredDrawing& drawing) {
   const Result<std::string> bytes = felt_bytes(drawing);
-  if (bytes) return write_file(path, *bytes);
+  if (bytes) return save_file(path, *bytes);
   return tl::unexpected(with_context(bytes.error(), path));
 }
 
