@@ -34,4 +34,17 @@ inline constexpr std::size_t kMaxNameBytes = 4096;
 /// Deepest nesting inside a key that we ignore.
 inline constexpr int kMaxIgnoredDepth = 64;
 
+/// Largest file of a foreign format, also once it is unpacked.
+inline constexpr std::size_t kMaxImportBytes = std::size_t{256} << 20;
+
+/// A packed file may become this many times larger, once it is past kFreeInflatedBytes.
+inline constexpr std::size_t kMaxInflation = 100;
+inline constexpr std::size_t kFreeInflatedBytes = std::size_t{8} << 20;
+
+/// Deepest nesting of XML elements; a root without children is 1 deep.
+inline constexpr int kMaxXmlDepth = 256;
+
+/// Most XML elements in a file.
+inline constexpr std::size_t kMaxXmlElements = 2'000'000;
+
 }  // namespace felt::limits

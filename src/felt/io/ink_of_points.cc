@@ -1,0 +1,200 @@
+#include "felt/io/ink_of_points.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace felt {
+namespace {
+
+/// Along a drawn line the fit looks at least this often, so that it follows the line between the
+/// points, and sees its corners.
+constexpr double kStepMm = 0.25;
+/// Points put between others in one file; beyond that pieces of a line stay straight segments, so
+/// that a file of few bytes and long lines cannot keep us busy.
+constexpr std::size_t kMostInserted = 10'000'000;
+/// Past that, shorter pieces than this are left to the fit as they are.
+constexpr double kLeastRuledMm = 1.0;
+
+InkFitOptions drawn_line_options() {
+  InkFitOptions options;
+  options.curve.tolerance_mm = kDrawnLineToleranceMm;
+  return options;
+}
+
+StrokeData data_of(const FittedCurve& curve) {
+  StrokeData data;
+  data.points = curve.points;
+  data.joints = curve.joints;
+  return data;
+}
+
+bool is_usable(const WidePoint& p) {
+  return std::fabs(p.position.x) <= InkFitter::kMaxCoordinateMm &&
+         std::fabs(p.position.y) <= InkFitter::kMaxCoordinateMm && std::isfinite(p.width_mm);
+}
+
+}  // namespace
+
+/// A stroke in the making out of straight and of fitted parts, which meet in corners.
+class InkOfPoints::Pieces {
+ public:
+  [[nodiscard]] bool empty() const noexcept { return data_.points.empty(); }
+
+  /// A straight segment to `to`. Requires one of at least kMinSegmentMm.
+  void add_straight(const WidePoint& from, const WidePoint& to) {
+    const Point start = empty() ? from.position : data_.points.back();
+    begin_part(start, from.width_mm);
+    const Cubic line = straight(start, to.position);
+    data_.points.insert(data_.points.end(), line.p.begin() + 1, line.p.end());
+    add_width(segments(), to.width_mm);
+    after_straight_ = true;
+  }
+
+  /// What the fit made of a run. A straight segment before it ends where the run begins.
+  void add_fitted(StrokeData&& run) {
+    if (after_straight_) {
+      const std::size_t last = data_.points.size() - 1;
+      const Cubic line = straight(data_.points[last - 3], run.points.front());
+      std::copy(line.p.begin(), line.p.end(), data_.points.end() - 4);
+    }
+    const double offset = segments();
+    begin_part(run.points.front(), run.widths.front().width_mm);
+    data_.points.insert(data_.points.end(), run.points.begin() + 1, run.points.end());
+    data_.joints.insert(data_.joints.end(), run.joints.begin(), run.joints.end());
+    for (const WidthKnot& knot : run.widths) add_width(offset + knot.u, knot.width_mm);
+    after_straight_ = false;
+  }
+
+  /// The stroke; closed, where it ends within `reach_mm` of its start and that may be.
+  StrokeData finish(double reach_mm) && {
+    if (reach_mm > 0.0 && distance(data_.points.front(), data_.points.back()) <= reach_mm) {
+      StrokeData ring = data_;
+      ring.closed = true;
+      ring.points.back() = ring.points.front();
+      ring.joints.push_back(JointKind::kCorner);
+      if (check_invariants(ring)) return ring;
+    }
+    return std::move(data_);
+  }
+
+ private:
+  [[nodiscard]] double segments() const noexcept {
+    return static_cast<double>(data_.points.size() / 3);
+  }
+  void begin_part(Point start, double width_mm) {
+    if (empty()) {
+      data_.points.push_back(start);
+      add_width(0.0, width_mm);
+    } else {
+      data_.joints.push_back(JointKind::kCorner);
+    }
+  }
+  // Where two parts meet, the first one's width stands.
+  void add_width(double u, double width_mm) {
+    if (data_.widths.empty() || u > data_.widths.back().u) {
+      data_.widths.push_back({u, std::max(width_mm, kMinWidthMm)});
+    }
+  }
+
+  StrokeData data_;
+  bool after_straight_ = false;
+};
+
+InkOfPoints::InkOfPoints(const InkFitOptions& fit)
+    : fit_(fit), pencil_(fit), ruler_(drawn_line_options()) {}
+
+Result<StrokeData> InkOfPoints::of_samples(std::span<const InkSample> samples) {
+  return of_samples(samples, fit_.width_map);
+}
+
+Result<StrokeData> InkOfPoints::of_samples(std::span<const InkSample> samples,
+                                           const WidthMapOptions& widths) {
+  pencil_.begin();
+  for (const InkSample& sample : samples) pencil_.push(sample);
+  pencil_.end();
+  pencil_.refine();
+  const FittedCurve& curve = pencil_.curve();
+  if (curve.points.empty()) {
+    return fail(ErrorCode::kInvalidData, "none of its points has usable coordinates");
+  }
+  WidthMap map(widths);
+  WidthFitOptions options = fit_.width;
+  options.max_mm = std::max(options.max_mm, widths.max_mm);
+  WidthFitter width(options);
+  for (std::size_t i = 0; i < pencil_.samples().size(); ++i) {
+    width.push(curve.sample_u[i], map.push(pencil_.samples()[i]));
+  }
+  width.finish(curve.segment_count());
+  StrokeData data = data_of(curve);
+  data.widths.assign(width.knots().begin(), width.knots().end());
+  return data;
+}
+
+Result<StrokeData> InkOfPoints::of_line(std::span<const WidePoint> line) {
+  line_.clear();
+  for (const WidePoint& p : line) {
+    if (is_usable(p)) line_.push_back({p.position, std::max(p.width_mm, kMinWidthMm)});
+  }
+  if (line_.empty()) {
+    return fail(ErrorCode::kInvalidData, "none of its points has usable coordinates");
+  }
+  Pieces pieces;
+  const auto end_run = [&]() -> Result<void> {
+    if (run_.size() < 2 && !(pieces.empty() && line_.size() == 1)) return {};
+    Result<StrokeData> run = fitted_run();
+    if (!run) return tl::unexpected(run.error());
+    pieces.add_fitted(*std::move(run));
+    return {};
+  };
+  run_.assign(1, line_.front());
+  for (std::size_t i = 1; i < line_.size(); ++i) {
+    const WidePoint &from = line_[i - 1], &to = line_[i];
+    const double length = distance(from.position, to.position);
+    const bool ruled = length > (inserted_ < kMostInserted ? kRuledMm : kLeastRuledMm);
+    if (!ruled) {
+      add_between(from, to);
+      continue;
+    }
+    if (Result<void> done = end_run(); !done) return tl::unexpected(done.error());
+    pieces.add_straight(from, to);
+    run_.assign(1, to);
+  }
+  if (Result<void> done = end_run(); !done) return tl::unexpected(done.error());
+  const bool is_ring = line_.size() > 3 && line_.front().position == line_.back().position;
+  return std::move(pieces).finish(is_ring ? 4.0 * kDrawnLineToleranceMm : 0.0);
+}
+
+// Continues the run to `to` in steps that the fit cannot overlook.
+void InkOfPoints::add_between(const WidePoint& from, const WidePoint& to) {
+  const double length = distance(from.position, to.position);
+  const int steps = static_cast<int>(std::ceil(length / kStepMm));
+  if (inserted_ < kMostInserted) {
+    for (int k = 1; k < steps; ++k) {
+      const double t = static_cast<double>(k) / steps;
+      run_.push_back(
+          {lerp(from.position, to.position, t), from.width_mm + t * (to.width_mm - from.width_mm)});
+      ++inserted_;
+    }
+  }
+  run_.push_back(to);
+}
+
+Result<StrokeData> InkOfPoints::fitted_run() {
+  ruler_.begin();
+  for (const WidePoint& p : run_) ruler_.push({p.position, {}, {}});
+  ruler_.end();
+  ruler_.refine();
+  const FittedCurve& curve = ruler_.curve();
+  const auto widest = std::max_element(run_.begin(), run_.end(), [](const auto& a, const auto& b) {
+    return a.width_mm < b.width_mm;
+  });
+  WidthFitter width({.tolerance_mm = kDrawnWidthToleranceMm, .max_mm = widest->width_mm});
+  for (std::size_t i = 0; i < run_.size(); ++i) width.push(curve.sample_u[i], run_[i].width_mm);
+  width.finish(curve.segment_count());
+  StrokeData data = data_of(curve);
+  data.widths.assign(width.knots().begin(), width.knots().end());
+  return data;
+}
+
+}  // namespace felt
