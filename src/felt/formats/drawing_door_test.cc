@@ -1,0 +1,138 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "felt/base/atomic_file.h"
+#include "felt/document/visible_strokes.h"
+#include "felt/formats/drawing_reader.h"
+#include "felt/formats/drawing_writer.h"
+#include "felt/formats/format_traits.h"
+#include "felt/formats/random_drawing.h"
+#include "felt/io/ndjson_writer.h"
+
+namespace felt {
+namespace {
+
+using felt::testing::random_drawing;
+using ::testing::HasSubstr;
+using ::testing::StartsWith;
+
+/// A folder that goes away.
+class Door : public ::testing::Test {
+ protected:
+  Door() {
+    std::string name = (std::filesystem::temp_directory_path() / "felt-door-XXXXXX").string();
+    folder_ = ::mkdtemp(name.data());
+  }
+  ~Door() override { std::filesystem::remove_all(folder_); }
+  [[nodiscard]] std::string at(const std::string& name) const { return folder_ + "/" + name; }
+  [[nodiscard]] std::string put(const std::string& name, std::string_view bytes) const {
+    EXPECT_TRUE(write_file(at(name), bytes));
+    return at(name);
+  }
+
+ private:
+  std::string folder_;
+};
+
+std::string message(const Result<OpenedDrawing>& result) {
+  return result ? "" : result.error().message;
+}
+
+TEST_F(Door, LosslessFormatsGiveTheSameDrawingBack) {
+  for (const FormatTraits& row : format_table()) {
+    if (!row.lossless) continue;
+    for (std::uint64_t seed = 1; seed <= 25; ++seed) {
+      StoredDrawing drawing = random_drawing(seed);
+      const auto bytes = drawing_bytes(drawing, row.format);
+      ASSERT_TRUE(bytes) << row.name << " seed " << seed << ": " << bytes.error().message;
+      const auto back = parse_drawing(*bytes, "-");
+      ASSERT_TRUE(back) << row.name << " seed " << seed << ": " << message(back);
+      EXPECT_EQ(back->drawing.document, drawing.document) << row.name << " seed " << seed;
+      EXPECT_EQ(back->drawing.page, drawing.page) << row.name << " seed " << seed;
+      EXPECT_TRUE(back->is_exact) << row.name;
+      EXPECT_TRUE(back->has_page) << row.name;
+      EXPECT_TRUE(back->report.empty()) << notice_text(back->report.notices().front());
+      EXPECT_EQ(drawing_bytes(back->drawing, row.format).value(), *bytes) << row.name;
+    }
+  }
+}
+
+TEST_F(Door, FormatsWithoutLayersHoldWhatIsSeen) {
+  const StoredDrawing drawing = random_drawing(3);
+  const Sketch seen = visible_strokes(drawing.document);
+  ASSERT_LT(seen.size(), drawing.document.stroke_count());
+  const auto bytes = drawing_bytes(drawing, FileFormat::kNdjson);
+  const auto back = parse_drawing(*bytes, "a.ndjson");
+  ASSERT_TRUE(back) << message(back);
+  EXPECT_EQ(visible_strokes(back->drawing.document), seen);
+  EXPECT_EQ(back->drawing.document.layers().size(), 1u);
+  EXPECT_FALSE(back->has_page);
+}
+
+TEST_F(Door, TheContentIsBelievedAndAWrongNameTold) {
+  const StoredDrawing drawing = random_drawing(5);
+  const auto felt = drawing_bytes(drawing, FileFormat::kFelt);
+  const auto opened = read_drawing(put("a.svg", *felt));
+  ASSERT_TRUE(opened) << message(opened);
+  EXPECT_EQ(opened->format, FileFormat::kFelt);
+  EXPECT_EQ(opened->drawing, drawing);
+  ASSERT_EQ(opened->report.notices().size(), 1u);
+  EXPECT_EQ(
+      notice_text(opened->report.notices()[0]),
+      "the name says SVG drawing, but the content is a Feltline drawing and was read as such");
+  EXPECT_TRUE(read_drawing(put("no ending", *felt))->report.empty());
+}
+
+TEST_F(Door, RawSamplesBecomeInkAndBadLinesNotices) {
+  const auto opened = parse_drawing(
+      "{\"id\":\"a\",\"points\":[[0,0],[5,5],[9,5]]}\nhello\n{\"points\":[[1,2],[NaN,3]]}\nhello\n",
+      "x.ndjson");
+  ASSERT_TRUE(opened) << message(opened);
+  EXPECT_EQ(opened->drawing.document.stroke_count(), 1u);
+  ASSERT_EQ(opened->report.notices().size(), 2u);
+  EXPECT_THAT(notice_text(opened->report.notices()[0]),
+              StartsWith("line 2: was left out: not a JSON object"));
+  EXPECT_EQ(opened->report.notices()[0].count, 2);
+  EXPECT_THAT(message(parse_drawing("hello\n", "x.ndjson")), StartsWith("line 1: was left out"));
+  EXPECT_THAT(message(parse_drawing("{\"t_ms\":0,\"event\":\"undo\"}\n", "x.ndjson")),
+              HasSubstr("feltline replay"));
+}
+
+TEST_F(Door, WhatCannotBeReadSaysWhy) {
+  EXPECT_THAT(message(read_drawing(at("none.felt"))), StartsWith(at("none.felt") + ": "));
+  EXPECT_THAT(message(read_drawing(at(""))), HasSubstr("folder"));
+  EXPECT_THAT(message(read_drawing(put("a", "hello"))), HasSubstr("is no drawing that Feltline"));
+  EXPECT_THAT(message(read_drawing(put("b", ""))), HasSubstr("is empty"));
+  EXPECT_THAT(message(read_drawing(put("a.pdf", "%PDF-1.4"))), HasSubstr("written but not read"));
+  EXPECT_THAT(message(read_drawing(put("a.felt", "%PDF-1.4"))), HasSubstr("PDF"));
+  EXPECT_THAT(message(read_drawing(put("cut.felt", "SQLite"))), HasSubstr("cut off"));
+  ASSERT_EQ(::mkfifo(at("pipe.svg").c_str(), 0600), 0);
+  EXPECT_THAT(message(read_drawing(at("pipe.svg"), {.files_only = true})), HasSubstr("pipe"));
+  EXPECT_THAT(message(read_drawing("/dev/zero", {.files_only = true})), HasSubstr("device"));
+}
+
+TEST_F(Door, WritesWholeOrNotAtAllAndSaysWhere) {
+  const StoredDrawing drawing = random_drawing(2);
+  for (const FormatTraits& row : format_table()) {
+    if (!row.writes) continue;
+    const std::string path = at("a" + std::string(row.endings.front()));
+    ASSERT_TRUE(write_drawing(path, drawing, row.format, {.dpi = 20.0}));
+    std::ifstream file(path, std::ios::binary);
+    const std::string bytes{std::istreambuf_iterator<char>(file), {}};
+    EXPECT_EQ(bytes, drawing_bytes(drawing, row.format, {.dpi = 20.0}).value()) << row.name;
+    const std::string nowhere = at("no/a" + std::string(row.endings.front()));
+    const auto failed = write_drawing(nowhere, drawing, row.format, {.dpi = 20.0});
+    ASSERT_FALSE(failed);
+    EXPECT_THAT(failed.error().message, HasSubstr(nowhere));
+  }
+  const auto huge = write_drawing(at("a.png"), drawing, FileFormat::kPng, {.dpi = 48000.0});
+  ASSERT_FALSE(huge);
+  EXPECT_THAT(huge.error().message, StartsWith(at("a.png")));
+}
+
+}  // namespace
+}  // namespace felt

@@ -1,0 +1,130 @@
+#include "felt/formats/drawing_reader.h"
+
+#include <sys/stat.h>
+
+#include <utility>
+
+#include "felt/base/read_file.h"
+#include "felt/formats/format_traits.h"
+#include "felt/formats/layered_drawing.h"
+#include "felt/formats/line_drawing.h"
+#include "felt/io/svg_reader.h"
+
+namespace felt {
+namespace {
+
+std::string shown(const std::string& path) {
+  return path == "-" ? "stdin" : path;
+}
+
+/// A name that says something else than the content.
+void note_wrong_ending(const std::string& path, FileFormat found, ImportReport& report) {
+  const Result<FileFormat> named = format_of_path(path);
+  if (!named || *named == found) return;
+  report.add(0, "the name",
+             "says " + std::string(traits_of(*named).title) + ", but the content is a " +
+                 std::string(traits_of(found).title) + " and was read as such");
+}
+
+OpenedDrawing opened(ImportedDrawing imported, FileFormat format) {
+  OpenedDrawing result;
+  result.format = format;
+  result.has_page = imported.drawing.page.has_value();
+  result.report = std::move(imported.report);
+  result.drawing = stored_drawing(std::move(imported.drawing));
+  return result;
+}
+
+ImportedDrawing imported_svg(SvgDrawing svg) {
+  ImportedDrawing result;
+  result.drawing.layers.push_back({"Ink", true, false, std::move(svg.sketch)});
+  const Rect& area = svg.area;
+  if (area.x0 == 0.0 && area.y0 == 0.0) {
+    result.drawing.page = SheetPage{area.width(), area.height(), svg.paper};
+  }
+  return result;
+}
+
+Result<ImportedDrawing> import_foreign(std::string_view bytes, FileFormat format,
+                                       const ReadOptions& options) {
+  switch (format) {
+    case FileFormat::kSvg:
+      return parse_svg(bytes).map(imported_svg);
+    case FileFormat::kNdjson:
+      return import_lines(bytes, options.import);
+    case FileFormat::kInkml:
+    case FileFormat::kXopp:
+    case FileFormat::kFelt:
+    case FileFormat::kPdf:
+    case FileFormat::kPng:
+      break;
+  }
+  return fail(ErrorCode::kUnsupported, "is not read yet");
+}
+
+/// Our own mark in the first bytes of a format that holds everything.
+bool is_ours(std::string_view bytes, FileFormat format) {
+  return traits_of(format).lossless &&
+         bytes.substr(0, kFormatHeadBytes).find("feltline") != std::string_view::npos;
+}
+
+Result<void> check_kind(const std::string& path, bool files_only) {
+  struct stat info {};
+  if (path == "-" || ::stat(path.c_str(), &info) != 0) return {};  // open says why
+  if (S_ISDIR(info.st_mode)) return fail(ErrorCode::kUnsupported, path + ": is a folder");
+  if (S_ISREG(info.st_mode) || !files_only) return {};
+  return fail(ErrorCode::kUnsupported, path + ": is no file, but a pipe or a device");
+}
+
+}  // namespace
+
+Result<FileFormat> readable_format(std::string_view head, const std::string& path) {
+  const std::optional<FileFormat> found = format_of_bytes(head.substr(0, kFormatHeadBytes));
+  const Result<FileFormat> named = format_of_path(path);
+  if (!found && !named) {
+    if (head.empty()) return fail(ErrorCode::kInvalidData, "is empty");
+    return fail(ErrorCode::kUnsupported,
+                "is no drawing that Feltline knows; it reads " + readable_names());
+  }
+  const FileFormat format = found ? *found : *named;
+  const FormatTraits& traits = traits_of(format);
+  if (traits.reads) return format;
+  return fail(ErrorCode::kUnsupported, "is a " + std::string(traits.title) +
+                                           ", which is written but not read; Feltline reads " +
+                                           readable_names());
+}
+
+Result<OpenedDrawing> parse_drawing(std::string_view bytes, const std::string& path,
+                                    const ReadOptions& options) {
+  const Result<FileFormat> format = readable_format(bytes, path);
+  if (!format) return tl::unexpected(format.error());
+  OpenedDrawing result;
+  if (*format == FileFormat::kFelt) {
+    Result<StoredDrawing> drawing = parse_felt(bytes);
+    if (!drawing) return tl::unexpected(drawing.error());
+    result = {*std::move(drawing), {}, *format, true, true};
+  } else {
+    if (bytes.size() > kMaxDrawingBytes) {
+      return fail(ErrorCode::kLimitExceeded, "is larger than 1 GiB");
+    }
+    Result<ImportedDrawing> imported = import_foreign(bytes, *format, options);
+    if (!imported) return tl::unexpected(imported.error());
+    result = opened(*std::move(imported), *format);
+    result.is_exact = result.report.empty() && is_ours(bytes, *format);
+  }
+  note_wrong_ending(path, *format, result.report);
+  return result;
+}
+
+Result<OpenedDrawing> read_drawing(const std::string& path, const ReadOptions& options) {
+  if (Result<void> fine = check_kind(path, options.files_only); !fine) {
+    return tl::unexpected(fine.error());
+  }
+  const Result<std::string> bytes = read_file(path, kMaxFeltBytes);
+  if (!bytes) return tl::unexpected(bytes.error());
+  Result<OpenedDrawing> drawing = parse_drawing(*bytes, path, options);
+  if (drawing) return drawing;
+  return tl::unexpected(with_context(drawing.error(), shown(path)));
+}
+
+}  // namespace felt

@@ -1,0 +1,59 @@
+#include "felt/formats/drawing_writer.h"
+
+#include "felt/base/atomic_file.h"
+#include "felt/document/visible_strokes.h"
+#include "felt/formats/format_traits.h"
+#include "felt/formats/line_drawing.h"
+#include "felt/io/pdf_writer.h"
+#include "felt/io/png.h"
+#include "felt/io/svg_writer.h"
+#include "felt/render/page.h"
+
+namespace felt {
+namespace {
+
+Result<std::string> png_bytes(const StoredDrawing& drawing, const WriteOptions& options) {
+  PageOptions page;
+  page.dpi = options.dpi;
+  page.sheet = options.area.value_or(drawing.page.area());
+  page.paper = options.paper.value_or(drawing.page.paper);
+  page.grain = options.grain;
+  const Result<Image> image = render_page(visible_strokes(drawing.document), page);
+  if (!image) return tl::unexpected(image.error());
+  return encode_png(*image, options.dpi);
+}
+
+}  // namespace
+
+Result<std::string> drawing_bytes(const StoredDrawing& drawing, FileFormat format,
+                                  const WriteOptions& options) {
+  const Rect area = options.area.value_or(drawing.page.area());
+  const Rgba paper = options.paper.value_or(drawing.page.paper);
+  switch (format) {
+    case FileFormat::kFelt:
+      return felt_bytes(drawing);
+    case FileFormat::kNdjson:
+      return lines_of(visible_strokes(drawing.document));
+    case FileFormat::kSvg:
+      return svg_text(visible_strokes(drawing.document), SvgOptions{.sheet = area, .paper = paper});
+    case FileFormat::kPdf:
+      return pdf_text(visible_strokes(drawing.document), {.sheet = area, .paper = paper});
+    case FileFormat::kPng:
+      return png_bytes(drawing, options);
+    case FileFormat::kInkml:
+    case FileFormat::kXopp:
+      break;
+  }
+  return fail(ErrorCode::kUnsupported,
+              std::string(traits_of(format).title) + " is not written yet");
+}
+
+Result<void> write_drawing(const std::string& path, const StoredDrawing& drawing, FileFormat format,
+                           const WriteOptions& options) {
+  if (format == FileFormat::kFelt && path != "-") return write_felt(path, drawing);
+  const Result<std::string> bytes = drawing_bytes(drawing, format, options);
+  if (!bytes) return tl::unexpected(with_context(bytes.error(), path == "-" ? "stdout" : path));
+  return write_file(path, *bytes);
+}
+
+}  // namespace felt

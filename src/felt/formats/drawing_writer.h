@@ -1,0 +1,35 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "felt/base/result.h"
+#include "felt/formats/file_format.h"
+#include "felt/geometry/rect.h"
+#include "felt/render/grain.h"
+#include "felt/store/felt_file.h"
+
+namespace felt {
+
+/// How a drawing is written. Each counts where the format can say it (FormatTraits).
+struct WriteOptions {
+  /// The part of the sheet that a picture shows (.svg, .pdf, .png); without it, the page.
+  std::optional<Rect> area{};
+  /// Behind the ink, in place of the page's colour; alpha 0 leaves it out.
+  std::optional<Rgba> paper{};
+  double dpi = 300.0;  ///< of a .png
+  Grain grain{};       ///< of a .png
+};
+
+/// A drawing as the bytes of a file. Formats with layers keep hidden ones hidden; all others hold
+/// what is seen. Equal drawings give equal bytes. Error: what the format cannot hold, or a format
+/// that is not written; the message does not name a file. Any thread.
+Result<std::string> drawing_bytes(const StoredDrawing& drawing, FileFormat format,
+                                  const WriteOptions& options = {});
+
+/// Writes it whole or not at all, and durably; "-" is stdout. Error: begins with the path, and what
+/// was there before is as it was. Any thread.
+Result<void> write_drawing(const std::string& path, const StoredDrawing& drawing, FileFormat format,
+                           const WriteOptions& options = {});
+
+}  // namespace felt
