@@ -56,15 +56,20 @@ TEST_F(Door, LosslessFormatsGiveTheSameDrawingBack) {
       EXPECT_TRUE(back->is_exact) << row.name;
       EXPECT_TRUE(back->has_page) << row.name;
       EXPECT_TRUE(back->report.empty()) << notice_text(back->report.notices().front());
-      EXPECT_EQ(drawing_bytes(back->drawing, row.format).value(), *bytes) << row.name;
+      EXPECT_TRUE(drawing_bytes(back->drawing, row.format).value() == *bytes) << row.name;
     }
   }
 }
 
 TEST_F(Door, FormatsWithoutLayersHoldWhatIsSeen) {
-  const StoredDrawing drawing = random_drawing(3);
+  std::uint64_t seed = 1;
+  const auto hides_some = [](const StoredDrawing& d) {
+    const std::size_t seen = visible_strokes(d.document).size();
+    return seen > 0 && seen < d.document.stroke_count();
+  };
+  while (!hides_some(random_drawing(seed))) ++seed;
+  const StoredDrawing drawing = random_drawing(seed);
   const Sketch seen = visible_strokes(drawing.document);
-  ASSERT_LT(seen.size(), drawing.document.stroke_count());
   const auto bytes = drawing_bytes(drawing, FileFormat::kNdjson);
   const auto back = parse_drawing(*bytes, "a.ndjson");
   ASSERT_TRUE(back) << message(back);
@@ -123,7 +128,7 @@ TEST_F(Door, WritesWholeOrNotAtAllAndSaysWhere) {
     ASSERT_TRUE(write_drawing(path, drawing, row.format, {.dpi = 20.0}));
     std::ifstream file(path, std::ios::binary);
     const std::string bytes{std::istreambuf_iterator<char>(file), {}};
-    EXPECT_EQ(bytes, drawing_bytes(drawing, row.format, {.dpi = 20.0}).value()) << row.name;
+    EXPECT_TRUE(bytes == drawing_bytes(drawing, row.format, {.dpi = 20.0}).value()) << row.name;
     const std::string nowhere = at("no/a" + std::string(row.endings.front()));
     const auto failed = write_drawing(nowhere, drawing, row.format, {.dpi = 20.0});
     ASSERT_FALSE(failed);

@@ -8,7 +8,7 @@
 #include "felt/formats/format_traits.h"
 #include "felt/formats/layered_drawing.h"
 #include "felt/formats/line_drawing.h"
-#include "felt/io/svg_reader.h"
+#include "felt/io/svg_import.h"
 
 namespace felt {
 namespace {
@@ -35,21 +35,11 @@ OpenedDrawing opened(ImportedDrawing imported, FileFormat format) {
   return result;
 }
 
-ImportedDrawing imported_svg(SvgDrawing svg) {
-  ImportedDrawing result;
-  result.drawing.layers.push_back({"Ink", true, false, std::move(svg.sketch)});
-  const Rect& area = svg.area;
-  if (area.x0 == 0.0 && area.y0 == 0.0) {
-    result.drawing.page = SheetPage{area.width(), area.height(), svg.paper};
-  }
-  return result;
-}
-
 Result<ImportedDrawing> import_foreign(std::string_view bytes, FileFormat format,
                                        const ReadOptions& options) {
   switch (format) {
     case FileFormat::kSvg:
-      return parse_svg(bytes).map(imported_svg);
+      return import_svg(bytes, options.import);
     case FileFormat::kNdjson:
       return import_lines(bytes, options.import);
     case FileFormat::kInkml:
@@ -79,8 +69,10 @@ Result<void> check_kind(const std::string& path, bool files_only) {
 }  // namespace
 
 Result<FileFormat> readable_format(std::string_view head, const std::string& path) {
-  const std::optional<FileFormat> found = format_of_bytes(head.substr(0, kFormatHeadBytes));
+  std::optional<FileFormat> found = format_of_bytes(head.substr(0, kFormatHeadBytes));
   const Result<FileFormat> named = format_of_path(path);
+  // Compressed SVG begins as a compressed .xopp does.
+  if (found == FileFormat::kXopp && named == FileFormat::kSvg && head[0] == '\x1f') found = *named;
   if (!found && !named) {
     if (head.empty()) return fail(ErrorCode::kInvalidData, "is empty");
     return fail(ErrorCode::kUnsupported,

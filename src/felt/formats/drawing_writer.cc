@@ -3,6 +3,7 @@
 #include "felt/base/atomic_file.h"
 #include "felt/document/visible_strokes.h"
 #include "felt/formats/format_traits.h"
+#include "felt/formats/layered_drawing.h"
 #include "felt/formats/line_drawing.h"
 #include "felt/io/pdf_writer.h"
 #include "felt/io/png.h"
@@ -23,6 +24,15 @@ Result<std::string> png_bytes(const StoredDrawing& drawing, const WriteOptions& 
   return encode_png(*image, options.dpi);
 }
 
+/// The page says what is shown, unless another part was asked for.
+Result<std::string> svg_bytes(const StoredDrawing& drawing, const WriteOptions& options) {
+  LayeredSketch sketch = layered_sketch(drawing);
+  const Rgba paper = options.paper.value_or(drawing.page.paper);
+  sketch.page->paper = paper;
+  if (options.area) sketch.page.reset();
+  return svg_text(sketch, SvgOptions{.sheet = options.area, .paper = paper});
+}
+
 }  // namespace
 
 Result<std::string> drawing_bytes(const StoredDrawing& drawing, FileFormat format,
@@ -35,7 +45,7 @@ Result<std::string> drawing_bytes(const StoredDrawing& drawing, FileFormat forma
     case FileFormat::kNdjson:
       return lines_of(visible_strokes(drawing.document));
     case FileFormat::kSvg:
-      return svg_text(visible_strokes(drawing.document), SvgOptions{.sheet = area, .paper = paper});
+      return svg_bytes(drawing, options);
     case FileFormat::kPdf:
       return pdf_text(visible_strokes(drawing.document), {.sheet = area, .paper = paper});
     case FileFormat::kPng:

@@ -12,8 +12,8 @@ using Texts = std::string_view;
 
 constexpr Texts kFeltEndings[] = {".felt"};
 constexpr Texts kFeltTypes[] = {"application/x-feltline"};
-constexpr Texts kSvgEndings[] = {".svg"};
-constexpr Texts kSvgTypes[] = {"image/svg+xml"};
+constexpr Texts kSvgEndings[] = {".svg", ".svgz"};
+constexpr Texts kSvgTypes[] = {"image/svg+xml", "image/svg+xml-compressed"};
 constexpr Texts kInkmlEndings[] = {".inkml"};
 constexpr Texts kInkmlTypes[] = {"application/inkml+xml"};
 constexpr Texts kXoppEndings[] = {".xopp"};
@@ -45,11 +45,13 @@ constexpr std::array kTable = {
                  .media_types = kSvgTypes,
                  .reads = true,
                  .writes = true,
+                 .layers = true,
                  .page = true,
                  .picture = true,
                  .widths = "exact",
-                 .kept = "What is seen, for every program that shows pictures; Feltline reads "
-                         "curves and widths back exactly."},
+                 .taken = "centre lines of shapes and paths, PowerStroke widths, edges of fills",
+                 .kept = "The picture, for browsers, Inkscape and all that show SVG; Feltline "
+                         "reads all of it back exactly."},
     FormatTraits{.format = FileFormat::kInkml,
                  .name = "inkml",
                  .title = "InkML ink",

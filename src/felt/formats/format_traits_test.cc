@@ -29,7 +29,7 @@ TEST(FormatTraits, EveryRowIsWholeAndNoEndingComesTwice) {
 TEST(FormatTraits, NamesAreUnderstoodInEitherCaseAndWithADot) {
   EXPECT_EQ(format_of_name("SVG").value(), FileFormat::kSvg);
   EXPECT_EQ(format_of_name(".jsonl").value(), FileFormat::kNdjson);
-  for (const char* name : {"", ".", "doc", "svgz"}) {
+  for (const char* name : {"", ".", "doc", "felt "}) {
     const auto format = format_of_name(name);
     ASSERT_FALSE(format) << name;
     EXPECT_THAT(format.error().message, testing::HasSubstr("felt, svg"));
@@ -46,7 +46,9 @@ TEST(FormatTraits, WhatIsWrittenAndReadIsWhatTheTableSays) {
     EXPECT_EQ(format_of_bytes(*bytes), row.format) << row.name;
     const auto read = parse_drawing(*bytes, "x" + std::string(row.endings.front()));
     EXPECT_EQ(read.has_value(), row.reads) << row.name;
-    if (!read) EXPECT_THAT(read.error().message, testing::HasSubstr("not read"));
+    if (!read) {
+      EXPECT_THAT(read.error().message, testing::HasSubstr("not read"));
+    }
   }
 }
 
