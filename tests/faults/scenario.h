@@ -1,0 +1,60 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "felt/store/felt_file.h"
+#include "tests/faults/fault_state.h"
+
+namespace felt::faults {
+
+/// Something a person does with a document, to be disturbed at every call it makes.
+///
+/// Each function runs in a process of its own that knows nothing of the others. `act` runs under
+/// the interposer and says in `state` what it told the person: `started` before it saves
+/// generation n, `acknowledged` when it would show "Saved", or the error.
+struct Scenario {
+  std::string name;
+  /// Makes the folder as it is before, undisturbed.
+  std::function<void(const std::string& folder)> prepare;
+  std::function<void(const std::string& folder)> act;
+  /// Looks at the folder afterwards: "" where all is well, else what is wrong.
+  std::function<std::string(const std::string& folder, const FaultState& after)> check;
+
+  bool no_unnamed = false;  ///< FaultState::no_unnamed
+  bool read_only = false;
+  /// A program to run instead of `act`, interposer preloaded; "@" stands for the folder.
+  std::vector<std::string> command = {};
+  /// Shows that the driver can find damage; not part of the suite.
+  bool is_plant = false;
+  /// Takes long: every third call only, unless all are asked for.
+  bool is_large = false;
+  /// Allocations can be made to fail in it.
+  bool has_memory = false;
+};
+
+/// Drawings that are all different, the same in each process.
+const StoredDrawing& drawing_of(std::uint32_t generation);
+
+/// The generation of the drawing that lies at `path`; -1 where there is no file, -2 where it is not
+/// one of drawing_of(0..most): damaged, or something that nobody drew. `why` says more.
+int generation_at(const std::string& path, std::uint32_t most, std::string& why);
+
+/// What must hold of a document that was saved generation after generation: it is whole, not older
+/// than the last that was called saved, not newer than the last that was begun.
+std::string check_generations(const std::string& path, const FaultState& after);
+
+/// The names of the files in `folder` that are none of `known`; sorted, with spaces between.
+std::string others_in(const std::string& folder, const std::vector<std::string>& known);
+
+/// Notes an error of the library in `state`.
+void say(const Error& error);
+
+/// All of them. `program` is the feltline to run, or "": no scenarios of the program then.
+std::vector<Scenario> all_scenarios(const std::string& program);
+void add_save_scenarios(std::vector<Scenario>& to);
+void add_program_scenarios(std::vector<Scenario>& to, const std::string& program);
+
+}  // namespace felt::faults
