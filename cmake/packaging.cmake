@@ -16,8 +16,11 @@ set(FELT_FIND_simdjson::simdjson "find_dependency(simdjson)")
 set(FELT_FIND_nlohmann_json::nlohmann_json "find_dependency(nlohmann_json)")
 set(FELT_FIND_SQLite::SQLite3 "find_dependency(SQLite3)")
 set(FELT_FIND_Threads::Threads "find_dependency(Threads)")
+set(FELT_FIND_ZLIB::ZLIB "find_dependency(ZLIB)")
 set(FELT_FIND_PkgConfig::AGG
     "find_dependency(PkgConfig)\npkg_check_modules(AGG REQUIRED IMPORTED_TARGET libagg)")
+set(FELT_FIND_PkgConfig::LIBZIP
+    "find_dependency(PkgConfig)\npkg_check_modules(LIBZIP REQUIRED IMPORTED_TARGET libzip)")
 
 # ... -> its name for pkg-config. A name that starts with '-' is a linker flag; "" means that
 # there is nothing to link (headers only).
@@ -30,7 +33,9 @@ set(FELT_PC_simdjson::simdjson "simdjson")
 set(FELT_PC_nlohmann_json::nlohmann_json "")
 set(FELT_PC_SQLite::SQLite3 "sqlite3")
 set(FELT_PC_Threads::Threads "-pthread")
+set(FELT_PC_ZLIB::ZLIB "zlib")
 set(FELT_PC_PkgConfig::AGG "libagg")
+set(FELT_PC_PkgConfig::LIBZIP "libzip")
 
 # The umbrella: feltline::feltline is every layer.
 get_property(FELT_LAYERS GLOBAL PROPERTY FELT_LAYERS)

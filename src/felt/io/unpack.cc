@@ -1,0 +1,134 @@
+#include "felt/io/unpack.h"
+
+#include <zip.h>
+#include <zlib.h>
+
+#include <algorithm>
+#include <array>
+#include <memory>
+#include <utility>
+
+#include "felt/base/check.h"
+
+namespace felt {
+namespace {
+
+constexpr std::size_t kBlock = std::size_t{64} << 10;
+constexpr int kGzipWindow = 15 + 16;  // the largest window, gzip header
+
+tl::unexpected<Error> too_large() {
+  return fail(ErrorCode::kLimitExceeded, "unpacks to more than Feltline takes");
+}
+
+bool fits(std::size_t unpacked, std::size_t packed, const UnpackLimits& limits) {
+  return unpacked <= limits.bytes &&
+         (unpacked <= limits.free_bytes || unpacked <= limits.ratio * packed);
+}
+
+struct EndInflate {
+  void operator()(z_stream* stream) const noexcept {
+    inflateEnd(stream);
+    delete stream;
+  }
+};
+struct CloseZip {
+  void operator()(zip_t* zip) const noexcept { zip_discard(zip); }
+};
+struct CloseZipFile {
+  void operator()(zip_file_t* file) const noexcept { zip_fclose(file); }
+};
+
+}  // namespace
+
+bool is_gzip(std::string_view bytes) noexcept {
+  return bytes.substr(0, 2) == "\x1F\x8B";
+}
+
+bool is_zip(std::string_view bytes) noexcept {
+  return bytes.substr(0, 4) == "PK\x03\x04";
+}
+
+Result<std::string> gunzip(std::string_view bytes, const UnpackLimits& limits) {
+  std::unique_ptr<z_stream, EndInflate> stream(new z_stream{});
+  FELT_CHECK(inflateInit2(stream.get(), kGzipWindow) == Z_OK);
+  std::string text;
+  std::array<char, kBlock> block;
+  // zlib counts in 32 bits; inputs are at most kMaxImportBytes.
+  if (bytes.size() > limits::kMaxImportBytes) return too_large();
+  stream->next_in = reinterpret_cast<Bytef*>(const_cast<char*>(bytes.data()));
+  stream->avail_in = static_cast<uInt>(bytes.size());
+  for (;;) {
+    stream->next_out = reinterpret_cast<Bytef*>(block.data());
+    stream->avail_out = static_cast<uInt>(block.size());
+    const int status = inflate(stream.get(), Z_NO_FLUSH);
+    text.append(block.data(), block.size() - stream->avail_out);
+    if (!fits(text.size(), bytes.size(), limits)) return too_large();
+    if (status == Z_STREAM_END) {
+      const std::string_view rest = bytes.substr(bytes.size() - stream->avail_in);
+      if (!is_gzip(rest)) return text;
+      inflateReset(stream.get());
+      continue;
+    }
+    if (status == Z_BUF_ERROR ||
+        (status == Z_OK && stream->avail_out > 0 && stream->avail_in == 0)) {
+      return fail(ErrorCode::kInvalidData, "is cut off: the packed data ends too early");
+    }
+    if (status != Z_OK) return fail(ErrorCode::kInvalidData, "is damaged: it does not unpack");
+  }
+}
+
+Result<std::string> file_in_zip(std::string_view bytes, const std::string& name,
+                                const UnpackLimits& limits) {
+  if (bytes.size() > limits::kMaxImportBytes) return too_large();
+  zip_error_t error;
+  zip_error_init(&error);
+  zip_source_t* source = zip_source_buffer_create(bytes.data(), bytes.size(), 0, &error);
+  const std::unique_ptr<zip_t, CloseZip> zip(
+      source == nullptr ? nullptr : zip_open_from_source(source, ZIP_RDONLY, &error));
+  zip_error_fini(&error);
+  if (!zip) {
+    if (source != nullptr) zip_source_free(source);
+    return fail(ErrorCode::kInvalidData, "is a damaged zip archive");
+  }
+  const std::unique_ptr<zip_file_t, CloseZipFile> file(zip_fopen(zip.get(), name.c_str(), 0));
+  if (!file) {
+    return fail(ErrorCode::kInvalidData, "is a zip archive without a readable '" + name + "'");
+  }
+  std::string text;
+  std::array<char, kBlock> block;
+  for (;;) {
+    const zip_int64_t got = zip_fread(file.get(), block.data(), block.size());
+    if (got < 0) return fail(ErrorCode::kInvalidData, "is damaged: '" + name + "' does not unpack");
+    if (got == 0) return text;
+    text.append(block.data(), static_cast<std::size_t>(got));
+    if (!fits(text.size(), bytes.size(), limits)) return too_large();
+  }
+}
+
+std::string gzip(std::string_view text) {
+  z_stream stream{};
+  FELT_CHECK(deflateInit2(&stream, 9, Z_DEFLATED, kGzipWindow, 9, Z_DEFAULT_STRATEGY) == Z_OK);
+  // No time, no name; 255: unknown system, so that all machines write the same.
+  gz_header header{};
+  header.os = 255;
+  FELT_CHECK(deflateSetHeader(&stream, &header) == Z_OK);
+  std::string packed;
+  std::array<char, kBlock> block;
+  int status = Z_OK;
+  while (status != Z_STREAM_END) {
+    if (stream.avail_in == 0 && !text.empty()) {
+      const std::string_view part = text.substr(0, std::size_t{1} << 30);
+      stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(part.data()));
+      stream.avail_in = static_cast<uInt>(part.size());
+      text.remove_prefix(part.size());
+    }
+    stream.next_out = reinterpret_cast<Bytef*>(block.data());
+    stream.avail_out = static_cast<uInt>(block.size());
+    status = deflate(&stream, text.empty() ? Z_FINISH : Z_NO_FLUSH);
+    packed.append(block.data(), block.size() - stream.avail_out);
+  }
+  deflateEnd(&stream);
+  return packed;
+}
+
+}  // namespace felt
