@@ -18,6 +18,11 @@ void ByteWriter::text(std::string_view v) {
   out_ += v;
 }
 
+void ByteWriter::count(std::uint64_t v) {
+  for (; v >= 0x80; v >>= 7) out_ += static_cast<char>(v | 0x80);
+  out_ += static_cast<char>(v);
+}
+
 std::uint64_t ByteReader::little_endian(std::size_t bytes) {
   if (bytes_.size() < bytes) ok_ = false;
   if (!ok_) return 0;
@@ -35,11 +40,30 @@ double ByteReader::f64() {
 
 std::string_view ByteReader::text(std::size_t max_bytes) {
   const std::uint32_t size = u32();
-  if (size > max_bytes || size > bytes_.size()) ok_ = false;
+  if (size > max_bytes) ok_ = false;
+  return bytes(size);
+}
+
+std::string_view ByteReader::bytes(std::size_t size) {
+  if (size > bytes_.size()) ok_ = false;
   if (!ok_) return {};
-  const std::string_view text = bytes_.substr(0, size);
+  const std::string_view taken = bytes_.substr(0, size);
   bytes_.remove_prefix(size);
-  return text;
+  return taken;
+}
+
+std::uint64_t ByteReader::count() {
+  std::uint64_t v = 0;
+  for (unsigned shift = 0; shift < 64; shift += 7) {
+    const std::uint8_t byte = u8();
+    if (!ok_) return 0;
+    v |= static_cast<std::uint64_t>(byte & 0x7f) << shift;
+    if ((byte & 0x80) != 0) continue;
+    if ((byte == 0 && shift > 0) || (shift == 63 && byte > 1)) break;  // padded, or too large
+    return v;
+  }
+  ok_ = false;
+  return 0;
 }
 
 }  // namespace felt

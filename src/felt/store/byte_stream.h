@@ -17,6 +17,9 @@ class ByteWriter {
   void f64(double v);
   /// Length (u32), then the bytes. Requires less than 4 GiB.
   void text(std::string_view v);
+  /// A whole number in as few bytes as it needs: 7 bits each, the lowest first, the top bit set in
+  /// all but the last.
+  void count(std::uint64_t v);
 
  private:
   void little_endian(std::uint64_t v, int bytes);
@@ -37,6 +40,12 @@ class ByteReader {
   double f64();
   /// Into the bytes that are read from. Not ok where it is longer than `max_bytes`.
   std::string_view text(std::size_t max_bytes);
+  /// As ByteWriter::count writes it. Not ok where it has more bytes than it needs or 64 bits.
+  std::uint64_t count();
+  /// So many bytes as they are.
+  std::string_view bytes(std::size_t size);
+  /// A whole number of up to 8 bytes.
+  std::uint64_t whole(std::size_t size) { return little_endian(size); }
 
   [[nodiscard]] bool ok() const noexcept { return ok_; }
   [[nodiscard]] std::size_t left() const noexcept { return bytes_.size(); }

@@ -1,11 +1,13 @@
 #include "felt/store/stroke_blob.h"
 
+#include <cmath>
 #include <cstdint>
 #include <utility>
 
 #include "felt/base/utf8.h"
 #include "felt/store/byte_stream.h"
 #include "felt/store/crc32c.h"
+#include "felt/store/packed_numbers.h"
 
 namespace felt {
 namespace {
@@ -13,39 +15,145 @@ namespace {
 constexpr std::uint8_t kVersion = 1;
 constexpr std::uint8_t kClosed = 1;  // flags
 constexpr std::size_t kChecksumBytes = 4;
-constexpr std::size_t kPointBytes = 16, kKnotBytes = 16;
-constexpr std::size_t kMaxMaterialBytes = 4096;
 
 tl::unexpected<Error> damaged(const char* what) {
   return fail(ErrorCode::kInvalidData, what);
 }
 
-void write_shape(ByteWriter& out, const StrokeData& d) {
-  out.u8(kVersion);
-  out.u8(d.closed ? kClosed : 0);
-  for (const std::uint8_t c : {d.color.r, d.color.g, d.color.b, d.color.a}) out.u8(c);
-  out.text(d.material);
-  out.u32(static_cast<std::uint32_t>(d.points.size() / 3));
-  for (const JointKind joint : d.joints) out.u8(joint == JointKind::kCorner ? 1 : 0);
-  for (const Point& p : d.points) {
-    out.f64(p.x);
-    out.f64(p.y);
+/// What a control point is likely to be, from those before it. The arithmetic is part of the
+/// format: doubles of IEEE 754, each operation rounded.
+class PointGuess {
+ public:
+  explicit PointGuess(const std::vector<Point>& points) noexcept : points_(points) {}
+
+  /// Whether y is known first, x follows then.
+  [[nodiscard]] bool is_y_first(std::size_t i) const noexcept {
+    return turns_on(i) && std::abs(way(i).y) > std::abs(way(i).x);
   }
-  out.u32(static_cast<std::uint32_t>(d.widths.size()));
-  for (const WidthKnot& knot : d.widths) {
-    out.f64(knot.u);
-    out.f64(knot.width_mm);
+  [[nodiscard]] Point before(std::size_t i) const noexcept {
+    return i > 0 ? points_[i - 1] : Point{0.0, 0.0};
+  }
+  /// The second coordinate, `along` being the first.
+  [[nodiscard]] double across(std::size_t i, double along) const noexcept {
+    const Point p = before(i);
+    const bool y_first = is_y_first(i);
+    const double stays = y_first ? p.x : p.y;
+    if (!turns_on(i)) return stays;
+    const Vec w = way(i);
+    const double part = y_first ? (along - p.y) / w.y : (along - p.x) / w.x;
+    const double guess = stays + (y_first ? w.x : w.y) * part;
+    return std::isfinite(guess) ? guess : stays;
+  }
+
+ private:
+  /// The first handle of a segment goes on the way of the handle before the joint: exactly so where
+  /// the joint is smooth, but for the last bits.
+  static bool turns_on(std::size_t i) noexcept { return i % 3 == 1 && i > 1; }
+  [[nodiscard]] Vec way(std::size_t i) const noexcept { return points_[i - 1] - points_[i - 2]; }
+
+  const std::vector<Point>& points_;
+};
+
+/// How many points are written: a closed stroke ends where it begins.
+std::size_t written_points(const StrokeData& d) noexcept {
+  return d.points.size() - (d.closed ? 1 : 0);
+}
+
+void write_points(NumberPacker& out, const StrokeData& d) {
+  const PointGuess guess(d.points);
+  for (std::size_t i = 0; i < written_points(d); ++i) {
+    const Point p = d.points[i], before = guess.before(i);
+    const bool y_first = guess.is_y_first(i);
+    const double first = y_first ? p.y : p.x;
+    out.put(first, y_first ? before.y : before.x);
+    out.put(y_first ? p.x : p.y, guess.across(i, first));
   }
 }
 
-Result<void> read_joints(ByteReader& in, std::size_t count, std::vector<JointKind>& joints) {
-  if (!in.has(count, 1)) return damaged("ends within the joints");
-  joints.reserve(count);
-  for (std::size_t i = 0; i < count; ++i) {
-    const std::uint8_t kind = in.u8();
-    if (kind > 1) return damaged("has a joint of an unknown kind");
-    joints.push_back(kind == 1 ? JointKind::kCorner : JointKind::kSmooth);
+void read_points(NumberUnpacker& in, StrokeData& d) {
+  const PointGuess guess(d.points);
+  for (std::size_t i = 0; i < written_points(d); ++i) {
+    const Point before = guess.before(i);
+    const bool y_first = guess.is_y_first(i);
+    const double first = in.take(y_first ? before.y : before.x);
+    const double second = in.take(guess.across(i, first));
+    d.points[i] = y_first ? Point{second, first} : Point{first, second};
   }
+  if (d.closed) d.points.back() = d.points.front();
+}
+
+/// The first and the last breakpoint are at the ends.
+void write_widths(NumberPacker& out, const std::vector<WidthKnot>& widths) {
+  for (std::size_t i = 1; i + 1 < widths.size(); ++i) out.put(widths[i].u, widths[i - 1].u);
+  double before = 0.0;
+  for (const WidthKnot& knot : widths) {
+    out.put(knot.width_mm, before);
+    before = knot.width_mm;
+  }
+}
+
+void read_widths(NumberUnpacker& in, double end, std::vector<WidthKnot>& widths) {
+  for (std::size_t i = 1; i + 1 < widths.size(); ++i) widths[i].u = in.take(widths[i - 1].u);
+  widths.back().u = end;
+  double before = 0.0;
+  for (WidthKnot& knot : widths) before = knot.width_mm = in.take(before);
+}
+
+void write_joints(ByteWriter& out, const std::vector<JointKind>& joints) {
+  for (std::size_t i = 0; i < joints.size(); i += 8) {
+    unsigned bits = 0;
+    for (std::size_t k = i; k < joints.size() && k < i + 8; ++k) {
+      if (joints[k] == JointKind::kCorner) bits |= 1U << (k - i);
+    }
+    out.u8(static_cast<std::uint8_t>(bits));
+  }
+}
+
+bool read_joints(ByteReader& in, std::size_t count, std::vector<JointKind>& joints) {
+  const std::string_view bits = in.bytes((count + 7) / 8);
+  if (!in.ok()) return false;
+  joints.reserve(count);
+  for (std::size_t i = 0; i < 8 * bits.size(); ++i) {
+    const bool is_corner = ((static_cast<unsigned char>(bits[i / 8]) >> (i % 8)) & 1) != 0;
+    if (i < count) {
+      joints.push_back(is_corner ? JointKind::kCorner : JointKind::kSmooth);
+    } else if (is_corner) {
+      return false;
+    }
+  }
+  return true;
+}
+
+std::size_t number_count(const StrokeData& d) noexcept {
+  return 2 * written_points(d) + 2 * d.widths.size() - 2;
+}
+
+void write_shape(std::string& bytes, const StrokeData& d) {
+  ByteWriter out(bytes);
+  out.u8(kVersion);
+  out.u8(d.closed ? kClosed : 0);
+  for (const std::uint8_t c : {d.color.r, d.color.g, d.color.b, d.color.a}) out.u8(c);
+  out.count(d.material.size());
+  bytes += d.material;
+  out.count(d.points.size() / 3);
+  out.count(d.widths.size());
+  write_joints(out, d.joints);
+  NumberPacker numbers;
+  write_points(numbers, d);
+  write_widths(numbers, d.widths);
+  numbers.append_to(bytes);
+}
+
+Result<void> read_sizes(ByteReader& in, StrokeData& d) {
+  const std::uint64_t segments = in.count(), knots = in.count();
+  if (!in.ok() || segments == 0 || knots < 2) return damaged("has no segment or no width");
+  if (segments > kMaxStrokeSegments || knots > kMaxStrokeKnots) {
+    return fail(ErrorCode::kLimitExceeded, "has more segments or widths than a stroke may have");
+  }
+  // Each point and breakpoint has a byte at least.
+  if (!in.has(3 * segments + knots - 1, 1)) return damaged("has fewer points than it says");
+  d.points.resize(3 * segments + 1);
+  d.widths.resize(knots);
   return {};
 }
 
@@ -54,27 +162,20 @@ Result<void> read_shape(ByteReader& in, StrokeData& d) {
   if ((flags & ~kClosed) != 0) return damaged("has unknown flags");
   d.closed = (flags & kClosed) != 0;
   for (std::uint8_t* c : {&d.color.r, &d.color.g, &d.color.b, &d.color.a}) *c = in.u8();
-  d.material = std::string(in.text(kMaxMaterialBytes));
+  const std::uint64_t name_bytes = in.count();
+  if (name_bytes > kMaxMaterialBytes) return damaged("names no material");
+  d.material = std::string(in.bytes(name_bytes));
   if (!in.ok() || !is_utf8(d.material)) return damaged("names no material");
-  const std::uint64_t segments = in.u32();
-  if (segments == 0 || !in.has(3 * segments + 1, kPointBytes)) {
-    return damaged("has fewer points than it says");
+  if (auto ok = read_sizes(in, d); !ok) return ok;
+  const std::size_t segments = d.points.size() / 3;
+  if (!read_joints(in, segments - (d.closed ? 0 : 1), d.joints)) {
+    return damaged("has no joints as it should");
   }
-  if (auto ok = read_joints(in, segments - (d.closed ? 0 : 1), d.joints); !ok) return ok;
-  if (!in.has(3 * segments + 1, kPointBytes)) return damaged("has fewer points than it says");
-  d.points.resize(3 * segments + 1);
-  for (Point& p : d.points) {
-    p.x = in.f64();
-    p.y = in.f64();
-  }
-  const std::uint64_t knots = in.u32();
-  if (!in.has(knots, kKnotBytes)) return damaged("has fewer widths than it says");
-  d.widths.resize(knots);
-  for (WidthKnot& knot : d.widths) {
-    knot.u = in.f64();
-    knot.width_mm = in.f64();
-  }
-  if (!in.ok() || in.left() > 0) return damaged("has bytes left over");
+  NumberUnpacker numbers(in, number_count(d));
+  read_points(numbers, d);
+  read_widths(numbers, static_cast<double>(segments), d.widths);
+  if (!in.ok()) return damaged("has fewer points than it says");
+  if (in.left() > 0 || !numbers.is_clean()) return damaged("has bytes left over");
   return {};
 }
 
@@ -82,19 +183,16 @@ Result<void> read_shape(ByteReader& in, StrokeData& d) {
 
 Result<void> append_stroke_blob(std::string& out, const Stroke& stroke) {
   const StrokeData& d = stroke.data();
-  const std::size_t size = kPointBytes * d.points.size() + kKnotBytes * d.widths.size() +
-                           d.joints.size() + d.material.size() + 64;
-  if (size > kMaxStrokeBlobBytes || d.material.size() > kMaxMaterialBytes) {
+  if (d.points.size() > 3 * kMaxStrokeSegments + 1 || d.widths.size() > kMaxStrokeKnots ||
+      d.material.size() > kMaxMaterialBytes) {
     return fail(ErrorCode::kLimitExceeded, "the stroke is too large for a file");
   }
   if (!is_utf8(d.material)) {
     return fail(ErrorCode::kInvalidData, "the material's name is not UTF-8");
   }
   const std::size_t begin = out.size();
-  out.reserve(begin + size);
-  ByteWriter writer(out);
-  write_shape(writer, d);
-  writer.u32(crc32c(std::string_view(out).substr(begin)));
+  write_shape(out, d);
+  ByteWriter(out).u32(crc32c(std::string_view(out).substr(begin)));
   return {};
 }
 
