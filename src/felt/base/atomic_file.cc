@@ -35,7 +35,9 @@ Result<AtomicFile> AtomicFile::create(const std::string& path) {
     errno = EISDIR;
     return file.error("cannot write");
   }
-  auto ok = replaceable ? file.open_beside_target() : file.open_spool();
+  // Nobody may look into the new file who may not look into the old one, whatever fails later.
+  const unsigned permissions = exists ? info.st_mode & 0777 : 0666;
+  auto ok = replaceable ? file.open_beside_target(permissions) : file.open_spool();
   if (ok && replaceable && exists) ok = file.take_after_target();
   if (!ok) return tl::unexpected<Error>(std::move(ok.error()));
   return file;
@@ -77,9 +79,9 @@ tl::unexpected<Error> AtomicFile::error(const char* doing) const {
               shown_name_ + ": " + doing + ": " + std::strerror(reason));
 }
 
-Result<void> AtomicFile::open_beside_target() {
-  fd_ = open_unnamed(folder_of(target_));
-  if (fd_ < 0) fd_ = open_named(target_, temporary_);
+Result<void> AtomicFile::open_beside_target(unsigned permissions) {
+  fd_ = open_unnamed(folder_of(target_), permissions);
+  if (fd_ < 0) fd_ = open_named(target_, permissions, temporary_);
   if (fd_ >= 0) {
     hold_lock(fd_);
     return {};
@@ -91,7 +93,7 @@ Result<void> AtomicFile::open_beside_target() {
 /// The file that is there is left alone where its owner said so, though its folder would let us.
 Result<void> AtomicFile::take_after_target() {
   if (::access(target_.c_str(), W_OK) != 0) return error("may not be written");
-  old_fd_ = ::open(target_.c_str(), O_RDONLY | O_CLOEXEC);
+  old_fd_ = open_file(target_, O_RDONLY);
   if (old_fd_ < 0) return {};  // may be written and not read: nothing to take over
   hold_lock(old_fd_);
   copy_attributes(old_fd_, fd_);
@@ -152,8 +154,7 @@ Result<void> AtomicFile::commit(const std::string_view* expected) {
 Result<void> AtomicFile::copy_to_target() {
   if (::lseek(fd_, 0, SEEK_SET) < 0) return error("cannot rewind");
   if (target_.empty()) std::fflush(stdout);
-  const int out =
-      target_.empty() ? ::dup(STDOUT_FILENO) : ::open(target_.c_str(), O_WRONLY | O_CLOEXEC);
+  const int out = target_.empty() ? ::dup(STDOUT_FILENO) : open_file(target_, O_WRONLY);
   if (out < 0) return error("cannot open");
   std::array<char, kBufferBytes> chunk{};
   Result<void> done;

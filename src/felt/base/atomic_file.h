@@ -44,7 +44,7 @@ class AtomicFile {
 
  private:
   AtomicFile() = default;
-  Result<void> open_beside_target();
+  Result<void> open_beside_target(unsigned permissions);
   Result<void> open_spool();
   Result<void> take_after_target();
   Result<void> flush();

@@ -103,10 +103,10 @@ bool copy_bytes(int from, int to) noexcept {
 }
 
 std::string copy_beside(const std::string& path) {
-  const int from = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+  const int from = open_file(path, O_RDONLY);
   if (from < 0) return {};
   std::string name = name_beside(path, kOldEnding.data());
-  const int to = ::open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0600);
+  const int to = open_file(name, O_WRONLY | O_CREAT | O_EXCL, 0600);
   const bool done = to >= 0 && copy_bytes(from, to);
   const int reason = errno;
   if (done) copy_attributes(from, to);
@@ -120,7 +120,7 @@ std::string copy_beside(const std::string& path) {
 
 /// Whether nobody works on it any more. What cannot be asked is left alone.
 bool is_abandoned(const std::string& path) noexcept {
-  const int fd = ::open(path.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
+  const int fd = open_file(path, O_RDONLY | O_NOFOLLOW | O_NONBLOCK);
   if (fd < 0) return false;
   struct stat info {};
   const bool is_free =
@@ -130,6 +130,14 @@ bool is_abandoned(const std::string& path) noexcept {
 }
 
 }  // namespace
+
+int open_file(const std::string& path, int flags, mode_t permissions) noexcept {
+  int fd = -1;
+  do {
+    fd = ::open(path.c_str(), flags | O_CLOEXEC, permissions);
+  } while (fd < 0 && errno == EINTR);
+  return fd;
+}
 
 std::string resolved(const std::string& path) {
   std::string at = path;
@@ -168,22 +176,22 @@ bool write_all(int fd, std::string_view bytes) noexcept {
   return true;
 }
 
-int open_unnamed(const std::string& folder) {
+int open_unnamed(const std::string& folder, mode_t permissions) {
 #ifdef O_TMPFILE
-  // 0666 less the umask: the permissions that any new file gets.
-  const int fd = ::open(folder.c_str(), O_TMPFILE | O_RDWR | O_CLOEXEC, 0666);
+  const int fd = open_file(folder, O_TMPFILE | O_RDWR, permissions);
   if (fd < 0 || ::access(descriptor_path(fd).c_str(), F_OK) == 0) return fd;
   ::close(fd);
 #else
   static_cast<void>(folder);
+  static_cast<void>(permissions);
 #endif
   return -1;
 }
 
-int open_named(const std::string& target, std::string& name) {
+int open_named(const std::string& target, mode_t permissions, std::string& name) {
   for (int attempt = 0; attempt < kNameAttempts; ++attempt) {
     std::string candidate = name_beside(target, kNewEnding.data());
-    const int fd = ::open(candidate.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+    const int fd = open_file(candidate, O_RDWR | O_CREAT | O_EXCL, permissions);
     if (fd >= 0) name = std::move(candidate);
     if (fd >= 0 || errno != EEXIST) return fd;
   }
@@ -221,7 +229,7 @@ void copy_attributes(int from, int to) noexcept {
 }
 
 bool holds(const std::string& path, std::string_view bytes) noexcept {
-  const int fd = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+  const int fd = open_file(path, O_RDONLY);
   if (fd < 0) return false;
   // Clean pages leave the memory, so that what follows reads what the disk has.
   static_cast<void>(::posix_fadvise(fd, 0, 0, POSIX_FADV_DONTNEED));
@@ -242,7 +250,7 @@ std::string keep_beside(const std::string& path) {
 }
 
 bool sync_folder(const std::string& folder) noexcept {
-  const int fd = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  const int fd = open_file(folder, O_RDONLY | O_DIRECTORY);
   if (fd < 0) return errno == EACCES;  // a folder that may be written and not read
   const bool synced = ::fsync(fd) == 0 || errno == EINVAL;
   const int reason = errno;

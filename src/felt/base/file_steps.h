@@ -1,5 +1,7 @@
 #pragma once
 
+#include <sys/types.h>
+
 #include <string>
 #include <string_view>
 
@@ -15,14 +17,16 @@ std::string folder_of(const std::string& path);
 /// A hidden name beside `target` that no other file has at the moment: ".NAME.PID-N.ENDING".
 std::string name_beside(const std::string& target, const char* ending);
 
+/// open(2), again where a signal comes in between, as it may on network file systems.
+int open_file(const std::string& path, int flags, mode_t permissions = 0) noexcept;
 /// write(2) until all is out.
 bool write_all(int fd, std::string_view bytes) noexcept;
 
 /// A file in `folder` without a name, which vanishes with the process; -1 where the system has no
-/// such files, or no way to name them later.
-int open_unnamed(const std::string& folder);
+/// such files, or no way to name them later. Its permissions: these less the umask.
+int open_unnamed(const std::string& folder, mode_t permissions);
 /// A new file under a name of its own beside `target`, which it returns; -1 with errno.
-int open_named(const std::string& target, std::string& name);
+int open_named(const std::string& target, mode_t permissions, std::string& name);
 /// Gives a file without a name one beside `target`; "" with errno.
 std::string give_name(int fd, const std::string& target);
 
