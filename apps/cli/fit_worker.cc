@@ -11,6 +11,9 @@
 namespace felt::cli {
 namespace {
 
+/// Numbers of strokes on the same line are this far apart, so that no other line has them.
+constexpr std::int64_t kNumberStep = std::int64_t{1} << 32;
+
 int count_corners(const Stroke& stroke) {
   const std::vector<JointKind>& joints = stroke.data().joints;
   return static_cast<int>(std::count(joints.begin(), joints.end(), JointKind::kCorner));
@@ -39,18 +42,43 @@ void FitWorker::operator()(const FitItem& item, FitOutput& output) {
 
 Result<void> FitWorker::process(const NdjsonLine& line, std::int64_t record, FitOutput& output) {
   try {
+    if (looks_like_quickdraw(line.text())) return process_drawing(line, record, output);
     const Result<NdjsonKind> kind = parser_.raw_stroke(line, raw_);
     if (!kind) return tl::unexpected(kind.error());
     if (*kind == NdjsonKind::kHeader) return {};
-    if (Result<void> scaled = scale_to_mm(); !scaled) return scaled;
-    Result<Stroke> stroke = fit(raw_.samples, output.stats);
-    if (!stroke) return tl::unexpected(stroke.error());
-    if (!settings_.format) return {};
-    std::string id = raw_.id.empty() ? fmt::format("s{}", record) : raw_.id;
-    return encode({std::move(id), *std::move(stroke)}, record, *settings_.format, output.sketch);
+    if (raw_.id.empty()) raw_.id = fmt::format("s{}", record);
+    return process_raw(record, output);
   } catch (const std::bad_alloc&) {
     return fail(ErrorCode::kLimitExceeded, "not enough memory for this stroke; skipped");
   }
+}
+
+// A drawing of Quick, Draw!: several strokes on a line, named KEY.1, KEY.2, ...
+Result<void> FitWorker::process_drawing(const NdjsonLine& line, std::int64_t record,
+                                        FitOutput& output) {
+  QuickdrawRecord drawing;
+  if (Result<void> parsed = drawings_.parse(line, drawing); !parsed) return parsed;
+  const std::string key = drawing.key_id.empty() ? fmt::format("s{}", record) : drawing.key_id;
+  std::int64_t number = record;
+  for (std::size_t i = 0; i < drawing.strokes.size(); ++i) {
+    raw_.id = fmt::format("{}.{}", key, i + 1);
+    raw_.samples = std::move(drawing.strokes[i]);
+    restore_simplified(raw_.samples);
+    if (Result<void> done = process_raw(number, output); !done) {
+      return tl::unexpected(with_context(done.error(), fmt::format("drawing[{}]", i)));
+    }
+    number += kNumberStep;
+  }
+  return {};
+}
+
+// Fits and encodes what raw_ holds.
+Result<void> FitWorker::process_raw(std::int64_t number, FitOutput& output) {
+  if (Result<void> scaled = scale_to_mm(); !scaled) return scaled;
+  Result<Stroke> stroke = fit(raw_.samples, output.stats);
+  if (!stroke) return tl::unexpected(stroke.error());
+  if (!settings_.format) return {};
+  return encode({raw_.id, *std::move(stroke)}, number, *settings_.format, output.sketch);
 }
 
 Result<void> FitWorker::scale_to_mm() {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "felt/io/ndjson_parser.h"
+#include "felt/io/quickdraw_line.h"
 #include "felt/stroke/ink_fitter.h"
 #include "felt/stroke/sketch.h"
 #include "fit_stats.h"
@@ -54,10 +55,13 @@ class FitWorker {
 
  private:
   Result<void> process(const NdjsonLine& line, std::int64_t record, FitOutput& output);
+  Result<void> process_drawing(const NdjsonLine& line, std::int64_t record, FitOutput& output);
+  Result<void> process_raw(std::int64_t number, FitOutput& output);
   Result<void> scale_to_mm();
 
   FitSettings settings_;
   NdjsonParser parser_;
+  QuickdrawParser drawings_;
   InkFitter fitter_;
   std::unique_ptr<StrokeMeter> meter_;
   RawStroke raw_;

@@ -70,4 +70,14 @@ has out '{"kind":"sketch","strokes":20,'
 run 0 "$feltline" info - <a.ndjson
 has out 'kind            sketch'
 lines out 9
+# Drawings of Quick, Draw!: each stroke of a line becomes a stroke, with a name and a number of its own.
+printf '%s\n' '{"word":"house","key_id":"47","drawing":[[[30,30,225],[255,110,112]],[[0,9],[5,5]]]}' \
+  '{"drawing":[[[1,9],[1,9],[0,16]]]}' >quick.ndjson
+run 0 "$feltline" fit quick.ndjson -o quick_fitted.ndjson --mm-per-unit 0.2
+[[ $(grep -o '"id":"[^"]*"' quick_fitted.ndjson | tr -d '\n') == '"id":"47.1""id":"47.2""id":"s2.1"' ]] ||
+  fail "other names: $(cat quick_fitted.ndjson)"
+run 0 "$feltline" fit quick.ndjson -o quick.svg
+[[ -z $(grep -o ' id="[^"]*"' quick.svg | sort | uniq -d) ]] || fail "ids occur twice in quick.svg"
+run 1 "$feltline" fit - -o - <<<'{"drawing":[[[1,2],[3]]]}'
+has err "drawing[0]: a stroke needs as many y, and t, as x"
 finish

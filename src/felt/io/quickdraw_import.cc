@@ -78,6 +78,7 @@ class QuickdrawReader {
 
   void add_layer(int index, Point corner) {
     QuickdrawRecord& record = records_[static_cast<std::size_t>(index)];
+    for (std::vector<InkSample>& stroke : record.strokes) restore_simplified(stroke);
     place(record, corner);
     SketchLayer layer;
     layer.name = record.word.empty() ? "Drawing " + std::to_string(index + 1) : record.word;

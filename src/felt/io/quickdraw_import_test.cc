@@ -73,6 +73,37 @@ TEST(QuickdrawLine, Looks) {
   EXPECT_FALSE(looks_like_quickdraw(R"({"drawing":1,"points":[[1,2]]})"));
 }
 
+TEST(QuickdrawLine, LinesOfSimplifiedStrokesAreSampledAtEveryUnit) {
+  std::vector<InkSample> line = {{{0, 0}, {}, {}}, {{3, 4}, {}, {}}, {{3, 4}, {}, {}}};
+  restore_simplified(line);
+  ASSERT_EQ(line.size(), 7u);
+  EXPECT_NEAR(distance(line[2].position, {1.2, 1.6}), 0.0, 1e-12);
+  std::vector<InkSample> raw = {{{0, 0}, {}, 0}, {{100, 0}, {}, 9}},
+                         outside = {{{0, 0}, {}, {}}, {{256, 0}, {}, {}}};
+  restore_simplified(raw);
+  restore_simplified(outside);
+  EXPECT_EQ(raw.size(), 2u);
+  EXPECT_EQ(outside.size(), 2u);
+  const auto size_of = [](std::size_t count) {
+    std::vector<InkSample> stroke(count, InkSample{{0, 0}, {}, {}});
+    stroke.back().position = {255, 0};
+    restore_simplified(stroke);
+    return stroke.size();
+  };
+  EXPECT_EQ(size_of(kMaxSimplifiedPoints - 1), 254 + kMaxSimplifiedPoints - 1);
+  EXPECT_EQ(size_of(kMaxSimplifiedPoints), 254 + kMaxSimplifiedPoints);
+  EXPECT_EQ(size_of(kMaxSimplifiedPoints + 1), kMaxSimplifiedPoints + 1);
+}
+
+TEST(QuickdrawImport, CornersStayCorners) {
+  const ImportedDrawing d =
+      import_quickdraw(R"({"drawing":[[[30,30,225,225,30],[255,110,112,255,255]]]})").value();
+  const Stroke& s = d.drawing.layers[0].strokes[0].stroke;
+  int corners = 0;
+  for (const JointKind kind : s.data().joints) corners += kind == JointKind::kCorner ? 1 : 0;
+  EXPECT_EQ(corners, 3);
+}
+
 TEST(QuickdrawImport, OneDrawingInItsSquareAtTwoTenthsOfAMillimetre) {
   const ImportedDrawing d =
       import_quickdraw(R"({"word":"line","drawing":[[[0,255],[0,0]],[[0,255],[255,255]]]})")

@@ -1,5 +1,6 @@
 #include "felt/io/quickdraw_line.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <utility>
@@ -101,6 +102,28 @@ QuickdrawParser& QuickdrawParser::operator=(QuickdrawParser&&) noexcept = defaul
 bool looks_like_quickdraw(std::string_view line) noexcept {
   const auto has = [&](std::string_view key) { return line.find(key) != std::string_view::npos; };
   return has("\"drawing\"") && !has("\"points\"") && !has("\"segments\"");
+}
+
+void restore_simplified(std::vector<InkSample>& stroke) {
+  constexpr double kSide = 255.0;
+  const auto is_simplified = [](const InkSample& s) {
+    return !s.time_ns && s.position.x >= 0.0 && s.position.x <= kSide && s.position.y >= 0.0 &&
+           s.position.y <= kSide;
+  };
+  if (stroke.size() > kMaxSimplifiedPoints ||
+      !std::all_of(stroke.begin(), stroke.end(), is_simplified)) {
+    return;
+  }
+  std::vector<InkSample> full;
+  for (const InkSample& sample : stroke) {
+    const Point from = full.empty() ? sample.position : full.back().position;
+    const int steps = static_cast<int>(std::ceil(distance(from, sample.position)));
+    for (int k = 1; k < steps; ++k) {
+      full.push_back({lerp(from, sample.position, static_cast<double>(k) / steps), {}, {}});
+    }
+    full.push_back(sample);
+  }
+  stroke = std::move(full);
 }
 
 Result<void> QuickdrawParser::parse(const NdjsonLine& line, QuickdrawRecord& out) {

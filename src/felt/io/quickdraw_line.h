@@ -25,6 +25,13 @@ struct QuickdrawRecord {
 /// nor "segments". Cheap; QuickdrawParser decides.
 bool looks_like_quickdraw(std::string_view line) noexcept;
 
+/// Puts back what the simplified variant left out of a stroke: its lines were sampled at every unit
+/// before only the points that a line needs were kept. So the fit sees the lines, not a few points
+/// far apart. Strokes with times, outside of 0..255 or of more than kMaxSimplifiedPoints are no
+/// such strokes and stay as they are.
+void restore_simplified(std::vector<InkSample>& stroke);
+inline constexpr std::size_t kMaxSimplifiedPoints = 1000;
+
 /// Turns a line into a drawing. As strict and as bounded as NdjsonParser. One thread at a time.
 class QuickdrawParser {
  public:
