@@ -81,7 +81,9 @@ Session::Session(std::vector<std::unique_ptr<Tool>> tools, SessionOptions option
       tools_(std::move(tools)),
       document_(std::move(options_.document)),
       index_(document_),
+      selection_(std::move(options_.selection)),
       history_(options_.history_limit_bytes) {
+  selection_.hold_to(document_);
   FELT_CHECK(!tools_.empty());
   active_ = find_tool("pencil").value_or(0);
   if (!highest_open_layer(document_)) {

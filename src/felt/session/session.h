@@ -26,6 +26,8 @@ struct SessionOptions {
   Capabilities device;
   /// What is there before the first event; the history starts after it.
   Document document = {};
+  /// What of it is selected then; marks that do not fit count for nothing.
+  Selection selection = {};
   /// Told every event that the session took, pen samples as PenEvent, in order: a Recorder.
   std::function<void(const Event&)> on_event = {};
   /// Told every edit that the document took, undo's and redo's too, in order: for autosave.
@@ -88,6 +90,8 @@ class Session {
 
   [[nodiscard]] const Document& document() const noexcept { return document_; }
   [[nodiscard]] const Selection& selection() const noexcept { return selection_; }
+  /// What pushes back now.
+  [[nodiscard]] const Capabilities& device() const noexcept { return options_.device; }
   /// The layer in use.
   [[nodiscard]] LayerId layer() const noexcept { return layer_; }
   [[nodiscard]] const History& history() const noexcept { return history_; }

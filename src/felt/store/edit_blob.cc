@@ -119,7 +119,10 @@ Result<void> append_edit_blob(std::string& out, const Edit& edit) {
   return {};
 }
 
-Result<Edit> read_edit_blob(std::string_view bytes, const Document& document) {
+namespace {
+
+/// What the bytes say, without what was there before.
+Result<Edit> parse(std::string_view bytes) {
   ByteReader in(bytes);
   if (in.u8() != kVersion) return damaged("the edit is of an unknown version");
   Edit edit;
@@ -136,9 +139,47 @@ Result<Edit> read_edit_blob(std::string_view bytes, const Document& document) {
     edit.changes.push_back(*std::move(change));
   }
   if (!in.ok() || in.left() > 0) return damaged("the edit is cut off, or longer than it says");
-  if (auto ok = find_strokes(document, edit.changes); !ok) return tl::unexpected(ok.error());
-  if (auto ok = find_layers(document, edit.layers); !ok) return tl::unexpected(ok.error());
   return edit;
+}
+
+/// One change, as an edit of its own.
+void force(StrokeChange change, Document& document) {
+  change.before = document.find(change.id);
+  if (!change.before && !change.after) return;
+  if (change.before) change.before_place = document.place(change.id);
+  if (change.after && change.before) {
+    change.after_place = change.before_place;
+  } else if (change.after) {
+    const Layer* layer = document.layer(change.after_place.layer);
+    if (!layer) layer = &document.layers().back();
+    change.after_place = {layer->id, layer->strokes.size()};
+  }
+  Edit edit;
+  edit.changes.push_back(std::move(change));
+  static_cast<void>(document.apply(edit));
+}
+
+}  // namespace
+
+Result<Edit> read_edit_blob(std::string_view bytes, const Document& document) {
+  Result<Edit> edit = parse(bytes);
+  if (!edit) return edit;
+  if (auto ok = find_strokes(document, edit->changes); !ok) return tl::unexpected(ok.error());
+  if (auto ok = find_layers(document, edit->layers); !ok) return tl::unexpected(ok.error());
+  return edit;
+}
+
+Result<void> apply_what_fits(std::string_view bytes, Document& document) {
+  Result<Edit> edit = parse(bytes);
+  if (!edit) return tl::unexpected(edit.error());
+  for (const LayerChange& change : edit->layers) {
+    if (!change.after || document.layer(change.id)) continue;
+    Edit add;
+    add.layers.push_back({change.id, std::nullopt, change.after, 0, document.layers().size()});
+    static_cast<void>(document.apply(add));
+  }
+  for (StrokeChange& change : edit->changes) force(std::move(change), document);
+  return {};
 }
 
 }  // namespace felt

@@ -77,7 +77,8 @@ class Saver {
   void modified(bool is_modified);
   /// The person does not want it kept.
   void forget();
-  /// Page, material, colour, palette, view, layer in use; the document in it counts for nothing.
+  /// Page, palette, view and whatever else no event says; the document in it counts for nothing,
+  /// and neither does the layer in use.
   void head(StoredDrawing head);
   /// The document took this.
   void edit(const Edit& edit);

@@ -26,7 +26,7 @@ class SaverFeed {
   void hear(const Session& session, const Edit& edit);
 
  private:
-  void tell_layer(const Session& session, std::int64_t time_ns);
+  void tell_layer(const Session& session);
   void tell_selection(const Session& session);
 
   Saver& saver_;

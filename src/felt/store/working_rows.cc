@@ -1,5 +1,9 @@
 #include "felt/store/working_rows.h"
 
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
 #include <utility>
 
 #include "felt/store/byte_stream.h"
@@ -53,6 +57,18 @@ Result<void> read_layers(ByteReader& in, Document& document) {
 }
 
 }  // namespace
+
+Result<void> remove_store_folder(const std::string& folder) {
+  // The database first: what is without one holds no drawing. The lock last.
+  for (const char* name : {kWorkingStoreFile, kNewStoreFile, kCopiedStoreFile}) {
+    for (const char* end : {"", "-wal", "-shm", "-journal"}) {
+      ::unlink((folder + '/' + name + end).c_str());
+    }
+  }
+  ::unlink((folder + "/lock").c_str());
+  if (::rmdir(folder.c_str()) == 0 || errno == ENOENT) return {};
+  return fail(ErrorCode::kIo, folder + ": cannot be removed: " + std::strerror(errno));
+}
 
 std::int64_t row_crc(std::uint64_t a, std::uint64_t b, std::string_view bytes) noexcept {
   std::array<char, 16> numbers{};

@@ -38,6 +38,13 @@ constexpr std::int64_t base_row(std::uint64_t generation, std::uint64_t part) no
   return static_cast<std::int64_t>(generation << 32 | part);
 }
 
+/// The database until its schema is whole.
+inline constexpr const char* kNewStoreFile = "store.new";
+/// What recovery calls the copy that it reads.
+inline constexpr const char* kCopiedStoreFile = "copy.db";
+/// Deletes what is ours in such a folder, and the folder where nothing else is in it.
+Result<void> remove_store_folder(const std::string& folder);
+
 /// Of a row: its numbers, then its bytes.
 std::int64_t row_crc(std::uint64_t a, std::uint64_t b, std::string_view bytes) noexcept;
 

@@ -7,8 +7,6 @@
 
 #include <cerrno>
 #include <cstring>
-#include <filesystem>
-#include <system_error>
 #include <utility>
 
 #include "felt/base/check.h"
@@ -23,7 +21,6 @@ namespace {
 constexpr int kMostNames = 1000;
 constexpr int kGrowBytes = 1 << 20;  // a full disk is met early, and as one refusal
 constexpr int kCheckpointFrames = 1000;
-constexpr const char* kNewFile = "store.new";
 
 bool sync_folder(const std::string& path) {
   const int fd = ::open(path.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
@@ -120,7 +117,7 @@ Result<WorkingStore> WorkingStore::create(const std::string& root, const std::st
     store.folder_ = std::move(folder);
     store.lock_ = *std::move(lock);
     // Under another name until the schema is whole.
-    Result<void> made = store.open(kNewFile, vfs);
+    Result<void> made = store.open(kNewStoreFile, vfs);
     if (made) {
       std::string schema = "BEGIN";
       for (const char* table : kWorkingTables) schema += std::string("; ") + table;
@@ -133,7 +130,7 @@ Result<WorkingStore> WorkingStore::create(const std::string& root, const std::st
       made = store.error();
     }
     store.close();
-    const std::string from = store.folder_ + '/' + kNewFile;
+    const std::string from = store.folder_ + '/' + kNewStoreFile;
     if (made) {
       ::unlink((from + "-wal").c_str());
       const std::string to = store.folder_ + '/' + kWorkingStoreFile;
@@ -350,16 +347,7 @@ Result<void> WorkingStore::commit() {
 
 Result<void> WorkingStore::remove() && {
   close();
-  // The lock goes last: who finds the folder before sees no drawing in it.
-  for (const char* name : {kWorkingStoreFile, kNewFile}) {
-    for (const char* end : {"", "-wal", "-shm", "-journal"}) {
-      ::unlink((folder_ + '/' + name + end).c_str());
-    }
-  }
-  std::error_code error;
-  std::filesystem::remove_all(folder_, error);
-  if (error) return fail(ErrorCode::kIo, folder_ + ": cannot be removed: " + error.message());
-  return {};
+  return remove_store_folder(folder_);
 }
 
 }  // namespace felt

@@ -1,0 +1,206 @@
+#include "felt/store/live_ink.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "felt/io/event_writer.h"
+#include "felt/store/byte_stream.h"
+
+namespace felt {
+namespace {
+
+constexpr std::size_t kMaxScriptBytes = std::size_t{1} << 20;  // of a context
+constexpr std::size_t kMaxMarks = std::size_t{1} << 26;
+constexpr std::size_t kMostUntold = std::size_t{1} << 20;  // 17 min at 1 kHz
+constexpr std::size_t kSampleBytes = 8 + 4 * 8 + 4;
+constexpr std::size_t kLeastSelectedBytes = 12;
+
+PenSample sample_of(const Event& event, const PenEvent& pen) {
+  PenSample sample;
+  sample.time_ns = event.time_ns;
+  sample.position = pen.position;
+  sample.pressure = pen.pressure;
+  sample.buttons = pen.buttons;
+  return sample;
+}
+
+void append_sample(ByteWriter& out, const PenSample& sample) {
+  out.u64(static_cast<std::uint64_t>(sample.time_ns));
+  out.f64(sample.position.x);
+  out.f64(sample.position.y);
+  out.f64(sample.position.z);
+  out.f64(sample.pressure.value_or(std::numeric_limits<double>::quiet_NaN()));
+  out.u32(sample.buttons);
+}
+
+PenSample read_sample(ByteReader& in) {
+  PenSample sample;
+  sample.time_ns = static_cast<std::int64_t>(in.u64());
+  sample.position = {in.f64(), in.f64(), in.f64()};
+  const double pressure = in.f64();
+  if (!std::isnan(pressure)) sample.pressure = pressure;
+  sample.buttons = in.u32();
+  return sample;
+}
+
+}  // namespace
+
+void LiveInk::begin() {
+  close();
+  options_.clear();
+  tool_.clear();
+  layer_ = {};
+  selection_ = {};
+  air_.clear();
+  untold_.clear();
+  told_down_ = false;
+}
+
+void LiveInk::context(const Event& event) {
+  if (const auto* tool = std::get_if<SelectTool>(&event.what)) tool_ = tool->id;
+  if (const auto* option = std::get_if<SetOption>(&event.what))
+    options_[option->id] = option->value;
+  if (const auto* device = std::get_if<UseDevice>(&event.what)) device_ = *device;
+  if (const auto* layer = std::get_if<LayerEvent>(&event.what)) {
+    if (layer->what == LayerEvent::Do::kUse) layer_ = layer->layer;
+  }
+}
+
+void LiveInk::told(const Event& event, bool gesture_in_work) {
+  told_ns_ = std::max(told_ns_, event.time_ns);
+  while (!untold_.empty() && untold_.front().time_ns <= told_ns_) untold_.pop_front();
+  const auto* pen = std::get_if<PenEvent>(&event.what);
+  if (!pen) {
+    context(event);
+    if (open_) append_event_line(events_, event);
+    return;
+  }
+  const bool is_down = in_contact(sample_of(event, *pen));
+  if (is_down && !told_down_ && !open_) open();
+  told_down_ = is_down;
+  if (is_down) last_contact_ns_ = event.time_ns;
+  if (!open_) {
+    air_.push_back(event);
+    if (air_.size() > kAirSamples) air_.pop_front();
+    return;
+  }
+  append_event_line(events_, event);
+  if (event.time_ns - last_contact_ns_ > kNothingCameNs && !gesture_in_work) close();
+}
+
+void LiveInk::edit() {
+  close();
+  air_.clear();
+}
+
+void LiveInk::sample(const PenSample& sample) {
+  if (sample.time_ns > told_ns_ && untold_.size() < kMostUntold) untold_.push_back(sample);
+}
+
+/// What the ink of this gesture depends on besides the document, as events.
+void LiveInk::open() {
+  open_ = true;
+  const std::int64_t time_ns = air_.empty() ? 0 : air_.front().time_ns;
+  std::string script;
+  const auto add = [&](decltype(Event::what) what) {
+    append_event_line(script, {time_ns, std::move(what)});
+  };
+  if (device_) add(*device_);
+  if (!tool_.empty()) add(SelectTool{tool_});
+  for (const auto& [id, value] : options_) add(SetOption{id, value});
+  if (layer_) add(LayerEvent{LayerEvent::Do::kUse, layer_, {}});
+  for (const Event& event : air_) append_event_line(script, event);
+  air_.clear();
+  context_.clear();
+  ByteWriter out(context_);
+  out.text(script);
+  out.u32(static_cast<std::uint32_t>(selection_.strokes().size()));
+  for (const auto& [id, marks] : selection_.strokes()) {
+    out.u64(id.value);
+    out.text({reinterpret_cast<const char*>(marks.data()), marks.size()});
+  }
+  // Where the session was told nothing yet, the script has no later event than these.
+  last_contact_ns_ = std::max(last_contact_ns_, told_ns_);
+}
+
+void LiveInk::close() {
+  if (open_ || !chunks_.empty()) clear_ = true;
+  open_ = false;
+  context_.clear();
+  events_.clear();
+  chunks_.clear();
+  bytes_ = 0;
+  kept_ns_ = INT64_MIN;
+}
+
+/// The pen comes down in what the session was not told.
+bool LiveInk::overhang_touches() const {
+  bool was_down = told_down_;
+  for (const PenSample& sample : untold_) {
+    const bool is_down = in_contact(sample);
+    if (is_down && !was_down) return true;
+    was_down = is_down;
+  }
+  return false;
+}
+
+void LiveInk::keep(Changes& changes, LiveKind kind, std::string bytes) {
+  if (bytes_ + bytes.size() > kMostBytes) return;
+  bytes_ += bytes.size();
+  chunks_.push_back({kind, std::move(bytes)});
+  changes.chunks.push_back(chunks_.back());
+}
+
+LiveInk::Changes LiveInk::take() {
+  if (!open_) {
+    if (overhang_touches()) {
+      open();
+    } else {
+      while (untold_.size() > kAirSamples) untold_.pop_front();
+    }
+  }
+  Changes changes;
+  changes.clear = std::exchange(clear_, false);
+  if (!open_) return changes;
+  if (!context_.empty()) keep(changes, LiveKind::kContext, std::exchange(context_, {}));
+  if (!events_.empty()) keep(changes, LiveKind::kEvents, std::exchange(events_, {}));
+  std::string samples;
+  ByteWriter out(samples);
+  for (const PenSample& sample : untold_) {
+    if (sample.time_ns > kept_ns_) append_sample(out, sample);
+  }
+  if (!untold_.empty()) kept_ns_ = std::max(kept_ns_, untold_.back().time_ns);
+  if (!samples.empty()) keep(changes, LiveKind::kSamples, std::move(samples));
+  return changes;
+}
+
+Result<void> read_live_chunk(LiveKind kind, std::string_view bytes, LiveStretch& stretch) {
+  const auto damaged = [] {
+    return fail(ErrorCode::kInvalidData, "the gesture in work is damaged");
+  };
+  if (kind == LiveKind::kEvents) {
+    stretch.script += bytes;
+    return {};
+  }
+  ByteReader in(bytes);
+  if (kind == LiveKind::kSamples) {
+    if (bytes.size() % kSampleBytes != 0) return damaged();
+    while (in.left() > 0) stretch.overhang.push_back(read_sample(in));
+    return {};
+  }
+  if (kind != LiveKind::kContext) return damaged();
+  stretch.script = std::string(in.text(kMaxScriptBytes));
+  const std::uint32_t count = in.u32();
+  if (!in.has(count, kLeastSelectedBytes)) return damaged();
+  for (std::uint32_t i = 0; i < count; ++i) {
+    const StrokeId id{in.u64()};
+    const std::string_view marks = in.text(kMaxMarks);
+    if (in.ok()) stretch.selection.set(id, {marks.begin(), marks.end()});
+  }
+  if (!in.ok() || in.left() > 0) return damaged();
+  return {};
+}
+
+}  // namespace felt
