@@ -110,7 +110,7 @@ TEST(Saver, WhatIsToldLateIsNoInkTwice) {
 
 TEST(Saver, ANewBaseTakesTheOldOnesPlaceAndLosesNothing) {
   const TestFolder folder;
-  SaverDesk desk({.roots = {folder.path}, .longest_log_bytes = 20'000});
+  SaverDesk desk({.roots = {folder.path}, .longest_log_bytes = 6'000});
   desk.draw(1, 3000);
   for (std::uint64_t i = 2; i < 60; ++i) {
     desk.draw(i, 2);
