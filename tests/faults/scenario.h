@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "felt/store/felt_file.h"
+#include "tests/faults/drawings.h"
 #include "tests/faults/fault_state.h"
 
 namespace felt::faults {
@@ -34,13 +35,6 @@ struct Scenario {
   /// Allocations can be made to fail in it.
   bool has_memory = false;
 };
-
-/// Drawings that are all different, the same in each process.
-const StoredDrawing& drawing_of(std::uint32_t generation);
-
-/// The generation of the drawing that lies at `path`; -1 where there is no file, -2 where it is not
-/// one of drawing_of(0..most): damaged, or something that nobody drew. `why` says more.
-int generation_at(const std::string& path, std::uint32_t most, std::string& why);
 
 /// What must hold of a document that was saved generation after generation: it is whole, not older
 /// than the last that was called saved, not newer than the last that was begun.

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "felt/store/felt_file.h"
+
+namespace felt::faults {
+
+/// Drawings that are all different, the same in each process.
+const StoredDrawing& drawing_of(std::uint32_t generation);
+
+/// The generation of the drawing that lies at `path`; -1 where there is no file, -2 where it is not
+/// one of drawing_of(0..most): damaged, or something that nobody drew. `why` says more.
+int generation_at(const std::string& path, std::uint32_t most, std::string& why);
+
+}  // namespace felt::faults
