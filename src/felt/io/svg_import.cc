@@ -2,18 +2,27 @@
 
 #include <utility>
 
-#include "felt/io/svg_reader.h"
+#include "felt/io/limits.h"
+#include "felt/io/svg_ink.h"
+#include "felt/io/svg_scene.h"
+#include "felt/io/unpack.h"
 
 namespace felt {
 
 Result<ImportedDrawing> import_svg(std::string_view bytes, const ImportOptions&) {
-  return parse_svg(bytes).map([](SvgDrawing svg) {
-    ImportedDrawing imported;
-    if (!svg.sketch.empty()) imported.drawing.layers.push_back({"Ink", true, false, {}});
-    if (!svg.sketch.empty()) imported.drawing.layers.back().strokes = std::move(svg.sketch);
-    imported.drawing.page = SheetPage{svg.area.width(), svg.area.height(), svg.paper};
-    return imported;
-  });
+  std::string unpacked;
+  if (is_gzip(bytes)) {
+    Result<std::string> text = gunzip(bytes);
+    if (!text) return tl::unexpected(text.error());
+    unpacked = *std::move(text);
+    bytes = unpacked;
+  }
+  if (bytes.size() > limits::kMaxImportBytes) {
+    return fail(ErrorCode::kLimitExceeded, "is larger than 256 MiB");
+  }
+  SvgInk ink;
+  if (auto ok = read_svg_scene(bytes, ink); !ok) return tl::unexpected(ok.error());
+  return ink.take();
 }
 
 }  // namespace felt

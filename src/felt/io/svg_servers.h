@@ -1,0 +1,22 @@
+#pragma once
+
+#include <optional>
+#include <string_view>
+
+#include "felt/stroke/stroke.h"
+
+namespace felt {
+
+class SvgDocument;
+
+/// What a gradient or pattern looks like as one colour: a gradient's first stop, grey for others.
+/// None where there is no such element that paints, or a gradient without stops, which paints
+/// nothing. `current` is what currentColor means.
+struct SvgServerColor {
+  bool paints = false;  ///< whether the id names a gradient, pattern or their like
+  std::optional<Rgba> color;
+  bool is_gradient = false;
+};
+SvgServerColor svg_server_color(SvgDocument& document, std::string_view id, Rgba current);
+
+}  // namespace felt

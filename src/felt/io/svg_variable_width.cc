@@ -1,0 +1,199 @@
+#include "felt/io/svg_variable_width.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+#include "felt/io/limits.h"
+#include "felt/io/svg_center_line.h"
+#include "felt/io/svg_limits.h"
+#include "felt/io/svg_path_data.h"
+#include "felt/io/svg_power_stroke.h"
+#include "felt/io/svg_scan.h"
+
+namespace felt {
+namespace {
+
+/// Largest turn at a joint, said to be smooth, that rounding by another program explains: eight
+/// digits of a handle of a tenth of a millimetre.
+constexpr double kRoundedJointDeg = 0.1;
+
+tl::unexpected<Error> bad(std::string what) {
+  return fail(ErrorCode::kInvalidData, std::move(what));
+}
+
+bool read_joints(std::string_view text, std::vector<JointKind>& joints) {
+  SvgScan scan(text);
+  while (!scan.at_end()) {
+    if (scan.take("smooth")) {
+      joints.push_back(JointKind::kSmooth);
+    } else if (scan.take("corner")) {
+      joints.push_back(JointKind::kCorner);
+    } else {
+      return false;
+    }
+  }
+  return true;
+}
+
+bool read_widths(std::string_view text, std::vector<WidthKnot>& widths) {
+  SvgScan scan(text, limits::kMaxSketchNumber);
+  while (!scan.at_end()) {
+    WidthKnot knot;
+    if (!scan.number(knot.u) || !scan.take(',') || !scan.number(knot.width_mm)) return false;
+    widths.push_back(knot);
+  }
+  return true;
+}
+
+/// What we wrote beside the centre line. None: it does not fit that any more, since another program
+/// changed the line.
+std::optional<StrokeData> our_model(const SvgVariableWidth& a, const SvgContour& line) {
+  StrokeData d;
+  const std::size_t n = line.segment_count();
+  const bool says_closed = a.closed == "true";
+  if ((!says_closed && a.closed != "false") || says_closed != line.closed) return std::nullopt;
+  if (!read_joints(a.joints, d.joints) || !read_widths(a.widths, d.widths)) return std::nullopt;
+  if (d.joints.size() != (line.closed ? n : n - 1)) return std::nullopt;
+  if (d.widths.size() < 2 || d.widths.back().u != static_cast<double>(n)) return std::nullopt;
+  d.points = line.points;
+  d.closed = line.closed;
+  return d;
+}
+
+/// Whether the knots of the effect are still those that we wrote: others changed the widths.
+bool same_widths(const std::vector<WidthKnot>& ours, const std::vector<WidthKnot>& theirs,
+                 bool closed) {
+  const std::size_t count = ours.size() - (closed ? 1 : 0);
+  if (theirs.size() != count) return false;
+  for (std::size_t i = 0; i < count; ++i) {
+    if (std::fabs(ours[i].u - theirs[i].u) > 1e-4) return false;
+    if (std::fabs(ours[i].width_mm - theirs[i].width_mm) > 1e-4 * (1.0 + ours[i].width_mm)) {
+      return false;
+    }
+  }
+  return true;
+}
+
+/// Brings the handles of a joint that rounding bent back in line, or calls it a corner.
+void mend_joints(StrokeData& d, std::vector<std::string>& notices) {
+  const std::size_t n = d.points.size() / 3;
+  for (std::size_t i = 0; i < d.joints.size(); ++i) {
+    if (d.joints[i] != JointKind::kSmooth) continue;
+    const double angle = svg_joint_angle_deg(d.points, i);
+    if (angle <= kSmoothJointMaxDeg) continue;
+    Point* in = &d.points[3 * i];
+    Point* out = &d.points[3 * ((i + 1) % n)];
+    const Vec way = normalized(in[3] - in[2]);
+    if (angle <= kRoundedJointDeg && way != Vec{} && out[1] != out[0]) {
+      out[1] = out[0] + norm(out[1] - out[0]) * way;
+    }
+    if (svg_joint_angle_deg(d.points, i) <= kSmoothJointMaxDeg) continue;
+    d.joints[i] = JointKind::kCorner;
+    notices.emplace_back("has a smooth joint that another program bent; it became a corner");
+  }
+}
+
+void raise_widths(StrokeData& d, std::vector<std::string>& notices) {
+  for (WidthKnot& knot : d.widths) {
+    if (knot.width_mm >= kMinWidthMm) continue;
+    knot.width_mm = kMinWidthMm;
+    notices.emplace_back("is thinner than 0.05 mm and became that wide");
+  }
+}
+
+/// Takes knots along to where a centre line came to lie.
+std::vector<WidthKnot> moved_knots(const std::vector<WidthKnot>& knots, const SvgCenterLine& line) {
+  std::vector<WidthKnot> moved;
+  const double end = static_cast<double>(line.segment_count());
+  for (const WidthKnot& k : knots) {
+    const double u = line.place(k.u);
+    if (!moved.empty() && !(u > moved.back().u)) continue;
+    if (moved.empty() && u != 0.0) moved.push_back({0.0, k.width_mm});
+    moved.push_back({u, k.width_mm});
+  }
+  if (moved.empty()) return moved;
+  if (moved.back().u != end) moved.push_back({end, knots.back().width_mm});
+  return moved;
+}
+
+/// The same with its segments joined where they are too short.
+void rejoin(StrokeData& d, std::vector<std::string>& notices) {
+  SvgCenterLine line = svg_center_line({d.points, d.closed});
+  d.widths = moved_knots(d.widths, line);
+  d.points = std::move(line.points);
+  d.joints = std::move(line.joints);
+  d.closed = line.closed;
+  notices.emplace_back("has parts shorter than 0.05 mm, which were joined to those beside them");
+}
+
+void move_to_sheet(StrokeData& d, const Affine& m, std::vector<std::string>& notices) {
+  if (m == Affine{}) return;
+  for (Point& p : d.points) p = apply(m, p);
+  const double scale = std::sqrt(std::fabs(determinant(m)));
+  for (WidthKnot& k : d.widths) k.width_mm *= scale;
+  if (!svg_is_similarity(m)) {
+    notices.emplace_back("was stretched in one direction; its widths were scaled by the mean");
+  }
+}
+
+/// Path of a PowerStroke whose widths are not ours.
+Result<StrokeData> power_stroke(const SvgVariableWidth& a, const SvgContour& line,
+                                std::vector<std::string>& notices) {
+  if (!a.has_effect) return bad("its centre line was changed by another program");
+  Result<SvgPowerKnots> knots = svg_power_knots(a, line.segment_count(), line.closed);
+  if (!knots) return tl::unexpected(knots.error());
+  if (knots->is_sampled) {
+    notices.emplace_back("has widths between its knots by the rule " + std::string(a.interpolator) +
+                         ", which were sampled");
+  }
+  StrokeData d;
+  d.points = line.points;
+  d.closed = line.closed;
+  d.joints = svg_joints(d.points, d.closed);
+  d.widths = std::move(knots->widths);
+  return d;
+}
+
+}  // namespace
+
+bool svg_is_similarity(const Affine& m) noexcept {
+  const double x = m.a * m.a + m.b * m.b, y = m.c * m.c + m.d * m.d, xy = m.a * m.c + m.b * m.d;
+  const double size = std::max(x, y);
+  return size > 0.0 && std::fabs(x - y) <= 1e-9 * size && std::fabs(xy) <= 1e-9 * size;
+}
+
+Result<SvgWideStroke> svg_wide_stroke(const SvgVariableWidth& a, const Affine& to_mm) {
+  SvgPathData path =
+      parse_svg_path(a.center_line, limits::kMaxSvgSegments, limits::kMaxSketchNumber);
+  if (path.contours.empty()) return bad("it has no centre line");
+  if (!path.problem.empty()) return bad("its centre line has an error");
+  SvgWideStroke wide;
+  if (path.contours.size() > 1) {
+    wide.notices.emplace_back("has a centre line of several parts; the first was taken");
+  }
+  const SvgContour& line = path.contours.front();
+  std::optional<StrokeData> d = a.is_ours ? our_model(a, line) : std::nullopt;
+  if (d && a.has_effect) {
+    const Result<SvgPowerKnots> knots = svg_power_knots(a, line.segment_count(), line.closed);
+    if (knots && !same_widths(d->widths, knots->written, line.closed)) d->widths = knots->widths;
+  }
+  if (!d) {
+    Result<StrokeData> power = power_stroke(a, line, wide.notices);
+    if (!power) return tl::unexpected(power.error());
+    d = *std::move(power);
+  }
+  wide.id = a.id;
+  if (a.is_ours) d->material = a.material;
+  move_to_sheet(*d, to_mm, wide.notices);
+  wide.data = *std::move(d);
+  raise_widths(wide.data, wide.notices);
+  if (check_invariants(wide.data)) return wide;
+  mend_joints(wide.data, wide.notices);
+  if (!check_invariants(wide.data)) rejoin(wide.data, wide.notices);
+  if (auto ok = check_invariants(wide.data); !ok) return tl::unexpected(ok.error());
+  return wide;
+}
+
+}  // namespace felt
