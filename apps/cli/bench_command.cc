@@ -35,7 +35,9 @@ Strokes simulated_strokes() {
 
 Strokes read_strokes(const BenchArguments& args, Console& console) {
   Strokes strokes;
-  FitSource source(args.inputs);
+  FitSettings settings;
+  settings.measure = true;
+  FitSource source(args.inputs, settings);
   FitItem item;
   NdjsonParser parser;
   RawStroke raw;

@@ -40,6 +40,13 @@ void Console::error(const std::string& message) {
   fmt::print(stderr, "feltline: {}\n", message);
 }
 
+void Console::notice(const std::string& message) {
+  if (strict_) return error(message);
+  if (!shows_notices_) return;
+  end_progress();
+  fmt::print(stderr, "feltline: {}\n", message);
+}
+
 void Console::progress(const char* what, std::int64_t done, std::int64_t total,
                        std::int64_t strokes) {
   if (!shows_progress_ || Clock::now() < next_draw_) return;

@@ -1,7 +1,9 @@
 #include <memory>
 
 #include "commands.h"
-#include "felt/store/felt_file.h"
+#include "convert_drawing.h"
+#include "felt/formats/format_traits.h"
+#include "input.h"
 #include "sketch_input.h"
 #include "sketch_output.h"
 
@@ -14,37 +16,33 @@ struct ConvertArguments {
   std::string input;
   std::string output;
   std::string to;
+  std::string layers;
   PictureArguments picture;
 };
 
 void add_options(CLI::App& command, ConvertArguments& args, const char* output_help) {
   command
-      .add_option("IN", args.input, "The sketch: .ndjson, .felt, .svg of Feltline; '-' is stdin")
+      .add_option("IN", args.input,
+                  "The drawing, known by its content; '-' is stdin. It may be " + readable_names())
       ->required();
   command.add_option("-o,--output", args.output, output_help)->required();
   command.add_option("--to", args.to, "Format of the output, instead of by its extension");
+  command.add_option("--layers", args.layers,
+                     "Only these layers, shown: 'visible', 'all', numbers as info tells them\n"
+                     "('1,3') or the name of one. Without it all, hidden ones hidden");
   args.picture.add_to(command);
 }
 
-/// From .felt to .felt nothing is lost: layers, sheet and ids come along.
-void copy_felt(const ConvertArguments& args, Console& console) {
-  const Result<void> done = read_felt(args.input).and_then([&](const StoredDrawing& d) {
-    return write_felt(args.output, d);
-  });
-  if (!done) console.error(done.error().message);
-}
-
-void convert(const ConvertArguments& args, Format format, Console& console) {
-  if (format == Format::kFelt && format_of_path(args.input).value_or(format) == format &&
-      args.input != "-") {
-    return copy_felt(args, console);
+/// Lines come and go without all of them being held.
+void convert_lines(const Input& input, const ConvertArguments& args, Format format,
+                   const PictureOptions& picture, Console& console) {
+  if (!args.layers.empty() && args.layers != "all" && args.layers != "visible") {
+    return console.error(input.name() + ": .ndjson has no layers to choose from");
   }
-  const Result<PictureOptions> picture = args.picture.parse();
-  if (!picture) throw UsageError(picture.error().message);
-  Result<std::unique_ptr<SketchOutput>> output = open_sketch_output(args.output, format, *picture);
+  Result<std::unique_ptr<SketchOutput>> output = open_sketch_output(args.output, format, picture);
   if (!output) return console.error(output.error().message);
   bool empty = true;
-  const bool read = for_each_piece(args.input, format, console, [&](const SketchPiece& piece) {
+  const bool read = for_each_piece(input, format, console, [&](const SketchPiece& piece) {
     empty = false;
     const Result<void> appended = (*output)->append(piece);
     if (!appended) console.error(appended.error().message);
@@ -53,6 +51,29 @@ void convert(const ConvertArguments& args, Format format, Console& console) {
   // A good older file is worth more than an empty new one.
   if (!read || (empty && console.failed())) return;
   if (Result<void> done = (*output)->finish(); !done) console.error(done.error().message);
+}
+
+void convert_whole(const Input& input, const ConvertArguments& args, Format format,
+                   const PictureOptions& picture, Console& console) {
+  Result<OpenedDrawing> opened = input.read_drawing({});
+  if (!opened) return console.error(input.name() + ": " + opened.error().message);
+  if (!tell_notices(input.name(), opened->report, console)) return;
+  if (opened->drawing.document.stroke_count() == 0) {
+    console.error(input.name() + ": holds no strokes");
+  }
+  const Result<void> done = choose_layers(args.layers, opened->drawing).and_then([&] {
+    return write_opened(args.output, *std::move(opened), format, picture);
+  });
+  if (!done) console.error(done.error().message);
+}
+
+void convert(const ConvertArguments& args, Format format, Console& console) {
+  const Result<PictureOptions> picture = args.picture.parse();
+  if (!picture) throw UsageError(picture.error().message);
+  const Result<Input> input = Input::open(args.input);
+  if (!input) return console.error(input_name(args.input) + ": " + input.error().message);
+  if (input->is_lines()) return convert_lines(*input, args, format, *picture, console);
+  convert_whole(*input, args, format, *picture, console);
 }
 
 Format wanted_format(const ConvertArguments& args) {
@@ -74,7 +95,7 @@ void add_render_command(CLI::App& app, Console& console) {
                "feltline render - -o - --to svg < sketch.ndjson"));
   command->callback([args, &console] {
     const Format format = wanted_format(*args);
-    if (format == Format::kNdjson || format == Format::kFelt) {
+    if (!traits_of(format).picture) {
       throw UsageError("render makes .png, .svg or .pdf; see convert");
     }
     convert(*args, format, console);
@@ -84,9 +105,11 @@ void add_render_command(CLI::App& app, Console& console) {
 void add_convert_command(CLI::App& app, Console& console) {
   CLI::App* command = app.add_subcommand("convert", "Write a sketch in another format");
   const auto args = std::make_shared<ConvertArguments>();
-  add_options(*command, *args, "Where it goes: .ndjson, .felt, .svg, .pdf or .png; '-' is stdout");
+  const std::string where = "Where it goes; '-' is stdout. It may be " + writable_names();
+  add_options(*command, *args, where.c_str());
   command->footer(
       examples("feltline convert sketch.ndjson -o sketch.svg\n"
+               "feltline convert drawing.felt -o drawing.svg --layers visible\n"
                "feltline convert sketch.ndjson -o - | wc -l"));
   command->callback([args, &console] { convert(*args, wanted_format(*args), console); });
 }

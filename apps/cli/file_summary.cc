@@ -6,7 +6,10 @@
 #include <utility>
 #include <vector>
 
+#include "felt/formats/format_traits.h"
 #include "felt/io/ndjson_writer.h"
+#include "felt/stroke/color_text.h"
+#include "json_text.h"
 
 namespace felt::cli {
 namespace {
@@ -50,6 +53,52 @@ const char* kind_of(const FileSummary& s) {
   return s.is_sketch ? "sketch" : "raw";
 }
 
+std::string page_text(const OpenedDrawing& opened) {
+  const SheetPage& page = opened.drawing.page;
+  return opened.has_page ? fmt::format("{} x {} mm, {}", number(page.width_mm),
+                                       number(page.height_mm), color_to_text(page.paper))
+                         : "none";
+}
+
+/// A line for each layer, the lowest first: what --layers calls it, its name and how it is seen.
+std::string layers_text(const OpenedDrawing& opened) {
+  std::string text;
+  int place = 0;
+  for (const Layer& layer : opened.drawing.document.layers()) {
+    text += fmt::format("{:16}{} strokes, '{}'{}{}\n", fmt::format("layer {}", ++place),
+                        layer.strokes.size(), layer.name, layer.visible ? "" : ", hidden",
+                        layer.locked ? ", locked" : "");
+  }
+  return text;
+}
+
+std::string layers_json(const OpenedDrawing& opened) {
+  std::vector<std::string> layers;
+  for (const Layer& layer : opened.drawing.document.layers()) {
+    layers.push_back(fmt::format(R"({{"name":{},"visible":{},"locked":{},"strokes":{}}})",
+                                 json_string(layer.name), layer.visible, layer.locked,
+                                 layer.strokes.size()));
+  }
+  return json_array(layers);
+}
+
+std::string page_json(const OpenedDrawing& opened) {
+  const SheetPage& page = opened.drawing.page;
+  if (!opened.has_page) return "null";
+  return fmt::format(R"({{"width_mm":{},"height_mm":{},"paper":"{}"}})", number(page.width_mm),
+                     number(page.height_mm), color_to_text(page.paper));
+}
+
+std::string notices_json(const OpenedDrawing& opened) {
+  std::vector<std::string> notices;
+  for (const ImportNotice& notice : opened.report.notices()) {
+    notices.push_back(fmt::format(R"({{"line":{},"element":{},"what":{},"count":{}}})", notice.line,
+                                  json_string(notice.element), json_string(notice.what),
+                                  notice.count));
+  }
+  return json_array(notices);
+}
+
 }  // namespace
 
 void FileSummary::add(const Stroke& stroke) {
@@ -87,13 +136,22 @@ std::string summary_text(const FileSummary& summary) {
   for (const auto& [key, value] : figures_of(summary)) {
     text += fmt::format("{:16}{}\n", key, value);
   }
-  return text;
+  text += fmt::format("{:16}{}\n", "format", traits_of(summary.format).title);
+  if (!summary.opened) return text;
+  text += fmt::format("{:16}{}\n", "page", page_text(*summary.opened));
+  return text + layers_text(*summary.opened);
 }
 
 std::string summary_json(const FileSummary& summary) {
   std::string text = fmt::format(R"({{"kind":"{}")", kind_of(summary));
   for (const auto& [key, value] : figures_of(summary)) {
     text += fmt::format(R"(,"{}":{})", key, value);
+  }
+  text += fmt::format(R"(,"format":"{}")", traits_of(summary.format).name);
+  if (summary.opened) {
+    text += R"(,"page":)" + page_json(*summary.opened);
+    text += R"(,"layers":)" + layers_json(*summary.opened);
+    text += R"(,"notices":)" + notices_json(*summary.opened);
   }
   return text + "}\n";
 }

@@ -1,8 +1,10 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 
+#include "felt/formats/drawing_reader.h"
 #include "felt/geometry/rect.h"
 #include "felt/io/ndjson_record.h"
 #include "felt/stroke/stroke.h"
@@ -12,6 +14,8 @@ namespace felt::cli {
 /// What `info` tells about a file.
 struct FileSummary {
   bool is_sketch = false;  ///< else raw pen strokes
+  FileFormat format = FileFormat::kNdjson;
+  std::optional<OpenedDrawing> opened;  ///< of formats that are read as a whole
   std::int64_t strokes = 0;
   Rect bounds;  ///< of the ink in mm; of the samples in the unit of the file
 

@@ -5,6 +5,7 @@
 #include <thread>
 
 #include "commands.h"
+#include "felt/formats/format_traits.h"
 #include "fit_source.h"
 #include "fit_worker.h"
 #include "ordered_pipeline.h"
@@ -46,14 +47,17 @@ void add_width_options(CLI::App& command, FitArguments& args) {
 }
 
 void add_options(CLI::App& command, FitArguments& args) {
-  command.add_option("IN", args.inputs, "Raw pen strokes, .ndjson; '-' is stdin")->required();
+  command
+      .add_option("IN", args.inputs,
+                  "Raw pen strokes: .ndjson, of Quick, Draw! too, .inkml, .xopp; '-' is stdin")
+      ->required();
   command.add_option("-o,--output", args.output,
-                     "Where the sketch goes: .ndjson, .felt, .svg, .pdf, .png; '-' is stdout");
+                     "Where the sketch goes; '-' is stdout. It may be " + writable_names());
   command.add_option("--to", args.to, "Format of the output, instead of by its extension");
   command.add_option("--tolerance", args.tolerance_mm, "Largest distance sample to curve, in mm")
       ->check(number_between(0.0, 1e9))
       ->capture_default_str();
-  command.add_option("--mm-per-unit", args.mm_per_unit, "Size of one unit of the input, in mm")
+  command.add_option("--mm-per-unit", args.mm_per_unit, "Size of one unit of raw .ndjson, in mm")
       ->check(number_between(1e-9, 1e9))
       ->capture_default_str();
   command.add_flag("--no-refine", args.no_refine, "Keep the curve that is seen while drawing");
@@ -119,10 +123,11 @@ FitPlan plan_of(const FitArguments& args) {
 /// Fits all inputs into `output` (none: only counts); false when the output failed.
 bool fit_all(const FitArguments& args, const FitPlan& plan, SketchOutput* output, Console& console,
              FitStats& stats) {
-  FitSource source(args.inputs);
+  FitSource source(args.inputs, plan.settings);
   bool written = true;
   OrderedPipeline<FitItem, FitOutput> pipeline(plan.jobs);
   const auto take = [&](const FitOutput& fitted) {
+    for (const std::string& notice : fitted.notices) console.notice(notice);
     for (const std::string& error : fitted.errors) console.error(error);
     stats.add(fitted.stats);
     const Result<void> appended = output ? output->append(fitted.sketch) : Result<void>();

@@ -10,6 +10,7 @@ constexpr std::size_t kBatchBytes = std::size_t{64} << 10;
 
 bool FitSource::next(FitItem& item) {
   item.failure.reset();
+  item.drawing.reset();
   for (;;) {
     if (!input_) {
       item.lines = {};
@@ -18,6 +19,10 @@ bool FitSource::next(FitItem& item) {
       if (item.failure) return true;
     }
     item.name = input_->name();
+    if (!input_->is_lines()) {
+      read_whole(item);
+      return true;
+    }
     const Result<bool> more = reader_->fill(item.lines, kBatchBytes);
     if (more && *more) {
       input_is_empty_ = false;
@@ -39,6 +44,27 @@ bool FitSource::next(FitItem& item) {
 
 std::int64_t FitSource::bytes_read() const noexcept {
   return bytes_of_ended_ + (input_ ? reader_->bytes_read() : 0);
+}
+
+void FitSource::read_whole(FitItem& item) {
+  const auto fails = [&item](ErrorCode code, const std::string& why) {
+    item.failure = Error{code, why};
+  };
+  item.lines = {};
+  Result<OpenedDrawing> opened = input_->read_drawing({.fit = settings_.ink});
+  bytes_of_ended_ += input_->size_bytes();
+  input_.reset();
+  if (!opened) {
+    item.failure = opened.error();
+  } else if (opened->is_exact) {
+    fails(ErrorCode::kUnsupported, "holds curves, which are fitted already; see convert");
+  } else if (settings_.measure) {
+    fails(ErrorCode::kUnsupported, "is no raw .ndjson, whose samples alone are measured");
+  } else {
+    item.first_record = records_ + 1;
+    records_ += static_cast<std::int64_t>(opened->drawing.document.stroke_count());
+    item.drawing = *std::move(opened);
+  }
 }
 
 void FitSource::open(const std::string& path, FitItem& item) {

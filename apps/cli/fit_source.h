@@ -9,10 +9,12 @@
 
 namespace felt::cli {
 
-/// The lines of all inputs of `fit`, one input after the other, in batches for the workers.
+/// All inputs of `fit`, one after the other: lines in batches for the workers, other formats of
+/// pen samples whole, fitted as the settings say.
 class FitSource {
  public:
-  explicit FitSource(const std::vector<std::string>& paths) : paths_(paths) {}
+  FitSource(const std::vector<std::string>& paths, const FitSettings& settings)
+      : paths_(paths), settings_(settings) {}
 
   /// Replaces the content of `item`; false when all inputs have ended. An input that cannot be
   /// opened or read on, or holds nothing, comes as an item with a failure and no lines.
@@ -24,8 +26,10 @@ class FitSource {
 
  private:
   void open(const std::string& path, FitItem& item);
+  void read_whole(FitItem& item);
 
   const std::vector<std::string>& paths_;
+  const FitSettings& settings_;
   std::size_t next_path_ = 0;
   std::optional<Input> input_;
   std::optional<LineReader> reader_;

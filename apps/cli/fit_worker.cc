@@ -6,6 +6,7 @@
 #include <cmath>
 #include <new>
 
+#include "felt/document/visible_strokes.h"
 #include "thread_clock.h"
 
 namespace felt::cli {
@@ -29,6 +30,7 @@ FitWorker::FitWorker(const FitSettings& settings)
 void FitWorker::operator()(const FitItem& item, FitOutput& output) {
   output.sketch.clear();
   output.errors.clear();
+  output.notices.clear();
   output.stats = {};
   for (std::size_t i = 0; i < item.lines.size(); ++i) {
     const NdjsonLine line = item.lines.line(i);
@@ -37,7 +39,25 @@ void FitWorker::operator()(const FitItem& item, FitOutput& output) {
     output.errors.push_back(
         fmt::format("{}:{}: {}", item.name, line.number(), done.error().message));
   }
+  if (item.drawing) take(item, *item.drawing, output);
   if (item.failure) output.errors.push_back(item.name + ": " + item.failure->message);
+}
+
+/// The reader of the format has fitted its samples already.
+void FitWorker::take(const FitItem& item, const OpenedDrawing& drawing, FitOutput& output) {
+  for (const ImportNotice& notice : drawing.report.notices()) {
+    output.notices.push_back(item.name + ": " + notice_text(notice));
+  }
+  std::int64_t record = item.first_record;
+  for (const SketchStroke& s : visible_strokes(drawing.drawing.document)) {
+    ++output.stats.strokes;
+    output.stats.segments += s.stroke.segment_count();
+    output.stats.corners += count_corners(s.stroke);
+    if (!settings_.format) continue;
+    const Result<void> done = encode(s, record++, *settings_.format, output.sketch);
+    if (done) continue;
+    output.errors.push_back(fmt::format("{}: {}: {}", item.name, s.id, done.error().message));
+  }
 }
 
 Result<void> FitWorker::process(const NdjsonLine& line, std::int64_t record, FitOutput& output) {

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "felt/formats/drawing_reader.h"
 #include "felt/io/ndjson_parser.h"
 #include "felt/io/quickdraw_line.h"
 #include "felt/stroke/ink_fitter.h"
@@ -24,10 +25,11 @@ struct FitSettings {
   std::optional<Format> format;  ///< of the output; none: no pieces for it
 };
 
-/// Some lines of one input: what a worker gets.
+/// Some lines of one input, or a whole one of another format: what a worker gets.
 struct FitItem {
   std::string name;  ///< of the input, for errors
   LineBatch lines;
+  std::optional<OpenedDrawing> drawing;
   std::int64_t first_record = 1;  ///< number of the first line among the records of all inputs
   std::optional<Error> failure;   ///< of the input after these lines
 
@@ -37,7 +39,8 @@ struct FitItem {
 /// What a worker makes of them.
 struct FitOutput {
   SketchPiece sketch;
-  std::vector<std::string> errors;  ///< whole messages, in order of the lines
+  std::vector<std::string> errors;   ///< whole messages, in order of the lines
+  std::vector<std::string> notices;  ///< likewise
   FitStats stats;
 };
 
@@ -57,6 +60,7 @@ class FitWorker {
   Result<void> process(const NdjsonLine& line, std::int64_t record, FitOutput& output);
   Result<void> process_drawing(const NdjsonLine& line, std::int64_t record, FitOutput& output);
   Result<void> process_raw(std::int64_t number, FitOutput& output);
+  void take(const FitItem& item, const OpenedDrawing& drawing, FitOutput& output);
   Result<void> scale_to_mm();
 
   FitSettings settings_;

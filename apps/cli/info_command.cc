@@ -4,10 +4,11 @@
 #include <optional>
 
 #include "commands.h"
+#include "felt/formats/format_traits.h"
 #include "felt/io/ndjson_parser.h"
 #include "file_summary.h"
 #include "input.h"
-#include "stored_sketch.h"
+#include "sketch_input.h"
 
 namespace felt::cli {
 namespace {
@@ -22,6 +23,8 @@ struct InfoArguments {
 /// Adds up the records of a file of either kind; the first record decides which one it is.
 class Summarizer {
  public:
+  explicit Summarizer(FileSummary& summary) : summary_(summary) {}
+
   Result<void> add(const NdjsonLine& line) {
     if (!is_sketch_) is_sketch_ = line.text().find("\"segments\"") != std::string_view::npos;
     const Result<NdjsonKind> kind =
@@ -41,57 +44,64 @@ class Summarizer {
     return {};
   }
 
-  void add(const Stroke& stroke) { summary_.add(stroke); }
-
-  [[nodiscard]] const FileSummary& summary() const { return summary_; }
-
  private:
   NdjsonParser parser_;
   RawStroke raw_;
   SketchRecord record_;
   std::optional<bool> is_sketch_;
-  FileSummary summary_;
+  FileSummary& summary_;
 };
 
-/// The same of a file that is read as a whole.
-bool summarize_stored(const std::string& path, Console& console, Summarizer& summarizer) {
-  const Result<Sketch> sketch = read_stored_sketch(path);
-  if (!sketch) {
-    console.error(sketch.error().message);
-    return false;
-  }
-  if (sketch->empty()) console.error(path + ": holds no strokes");
-  for (const SketchStroke& stroke : *sketch) summarizer.add(stroke.stroke);
-  return true;
-}
-
-/// False when nothing could be read.
-bool summarize(const std::string& path, Console& console, Summarizer& summarizer) {
-  if (is_stored_sketch(path)) return summarize_stored(path, console, summarizer);
-  const Result<Input> input = Input::open(path);
-  if (!input) {
-    console.error(input_name(path) + ": " + input.error().message);
-    return false;
-  }
-  LineReader reader(input->reader());
+void summarize_lines(const Input& input, Console& console, FileSummary& summary) {
+  LineReader reader(input.reader());
   LineBatch batch;
+  Summarizer summarizer(summary);
   for (;;) {
     const Result<bool> more = reader.fill(batch, kBatchBytes);
-    if (!more) console.error(input->name() + ": " + more.error().message);
+    if (!more) console.error(input.name() + ": " + more.error().message);
     if (!more || !*more) break;
     for (std::size_t i = 0; i < batch.size(); ++i) {
       const NdjsonLine line = batch.line(i);
       const Result<void> added = summarizer.add(line);
       if (added) continue;
-      console.error(fmt::format("{}:{}: {}", input->name(), line.number(), added.error().message));
+      console.error(fmt::format("{}:{}: {}", input.name(), line.number(), added.error().message));
     }
-    console.progress("reading", reader.bytes_read(), input->size_bytes(),
-                     summarizer.summary().strokes);
+    console.progress("reading", reader.bytes_read(), input.size_bytes(), summary.strokes);
   }
   console.end_progress();
-  if (summarizer.summary().strokes == 0 && !console.failed()) {
-    console.error(input->name() + ": holds no strokes");
+  if (summary.strokes == 0 && !console.failed()) {
+    console.error(input.name() + ": holds no strokes");
   }
+}
+
+/// A file that is read as a whole: all its strokes, those of hidden layers as well.
+bool summarize_whole(const Input& input, Console& console, FileSummary& summary) {
+  Result<OpenedDrawing> opened = input.read_drawing({});
+  if (!opened) {
+    console.error(input.name() + ": " + opened.error().message);
+    return false;
+  }
+  tell_notices(input.name(), opened->report, console);
+  const Document& document = opened->drawing.document;
+  for (const Layer& layer : document.layers()) {
+    for (const StrokeId id : layer.strokes) summary.add(*document.find(id));
+  }
+  summary.is_sketch = true;
+  summary.opened = *std::move(opened);
+  if (summary.strokes == 0) console.error(input.name() + ": holds no strokes");
+  return true;
+}
+
+/// False when nothing could be read.
+bool summarize(const std::string& path, Console& console, FileSummary& summary) {
+  const Result<Input> input = Input::open(path);
+  if (!input) {
+    console.error(input_name(path) + ": " + input.error().message);
+    return false;
+  }
+  summary.format = input->format();
+  if (!input->is_lines()) return summarize_whole(*input, console, summary);
+  summarize_lines(*input, console, summary);
   return true;
 }
 
@@ -102,16 +112,16 @@ void add_info_command(CLI::App& app, Console& console) {
   const auto args = std::make_shared<InfoArguments>();
   command
       ->add_option("DOC", args->input,
-                   "A drawing, sketch or raw pen strokes: .felt, .svg, .ndjson; '-' is stdin")
+                   "A drawing, known by its content, or raw pen strokes; '-' is stdin. It may be " +
+                       readable_names())
       ->required();
   command->add_flag("--json", args->json, "One line of JSON");
   command->footer(
       examples("feltline info sketch.ndjson\n"
                "feltline info strokes.ndjson --json"));
   command->callback([args, &console] {
-    Summarizer summarizer;
-    if (!summarize(args->input, console, summarizer)) return;
-    const FileSummary& summary = summarizer.summary();
+    FileSummary summary;
+    if (!summarize(args->input, console, summary)) return;
     fmt::print("{}", args->json ? summary_json(summary) : summary_text(summary));
   });
 }

@@ -4,28 +4,25 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
+#include <cstring>
 #include <system_error>
 #include <utility>
 
-#include "format.h"
-
 namespace felt::cli {
 namespace {
+
+constexpr std::size_t kBlockBytes = std::size_t{1} << 18;
 
 tl::unexpected<Error> cannot_open(int error) {
   const ErrorCode code = error == ENOENT ? ErrorCode::kNotFound : ErrorCode::kIo;
   return fail(code, std::generic_category().message(error));
 }
 
-/// A file whose name says that it holds something else would give an error for each of its lines.
-Result<void> check_extension(const std::string& path) {
-  const std::string name = path.substr(path.find_last_of('/') + 1);
-  const std::size_t dot = name.find_last_of('.');
-  if (dot == std::string::npos || dot == 0) return {};
-  const Result<Format> format = format_of_name(name.substr(dot + 1));
-  if (format && *format == Format::kNdjson) return {};
-  return fail(ErrorCode::kUnsupported, "cannot read " + name.substr(dot) + ", only .ndjson");
+/// What has no name that could tell: a stream is lines unless its first bytes show something else.
+bool is_stream(const std::string& path) {
+  return path == "-" || path.rfind("/dev/", 0) == 0;
 }
 
 }  // namespace
@@ -38,20 +35,82 @@ Result<Input> Input::open(const std::string& path) {
   const bool is_stdin = path == "-";
   const int fd = is_stdin ? STDIN_FILENO : ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
   if (fd < 0) return cannot_open(errno);
-  Input input(input_name(path), fd, 0);
+  Input input(input_name(path), fd);
   struct stat status {};
   if (::fstat(fd, &status) != 0) return cannot_open(errno);
   if (S_ISDIR(status.st_mode)) return cannot_open(EISDIR);
-  if (!S_ISREG(status.st_mode)) return input;
-  if (Result<void> known = check_extension(path); !known) return tl::unexpected(known.error());
-  input.size_bytes_ = status.st_size;
+  if (S_ISREG(status.st_mode)) input.size_bytes_ = status.st_size;
+  if (Result<void> read = input.read_head(); !read) return tl::unexpected(read.error());
+  if (Result<void> known = input.find_kind(path); !known) return tl::unexpected(known.error());
   return input;
+}
+
+Result<void> Input::read_head() {
+  head_.resize(kFormatHeadBytes);
+  std::size_t have = 0;
+  const ReadBytes read = read_descriptor(fd_);
+  while (have < head_.size()) {
+    const Result<std::size_t> more = read({head_.data() + have, head_.size() - have});
+    if (!more) return tl::unexpected(more.error());
+    if (*more == 0) break;
+    have += *more;
+    // A pipe may bring its lines slowly; what tells formats apart stands at the very front.
+    if (format_of_bytes({head_.data(), have}) == FileFormat::kNdjson) break;
+  }
+  head_.resize(have);
+  return {};
+}
+
+Result<void> Input::find_kind(const std::string& path) {
+  if (is_stream(path) && !format_of_bytes(head_)) return {};
+  const bool has_ending = format_of_path(path).has_value();
+  const std::string file = path.substr(path.find_last_of('/') + 1);
+  // Without any ending and any mark it is taken for lines, whose reader says what is wrong.
+  if (!has_ending && !format_of_bytes(head_) && file.find('.', 1) == std::string::npos) return {};
+  const Result<FileFormat> format = readable_format(head_, path);
+  if (!format) return tl::unexpected(format.error());
+  format_ = *format;
+  is_lines_ = format_ == FileFormat::kNdjson && ndjson_content(head_) == NdjsonContent::kStrokes;
+  return {};
+}
+
+ReadBytes Input::reader() const {
+  return [this, given = std::size_t{0},
+          rest = read_descriptor(fd_)](std::span<char> out) mutable -> Result<std::size_t> {
+    if (given == head_.size()) return rest(out);
+    const std::size_t count = std::min(out.size(), head_.size() - given);
+    std::memcpy(out.data(), head_.data() + given, count);
+    given += count;
+    return count;
+  };
+}
+
+Result<OpenedDrawing> Input::read_drawing(const ImportOptions& options) const {
+  const std::size_t most = format_ == FileFormat::kFelt ? kMaxFeltBytes : kMaxDrawingBytes;
+  std::string bytes = head_;
+  if (size_bytes_ > 0) bytes.reserve(std::min(static_cast<std::size_t>(size_bytes_), most) + 1);
+  const ReadBytes read = read_descriptor(fd_);
+  for (std::size_t more = head_.size(); more > 0;) {
+    const std::size_t have = bytes.size();
+    if (have > most) {
+      return fail(ErrorCode::kLimitExceeded, "is larger than " + std::to_string(most) + " bytes");
+    }
+    bytes.resize(have + kBlockBytes);
+    const Result<std::size_t> got = read({bytes.data() + have, kBlockBytes});
+    if (!got) return tl::unexpected(got.error());
+    more = *got;
+    bytes.resize(have + more);
+  }
+  return parse_drawing(bytes, name_, ReadOptions{.import = options});
 }
 
 Input::Input(Input&& other) noexcept
     : name_(std::move(other.name_)),
       fd_(std::exchange(other.fd_, -1)),
-      size_bytes_(other.size_bytes_) {}
+      size_bytes_(other.size_bytes_),
+      head_(std::move(other.head_)),
+      format_(other.format_),
+      is_lines_(other.is_lines_) {}
 
 Input::~Input() {
   if (fd_ > STDERR_FILENO) ::close(fd_);

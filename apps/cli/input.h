@@ -2,16 +2,19 @@
 
 #include <cstdint>
 #include <string>
+#include <string_view>
 
+#include "felt/formats/drawing_reader.h"
 #include "felt/io/ndjson_lines.h"
 
 namespace felt::cli {
 
-/// An input given on the command line: a file, or stdin as "-". Closes what it opened.
+/// An input given on the command line: a file, or stdin as "-". Closes what it opened. Its first
+/// bytes are read at once and say what it is; the rest comes as it is asked for, once.
 class Input {
  public:
-  /// Error: missing, not readable, a directory, a file with the extension of another format. The
-  /// message is the reason alone.
+  /// Error: missing, not readable, a folder, or of a format that is not read. The message is the
+  /// reason alone.
   static Result<Input> open(const std::string& path);
   Input(Input&& other) noexcept;
   ~Input();
@@ -20,14 +23,25 @@ class Input {
   [[nodiscard]] const std::string& name() const noexcept { return name_; }
   /// Size in bytes when it is known beforehand, else 0.
   [[nodiscard]] std::int64_t size_bytes() const noexcept { return size_bytes_; }
-  [[nodiscard]] ReadBytes reader() const { return read_descriptor(fd_); }
+  [[nodiscard]] FileFormat format() const noexcept { return format_; }
+  /// Lines of strokes, which need not be held in memory together; anything else is read as a whole.
+  [[nodiscard]] bool is_lines() const noexcept { return is_lines_; }
+  /// The bytes from the first on. The input must stay where it is while they are read.
+  [[nodiscard]] ReadBytes reader() const;
+  /// All of it, as a drawing. The message of an error is the reason alone.
+  [[nodiscard]] Result<OpenedDrawing> read_drawing(const ImportOptions& options) const;
 
  private:
-  Input(std::string name, int fd, std::int64_t size_bytes) noexcept
-      : name_(std::move(name)), fd_(fd), size_bytes_(size_bytes) {}
+  Input(std::string name, int fd) noexcept : name_(std::move(name)), fd_(fd) {}
+  Result<void> read_head();
+  Result<void> find_kind(const std::string& path);
+
   std::string name_;
   int fd_ = -1;
   std::int64_t size_bytes_ = 0;
+  std::string head_;
+  FileFormat format_ = FileFormat::kNdjson;
+  bool is_lines_ = true;
 };
 
 /// "stdin" for "-", else the path.

@@ -23,7 +23,11 @@ void add_commands(CLI::App& app, Console& console) {
   app.set_help_flag("-h,--help", "Show this help and exit");
   app.set_version_flag("--version", "feltline " FELT_VERSION, "Show the version and exit");
   app.add_flag_callback(
-      "-q,--quiet", [&console] { console.set_quiet(); }, "No progress line on stderr");
+      "-q,--quiet", [&console] { console.set_quiet(); },
+      "Neither progress nor notices on stderr, errors only");
+  app.add_flag_callback(
+      "--strict", [&console] { console.set_strict(); },
+      "What a file holds and cannot be taken is an error, not a notice");
   app.footer(
       examples("feltline fit strokes.ndjson -o sketch.svg\n"
                "feltline render sketch.ndjson -o page.png --page A4\n"
@@ -32,6 +36,7 @@ void add_commands(CLI::App& app, Console& console) {
   add_render_command(app, console);
   add_convert_command(app, console);
   add_info_command(app, console);
+  add_formats_command(app);
   add_replay_command(app, console);
   add_demo_command(app, console);
   add_tools_command(app, console);

@@ -54,8 +54,8 @@ void PictureArguments::add_to(CLI::App& command) {
       ->group("Pictures (.svg, .pdf, .png)");
   command
       .add_option("--page", page,
-                  "What to show: 'fit' (all ink and a margin), A0..A6, A4-landscape, or WxH in mm")
-      ->capture_default_str()
+                  "What to show: 'fit' (all ink and a margin), A0..A6, A4-landscape, or WxH in\n"
+                  "mm; without it the drawing's own page, or fit where it has none")
       ->group("Pictures (.svg, .pdf, .png)");
   command
       .add_option("--paper", paper,
@@ -77,6 +77,7 @@ Result<PictureOptions> PictureArguments::parse() const {
   const Result<std::optional<Rect>> sheet = parse_page(page);
   if (!sheet) return tl::unexpected(sheet.error());
   options.sheet = *sheet;
+  options.fit = page == "fit";
   const Result<Grain> grain = parse_surface(surface);
   if (!grain) return tl::unexpected(grain.error());
   options.grain = *grain;
@@ -88,12 +89,21 @@ Result<PictureOptions> PictureArguments::parse() const {
 }
 
 Result<std::optional<Rect>> parse_page(const std::string& text) {
-  if (text == "fit") return std::nullopt;
+  if (text.empty() || text == "fit") return std::nullopt;
   std::optional<Vec> size = named_size(text);
   if (!size) size = written_size(text);
   if (size) return Rect{0.0, 0.0, size->x, size->y};
   return fail(ErrorCode::kInvalidArgument,
               "--page: '" + text + "' is not fit, A0..A6, A4-landscape or WxH in mm (at most 1e5)");
+}
+
+Result<SheetPage> sheet_page(const Rect& sheet, Rgba paper) {
+  const auto fits = [](double mm) { return mm >= SheetPage::kLeastMm && mm <= SheetPage::kMostMm; };
+  if (fits(sheet.width()) && fits(sheet.height())) {
+    return SheetPage{sheet.width(), sheet.height(), paper};
+  }
+  return fail(ErrorCode::kInvalidArgument,
+              "--page: the sheet of a drawing is 10 to 5000 mm wide and high");
 }
 
 Result<Rgba> parse_paper(const std::string& text) {

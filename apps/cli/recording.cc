@@ -21,6 +21,9 @@ Result<void> tell(const Event& event, const std::string& folder, Session& sessio
 Result<void> tell_recording(const std::string& path, Session& session) {
   const Result<Input> input = Input::open(path);
   if (!input) return fail(input.error().code, input_name(path) + ": " + input.error().message);
+  if (input->format() != FileFormat::kNdjson) {
+    return fail(ErrorCode::kUnsupported, input->name() + ": is no script, which is .ndjson");
+  }
   const std::size_t slash = path.find_last_of('/');
   const std::string folder = slash == std::string::npos ? "" : path.substr(0, slash + 1);
   ScriptSink sink;

@@ -8,12 +8,10 @@
 #include <utility>
 
 #include "felt/base/check.h"
-#include "felt/io/ndjson_parser.h"
-#include "felt/store/felt_file.h"
+#include "felt/document/visible_strokes.h"
+#include "felt/formats/line_drawing.h"
 #include "felt/tools/pressing.h"
-#include "format.h"
 #include "input.h"
-#include "stored_sketch.h"
 
 namespace felt::cli {
 namespace {
@@ -47,15 +45,32 @@ double number_option(const Session& session, const char* id, double otherwise) {
   return number ? *number : otherwise;
 }
 
-Result<void> add_stroke(NdjsonParser& parser, const NdjsonLine& line, Sketch& sketch) {
-  SketchRecord record;
-  const Result<NdjsonKind> kind = parser.sketch_stroke(line, record);
-  if (!kind) return tl::unexpected(kind.error());
-  if (*kind == NdjsonKind::kHeader) return {};
-  Result<Stroke> stroke = Stroke::create(std::move(record.data));
-  if (!stroke) return tl::unexpected(stroke.error());
-  sketch.push_back({std::move(record.id), *std::move(stroke)});
-  return {};
+/// The document of an input that is no stream of lines.
+Result<Document> read_whole(const Input& input) {
+  Result<OpenedDrawing> opened = input.read_drawing({});
+  if (opened) return std::move(opened->drawing.document);
+  return fail(opened.error().code, input.name() + ": " + opened.error().message);
+}
+
+/// A script must be told of every line that is wrong: what it draws depends on it.
+Result<Sketch> read_lines(const Input& input) {
+  LineReader reader(input.reader());
+  LineBatch batch;
+  LineStrokes strokes;
+  Sketch sketch;
+  for (;;) {
+    const Result<bool> more = reader.fill(batch, kBatchBytes);
+    if (!more) return fail(more.error().code, input.name() + ": " + more.error().message);
+    if (!*more) return sketch;
+    for (std::size_t i = 0; i < batch.size(); ++i) {
+      const NdjsonLine line = batch.line(i);
+      Result<std::optional<SketchStroke>> stroke = strokes.read(line);
+      if (stroke && *stroke) sketch.push_back(**std::move(stroke));
+      if (stroke) continue;
+      return fail(stroke.error().code,
+                  fmt::format("{}:{}: {}", input.name(), line.number(), stroke.error().message));
+    }
+  }
 }
 
 bool presses(const HandEvent& aim) {
@@ -252,32 +267,18 @@ void ReplayMachine::compare_ink() {
 }
 
 Result<Document> read_document(const std::string& path) {
-  if (format_of_path(path).value_or(Format::kNdjson) == Format::kFelt) {
-    return read_felt(path).map([](StoredDrawing drawing) { return std::move(drawing.document); });
+  const Result<Input> input = Input::open(path);
+  if (!input) return fail(input.error().code, input_name(path) + ": " + input.error().message);
+  if (input->is_lines()) {
+    return read_lines(*input).map([](const Sketch& sketch) { return document_of(sketch); });
   }
-  return read_sketch(path).map([](const Sketch& sketch) { return document_of(sketch); });
+  return read_whole(*input);
 }
 
 Result<Sketch> read_sketch(const std::string& path) {
-  if (is_stored_sketch(path)) return read_stored_sketch(path);
   const Result<Input> input = Input::open(path);
   if (!input) return fail(input.error().code, input_name(path) + ": " + input.error().message);
-  LineReader reader(input->reader());
-  LineBatch batch;
-  NdjsonParser parser;
-  Sketch sketch;
-  for (;;) {
-    const Result<bool> more = reader.fill(batch, kBatchBytes);
-    if (!more) return fail(more.error().code, input->name() + ": " + more.error().message);
-    if (!*more) return sketch;
-    for (std::size_t i = 0; i < batch.size(); ++i) {
-      const NdjsonLine line = batch.line(i);
-      const Result<void> added = add_stroke(parser, line, sketch);
-      if (added) continue;
-      return fail(added.error().code,
-                  fmt::format("{}:{}: {}", input->name(), line.number(), added.error().message));
-    }
-  }
+  return input->is_lines() ? read_lines(*input) : read_whole(*input).map(visible_strokes);
 }
 
 }  // namespace felt::cli

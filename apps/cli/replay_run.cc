@@ -53,6 +53,9 @@ double ReplayRun::progress(double part) const noexcept {
 Result<void> ReplayRun::file(const std::string& path) {
   const Result<Input> input = Input::open(path);
   if (!input) return fail(input.error().code, input_name(path) + ": " + input.error().message);
+  if (input->format() != FileFormat::kNdjson) {
+    return fail(ErrorCode::kUnsupported, input->name() + ": is no script, which is .ndjson");
+  }
   const std::size_t slash = path.find_last_of('/');
   const std::string folder = path == "-" || slash == std::string::npos ? "" : path.substr(0, slash);
   return script(input->name(), folder, input->reader());

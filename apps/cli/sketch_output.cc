@@ -2,6 +2,8 @@
 
 #include <functional>
 
+#include "felt/formats/drawing_writer.h"
+#include "felt/formats/layered_drawing.h"
 #include "felt/io/ndjson_writer.h"
 #include "felt/io/pdf_writer.h"
 #include "felt/io/png.h"
@@ -9,8 +11,6 @@
 #include "felt/io/svg_writer.h"
 #include "felt/render/page.h"
 #include "felt/render/raster.h"
-#include "felt/session/session.h"
-#include "felt/store/felt_file.h"
 #include "sketch_spool.h"
 
 namespace felt::cli {
@@ -97,15 +97,18 @@ class WholeOutput final : public SketchOutput {
 };
 
 /// One layer with the strokes, on the sheet that was asked for.
-Result<std::string> felt_of(const Sketch& sketch, const PictureOptions& picture) {
-  StoredDrawing drawing;
-  drawing.document = document_of(sketch);
+Result<std::string> bytes_of(const Sketch& sketch, Format format, const PictureOptions& picture) {
+  LayeredSketch layered;
+  layered.layers.push_back({"Ink", true, false, sketch});
+  StoredDrawing drawing = stored_drawing(std::move(layered));
+  const Rgba paper = picture.paper.value_or(drawing.page.paper);
+  drawing.page.paper = paper;
   if (picture.sheet) {
-    drawing.page.width_mm = picture.sheet->width();
-    drawing.page.height_mm = picture.sheet->height();
+    const Result<SheetPage> page = sheet_page(*picture.sheet, paper);
+    if (!page) return tl::unexpected(page.error());
+    drawing.page = *page;
   }
-  drawing.page.paper = picture.paper.value_or(drawing.page.paper);
-  return felt_bytes(drawing);
+  return drawing_bytes(drawing, format);
 }
 
 Result<std::string> pdf_of(const Sketch& sketch, const PictureOptions& picture) {
@@ -161,10 +164,9 @@ Result<std::unique_ptr<SketchOutput>> open_sketch_output(const std::string& path
   if (!output) return tl::unexpected(output.error());
   if (format == Format::kPng) return std::make_unique<PngOutput>(*std::move(output), picture);
   if (format == Format::kNdjson) return std::make_unique<NdjsonOutput>(*std::move(output));
-  const auto to_bytes = format == Format::kFelt ? felt_of : pdf_of;
-  return std::make_unique<WholeOutput>(
-      *std::move(output),
-      [to_bytes, picture](const Sketch& sketch) { return to_bytes(sketch, picture); });
+  return std::make_unique<WholeOutput>(*std::move(output), [format, picture](const Sketch& sketch) {
+    return format == Format::kPdf ? pdf_of(sketch, picture) : bytes_of(sketch, format, picture);
+  });
 }
 
 Result<void> write_strokes(const Sketch& sketch, Format format, SketchOutput& output) {

@@ -30,17 +30,24 @@ has err "feltline: other.svg: is an SVG of another program"
 
 # What is drawn of each is the same picture.
 for file in a.ndjson a.felt a.svg; do
-  run 0 "$feltline" render "$file" -o "$file.png" --dpi 50
+  run 0 "$feltline" render "$file" -o "$file.png" --dpi 50 --page fit --paper white
   same "$file.png" a.ndjson.png
 done
+
+# info tells the same figures of each, and of a drawing its sheet and layers.
 run 0 "$feltline" info a.felt --json
-cp out felt.info
+has out ',"format":"felt","page":{"width_mm":210,"height_mm":148,"paper":"#ffffff"},"layers":[{"name":"Ink","visible":true,"locked":false,"strokes":20}],"notices":[]}'
+sed 's/,"format".*//' out >felt.info
 run 0 "$feltline" info a.ndjson --json
-same out felt.info
+sed 's/,"format".*//' out >ndjson.info
+same ndjson.info felt.info
+run 0 "$feltline" info - <a.felt
+has out "page            210 x 148 mm, #ffffff"
+has out "layer 1         20 strokes, 'Ink'"
 
 # .pdf: the same bytes each time, nothing but a PDF, and never read.
 run 0 "$feltline" render a.felt -o a.pdf --page A4
-run 0 "$feltline" convert a.ndjson -o b.pdf --page A4
+run 0 "$feltline" convert a.ndjson -o b.pdf --page A4 --paper white
 same a.pdf b.pdf
 has a.pdf "%PDF-1.4"
 has a.pdf "/MediaBox [0 0 595.2756 841.8898 ]"

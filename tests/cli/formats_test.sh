@@ -69,7 +69,8 @@ run 0 "$feltline" info headed.ndjson --json
 has out '{"kind":"sketch","strokes":20,'
 run 0 "$feltline" info - <a.ndjson
 has out 'kind            sketch'
-lines out 9
+has out 'format          Strokes as lines of JSON'
+lines out 10
 # Drawings of Quick, Draw!: each stroke of a line becomes a stroke, with a name and a number of its own.
 printf '%s\n' '{"word":"house","key_id":"47","drawing":[[[30,30,225],[255,110,112]],[[0,9],[5,5]]]}' \
   '{"drawing":[[[1,9],[1,9],[0,16]]]}' >quick.ndjson

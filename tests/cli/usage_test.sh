@@ -30,7 +30,7 @@ run 2 "$feltline" fit in.ndjson -o x.ndjson --stats xml
 run 2 "$feltline" fit in.ndjson -o - --stats json
 has err "both want stdout"
 run 2 "$feltline" fit in.ndjson -o x.docx
-has err "x.docx: the extension '.docx' is not known; there is .ndjson, .felt, .svg, .pdf and .png"
+has err "x.docx: the extension '.docx' is not known; there is felt, svg,"
 run 2 "$feltline" fit in.ndjson -o x
 run 2 "$feltline" fit in.ndjson -o x.ndjson --to docx
 run 2 "$feltline" render in.ndjson -o x.ndjson
