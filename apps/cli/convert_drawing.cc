@@ -93,8 +93,7 @@ Result<std::optional<Rect>> shown_area(OpenedDrawing& opened, Format format,
 /// As a stream of lines is written: what `convert` gives does not depend on what it was given.
 Result<void> write_lines(const std::string& path, const Sketch& sketch,
                          const PictureOptions& picture) {
-  Result<std::unique_ptr<SketchOutput>> output =
-      open_sketch_output(path, Format::kNdjson, picture);
+  Result<std::unique_ptr<SketchOutput>> output = open_sketch_output(path, Format::kNdjson, picture);
   if (!output) return tl::unexpected(output.error());
   return write_strokes(sketch, Format::kNdjson, **output);
 }

@@ -29,24 +29,28 @@ run 1 "$feltline" fit - -o - <bad.ndjson
 has err "feltline: stdin:2: "
 same out expected.ndjson
 
-# What is no .ndjson is not read line by line.
-printf '<svg>\n</svg>\n' >picture.svg
-cp picture.svg picture.png
-for command in "fit picture.png -o x.ndjson" "info picture.png" "render picture.png -o x.png" \
-  "convert picture.png -o -"; do
+# What no format of ours is is not read line by line; the content counts, not the name.
+printf '\211PNG\r\n\032\n0000' >picture.png
+cp picture.png picture.ndjson
+for name in picture.png picture.ndjson; do
+  for command in "fit $name -o x.ndjson" "info $name" "render $name -o x.png" "convert $name -o -"; do
+    # shellcheck disable=SC2086  # words on purpose
+    run 1 "$feltline" $command
+    lines err 1
+    has err "feltline: $name: is a PNG picture, which is written but not read"
+  done
+done
+echo 'Dear all,' >letter.doc
+run 1 "$feltline" convert letter.doc -o x.svg
+has err "feltline: letter.doc: is no drawing that Feltline knows; it reads felt, svg,"
+echo '{"t_ms":0,"event":"undo"}' >script.ndjson
+for command in "fit script.ndjson -o x.ndjson" "info script.ndjson" "convert script.ndjson -o x.svg"; do
   # shellcheck disable=SC2086  # words on purpose
   run 1 "$feltline" $command
   lines err 1
-  has err "feltline: picture.png: cannot read .png, only .ndjson"
+  has err "feltline: script.ndjson: holds events, not strokes"
 done
-run 1 "$feltline" fit picture.svg -o x.ndjson
-has err "feltline: picture.svg: cannot read .svg, only .ndjson"
-for command in "info picture.svg" "render picture.svg -o x.png" "convert picture.svg -o -"; do
-  # shellcheck disable=SC2086  # words on purpose
-  run 1 "$feltline" $command
-  lines err 1
-  has err "feltline: picture.svg: is an SVG of another program"
-done
+[ ! -e x.svg ] || fail "a drawing of nothing"
 
 # Records without a name get their number.
 printf '{"points":[[0,0],[5,5]]}\n{"id":"b","points":[[0,0],[5,5]]}\n{"points":[[0,0],[5,5]]}\n' >n.ndjson

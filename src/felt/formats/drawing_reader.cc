@@ -8,7 +8,9 @@
 #include "felt/formats/format_traits.h"
 #include "felt/formats/layered_drawing.h"
 #include "felt/formats/line_drawing.h"
+#include "felt/io/quickdraw_import.h"
 #include "felt/io/svg_import.h"
+#include "felt/io/xopp_import.h"
 
 namespace felt {
 namespace {
@@ -41,9 +43,13 @@ Result<ImportedDrawing> import_foreign(std::string_view bytes, FileFormat format
     case FileFormat::kSvg:
       return import_svg(bytes, options.import);
     case FileFormat::kNdjson:
+      if (ndjson_content(bytes.substr(0, kFormatHeadBytes)) == NdjsonContent::kQuickdraw) {
+        return import_quickdraw(bytes, options.import);
+      }
       return import_lines(bytes, options.import);
-    case FileFormat::kInkml:
     case FileFormat::kXopp:
+      return import_xopp(bytes, options.import);
+    case FileFormat::kInkml:
     case FileFormat::kFelt:
     case FileFormat::kPdf:
     case FileFormat::kPng:

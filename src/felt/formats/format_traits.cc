@@ -68,6 +68,7 @@ constexpr std::array kTable = {
                  .title = "Xournal++ notes",
                  .endings = kXoppEndings,
                  .media_types = kXoppTypes,
+                 .reads = true,
                  .layers = true,
                  .page = true,
                  .widths = "sampled along the line",
@@ -82,7 +83,7 @@ constexpr std::array kTable = {
                  .reads = true,
                  .writes = true,
                  .widths = "exact",
-                 .taken = "raw pen samples, which become ink",
+                 .taken = "raw pen samples, which become ink; drawings of Quick, Draw!",
                  .kept = "Every line that is seen, exactly, for programs and scripts; no layers "
                          "and no sheet."},
     FormatTraits{.format = FileFormat::kPdf,
