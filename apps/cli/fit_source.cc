@@ -19,7 +19,7 @@ bool FitSource::next(FitItem& item) {
       if (item.failure) return true;
     }
     item.name = input_->name();
-    if (!input_->is_lines()) {
+    if (!input_->is_lines() && !input_->is_quickdraw()) {
       read_whole(item);
       return true;
     }

@@ -70,7 +70,9 @@ Result<void> Input::find_kind(const std::string& path) {
   const Result<FileFormat> format = readable_format(head_, path);
   if (!format) return tl::unexpected(format.error());
   format_ = *format;
-  is_lines_ = format_ == FileFormat::kNdjson && ndjson_content(head_) == NdjsonContent::kStrokes;
+  const NdjsonContent content = ndjson_content(head_);
+  is_lines_ = format_ == FileFormat::kNdjson && content == NdjsonContent::kStrokes;
+  is_quickdraw_ = format_ == FileFormat::kNdjson && content == NdjsonContent::kQuickdraw;
   return {};
 }
 
@@ -110,7 +112,8 @@ Input::Input(Input&& other) noexcept
       size_bytes_(other.size_bytes_),
       head_(std::move(other.head_)),
       format_(other.format_),
-      is_lines_(other.is_lines_) {}
+      is_lines_(other.is_lines_),
+      is_quickdraw_(other.is_quickdraw_) {}
 
 Input::~Input() {
   if (fd_ > STDERR_FILENO) ::close(fd_);

@@ -26,6 +26,8 @@ class Input {
   [[nodiscard]] FileFormat format() const noexcept { return format_; }
   /// Lines of strokes, which need not be held in memory together; anything else is read as a whole.
   [[nodiscard]] bool is_lines() const noexcept { return is_lines_; }
+  /// Lines of drawings of Quick, Draw!, which fit takes one by one as well.
+  [[nodiscard]] bool is_quickdraw() const noexcept { return is_quickdraw_; }
   /// The bytes from the first on. The input must stay where it is while they are read.
   [[nodiscard]] ReadBytes reader() const;
   /// All of it, as a drawing. The message of an error is the reason alone.
@@ -42,6 +44,7 @@ class Input {
   std::string head_;
   FileFormat format_ = FileFormat::kNdjson;
   bool is_lines_ = true;
+  bool is_quickdraw_ = false;
 };
 
 /// "stdin" for "-", else the path.
