@@ -57,6 +57,8 @@ class LiveInk {
   Changes take();
   /// All of the stretch that was taken, for another store.
   [[nodiscard]] const std::vector<LiveChunk>& chunks() const noexcept { return chunks_; }
+  /// Of the newest sample that was taken before it was told; INT64_MIN where there is none.
+  [[nodiscard]] std::int64_t kept_ns() const noexcept { return kept_ns_; }
 
  private:
   void open();

@@ -23,7 +23,7 @@ namespace felt {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-constexpr int kPartsATurn = 8;  // of a base: 2 MiB, so that edits need not wait for all of it
+constexpr int kPartsATurn = 2;  // of a base: half a MiB, so that edits need not wait for all of it
 
 struct Begin {
   StoredDrawing drawing;
@@ -113,7 +113,8 @@ struct Saver::Work {
   std::vector<WorkingStore> old;  // what the store takes the place of, once its base is whole
   std::size_t root = 0;
   int drawing_number = 0, store_number = 0;
-  bool has_begun = false, is_forgotten = false, about_is_told = false;
+  bool has_begun = false, about_is_told = false;
+  std::int64_t newest_ns = INT64_MIN;  // that was told, on the session's clock
   std::string why;
   Clock::time_point next_try, next_first;
   std::thread thread;
@@ -229,13 +230,16 @@ void Saver::Work::set_status(SaverStatus now) {
 
 void Saver::Work::run() {
   std::unique_lock lock(mutex);
-  for (;;) {
+  for (Clock::time_point begun;;) {
     const auto is_urgent = [this] { return stop || flushes_wanted > flushes_done; };
     // Nobody wakes this thread for the samples of the loop.
     if (!has_ring && !has_work) {
       wake.wait(lock, [&] { return is_urgent() || has_ring || !queue.empty(); });
     }
-    wake.wait_for(lock, options.gather, is_urgent);
+    // Nor does the rest of a base wait. A slow commit counts: the next one comes sooner.
+    const auto gather = is_idle() ? options.gather : std::chrono::milliseconds(0);
+    wake.wait_until(lock, std::max(begun + gather, Clock::now() + gather / 4), is_urgent);
+    begun = Clock::now();
     const bool is_last = stop;
     const std::uint64_t wanted = flushes_wanted;
     lock.unlock();
@@ -350,6 +354,7 @@ void Saver::Work::follow(const Event& event) {
 
 void Saver::Work::take(Told& told) {
   live.told(told.event, told.gesture_in_work);
+  newest_ns = std::max(newest_ns, told.event.time_ns);
   follow(told.event);
 }
 
@@ -455,6 +460,7 @@ Result<void> Saver::Work::write() {
   if (auto ok = write_base(); !ok) return ok;
   if (auto ok = store->commit(); !ok) return ok;
   about_is_told = true;
+  if (options.on_commit) options.on_commit(std::max(newest_ns, live.kept_ns()));
   return {};
 }
 

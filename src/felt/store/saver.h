@@ -35,6 +35,9 @@ struct SaverOptions {
   /// Told whenever it is another one than before; the first time only if it is not kWorking. On
   /// the saver's thread.
   std::function<void(const SaverStatus&)> on_status = {};
+  /// Told after each commit: all that the session was told up to this time of its clock is kept,
+  /// and all ink that the loop has made. On the saver's thread.
+  std::function<void(std::int64_t)> on_commit = {};
   /// How long what is told is gathered before it is committed.
   std::chrono::milliseconds gather{20};
   /// After all places failed, and after the first one did.
