@@ -1,0 +1,45 @@
+#pragma once
+
+/// What our own InkML says beside the traces, so that a drawing comes back exactly. Private to this
+/// layer; docs/formats/inkml.md describes it.
+
+#include <cstdint>
+#include <optional>
+#include <pugixml.hpp>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "felt/document/sheet_page.h"
+#include "felt/io/ink_of_points.h"
+#include "felt/stroke/sketch.h"
+
+namespace felt::inkml {
+
+/// Namespace of our attributes, and the version of what they mean.
+inline constexpr std::string_view kFeltNamespace = "https://feltline.org/ns/inkml/1";
+inline constexpr std::string_view kInkmlNamespace = "http://www.w3.org/2003/InkML";
+
+/// Traces are written on this grid.
+inline constexpr double kStepsPerMm = 1000.0;
+
+/// Fingerprint of the points and widths of a trace in steps of the grid, however they are written:
+/// when it is another than the one beside the exact curve, another program has changed the trace.
+std::uint64_t trace_sum(std::span<const WidePoint> trace) noexcept;
+
+/// Appends the attributes of a stroke's exact model to its trace element. Error: an id or material
+/// that XML cannot hold or of more than 4096 bytes, a coordinate beyond 1e9 mm.
+Result<void> append_model(std::string& out, const SketchStroke& stroke,
+                          std::span<const WidePoint> trace);
+
+/// The stroke that the attributes of a trace describe, in `color`. Nothing where there are none.
+/// Error: they do not describe one, or `trace` is not the one they were written for.
+std::optional<Result<SketchStroke>> read_model(const pugi::xml_node& node,
+                                               const std::string& prefix,
+                                               std::span<const WidePoint> trace, Rgba color);
+
+/// "297 210 #ffffffff": the sheet.
+std::string page_text(const SheetPage& page);
+std::optional<SheetPage> page_of_text(std::string_view text);
+
+}  // namespace felt::inkml

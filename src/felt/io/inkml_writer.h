@@ -1,0 +1,19 @@
+#pragma once
+
+#include <string>
+
+#include "felt/base/result.h"
+#include "felt/io/layered_sketch.h"
+
+namespace felt {
+
+/// How far the straight lines between the points of a written trace may be from the stroke.
+inline constexpr double kTraceToleranceMm = 0.01;
+
+/// A drawing as InkML: for every reader traces with X, Y and W in mm, brushes for the colours and a
+/// traceGroup for each layer; beside them our exact model, which import_inkml() gives back. Equal
+/// drawings give equal bytes. Error: a name that XML cannot hold or of more than 4096 bytes, a
+/// coordinate beyond 1e9 mm; it names the stroke.
+Result<std::string> inkml_text(const LayeredSketch& drawing);
+
+}  // namespace felt

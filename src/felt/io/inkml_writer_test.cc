@@ -1,0 +1,139 @@
+#include "felt/io/inkml_writer.h"
+
+#include <gmock/gmock.h>
+
+#include <algorithm>
+
+#include "felt/io/inkml_import.h"
+#include "felt/io/random_layers.h"
+#include "felt/stroke/flatten.h"
+
+namespace felt {
+namespace {
+
+using ::testing::HasSubstr;
+
+std::string replaced(std::string text, const std::string& from, const std::string& to) {
+  for (std::size_t at = text.find(from); at != std::string::npos; at = text.find(from, at)) {
+    text.replace(at, from.size(), to);
+    at += to.size();
+  }
+  return text;
+}
+
+LayeredSketch one_stroke() {
+  LayeredSketch drawing;
+  drawing.layers.emplace_back();
+  drawing.layers[0].name = "ink";
+  drawing.layers[0].strokes.push_back({"a", testing::random_stroke(3)});
+  return drawing;
+}
+
+/// Largest distance of the centre line of a from that of b.
+double distance_of(const Stroke& a, const Stroke& b) {
+  std::vector<Dab> from, to;
+  flatten(a, 0.002, from);
+  flatten(b, 0.002, to);
+  double largest = 0.0;
+  for (const Dab& dab : from) {
+    double least = distance(dab.center, to[0].center);
+    for (std::size_t i = 1; i < to.size(); ++i) {
+      const Point p = to[i - 1].center;
+      const Vec way = to[i].center - p;
+      const double t =
+          std::clamp(dot(dab.center - p, way) / std::max(norm_squared(way), 1e-30), 0.0, 1.0);
+      least = std::min(least, distance(dab.center, p + t * way));
+    }
+    largest = std::max(largest, least);
+  }
+  return largest;
+}
+
+TEST(InkmlWriter, OurOwnComesBackExactly) {
+  for (std::uint64_t seed = 1; seed <= 300; ++seed) {
+    const LayeredSketch drawing = testing::random_layers(seed);
+    const std::string text = inkml_text(drawing).value();
+    const ImportedDrawing back = import_inkml(text).value();
+    EXPECT_EQ(back.drawing, drawing) << "seed " << seed;
+    EXPECT_TRUE(back.report.empty()) << notice_text(back.report.notices()[0]);
+    EXPECT_EQ(inkml_text(back.drawing).value(), text) << "seed " << seed;
+  }
+}
+
+TEST(InkmlWriter, OthersReadTheSameInkFromTheTraces) {
+  for (std::uint64_t seed = 1; seed <= 40; ++seed) {
+    SCOPED_TRACE(seed);
+    const LayeredSketch drawing = testing::random_layers(seed);
+    const std::string text =
+        replaced(inkml_text(drawing).value(), "https://feltline.org/ns/inkml/1", "elsewhere");
+    const ImportedDrawing back = import_inkml(text).value();
+    Sketch all, read;
+    for (const SketchLayer& l : drawing.layers)
+      all.insert(all.end(), l.strokes.begin(), l.strokes.end());
+    for (const SketchLayer& l : back.drawing.layers)
+      read.insert(read.end(), l.strokes.begin(), l.strokes.end());
+    ASSERT_EQ(all.size(), read.size());
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      EXPECT_EQ(all[i].stroke.color(), read[i].stroke.color());
+      EXPECT_LE(distance_of(all[i].stroke, read[i].stroke), 0.08) << i;
+      EXPECT_NEAR(all[i].stroke.width_mm(0.0), read[i].stroke.width_mm(0.0), 0.1) << i;
+    }
+  }
+}
+
+TEST(InkmlWriter, AChangedTraceCountsMoreThanTheCurveBesideIt) {
+  const std::string text = inkml_text(one_stroke()).value();
+  const std::size_t at = text.find('>', text.find("<trace xml:id"));
+  std::string moved = text;
+  moved.insert(at + 1, "500 500 1, ");
+  const ImportedDrawing back = import_inkml(moved).value();
+  ASSERT_EQ(back.report.notices().size(), 1u);
+  EXPECT_THAT(notice_text(back.report.notices()[0]), HasSubstr("was changed by another program"));
+  EXPECT_NEAR(back.drawing.layers[0].strokes[0].stroke.position(0.0).x, 500.0, 0.1);
+  EXPECT_EQ(back.drawing.layers[0].name, "ink");
+}
+
+TEST(InkmlWriter, OtherSpacingOfTheSameTraceChangesNothing) {
+  const LayeredSketch drawing = one_stroke();
+  const std::string text = replaced(inkml_text(drawing).value(), ", ", " ,\n   ");
+  EXPECT_EQ(import_inkml(text).value().drawing, drawing);
+}
+
+TEST(InkmlWriter, AnotherScaleIsAChange) {
+  const std::string text =
+      replaced(inkml_text(one_stroke()).value(), "units=\"mm\"", "units=\"cm\"");
+  EXPECT_FALSE(import_inkml(text).value().report.empty());
+}
+
+TEST(InkmlWriter, AnotherColourIsTaken) {
+  LayeredSketch drawing = one_stroke();
+  const std::string text = inkml_text(drawing).value();
+  const std::size_t at = text.find("value=\"#") + 7;
+  const ImportedDrawing back =
+      import_inkml(text.substr(0, at) + "#010203" + text.substr(at + 7)).value();
+  const Rgba was = drawing.layers[0].strokes[0].stroke.color();
+  EXPECT_EQ(back.drawing.layers[0].strokes[0].stroke.color(), (Rgba{1, 2, 3, was.a}));
+  EXPECT_EQ(back.drawing.layers[0].strokes[0].stroke.widths().size(),
+            drawing.layers[0].strokes[0].stroke.widths().size());
+}
+
+TEST(InkmlWriter, WhatXmlCannotHoldIsAnErrorThatNamesIt) {
+  LayeredSketch drawing = one_stroke();
+  drawing.layers[0].strokes[0].id = "a\x01";
+  EXPECT_THAT(inkml_text(drawing).error().message, HasSubstr("stroke 1: XML cannot hold"));
+  drawing = one_stroke();
+  drawing.layers[0].name = "\xff";
+  EXPECT_THAT(inkml_text(drawing).error().message, HasSubstr("a layer's name: "));
+  drawing = one_stroke();
+  drawing.layers[0].strokes[0].id = std::string(4096, 'x');
+  EXPECT_EQ(import_inkml(inkml_text(drawing).value()).value().drawing, drawing);
+  drawing.layers[0].strokes[0].id += 'x';
+  EXPECT_THAT(inkml_text(drawing).error().message, HasSubstr("more than 4096 bytes"));
+  drawing.layers[0].strokes = {{"far", testing::straight_stroke({0, 0}, {1e9, 0}, 1, 1)}};
+  EXPECT_EQ(import_inkml(inkml_text(drawing).value()).value().drawing, drawing);
+  drawing.layers[0].strokes = {{"far", testing::straight_stroke({0, 0}, {1.1e9, 0}, 1, 1)}};
+  EXPECT_THAT(inkml_text(drawing).error().message, HasSubstr("beyond 1e9 mm"));
+}
+
+}  // namespace
+}  // namespace felt
