@@ -54,6 +54,7 @@ double alpha_of(const std::array<Argument, 4>& v, std::size_t n) noexcept {
 }
 
 std::optional<Rgba> rgb_color(const std::array<Argument, 4>& v, std::size_t n) {
+  if (v[0].percent != v[1].percent || v[1].percent != v[2].percent) return std::nullopt;
   const auto share = [](const Argument& a) {
     return a.percent ? a.value / 100.0 : a.value / 255.0;
   };

@@ -73,7 +73,8 @@ bool SvgPathBuilder::begin_segment() {
 }
 
 void SvgPathBuilder::line(Point p) {
-  const Cubic c = straight(here_, p);
+  // Thirds of no way are rounded, and would be one.
+  const Cubic c = p == here_ ? Cubic{{p, p, p, p}} : straight(here_, p);
   cubic(c.p[1], c.p[2], p);
 }
 

@@ -73,6 +73,9 @@ Result<void> SvgWalker::begin() {
   place_page(box, root, e.state);
   sink_.root(root);
   if (!resolve(e)) return {};
+  if (const auto color = svg_color(e.declared[SvgProperty::kBackgroundColor]); color) {
+    sink_.paper(*color);
+  }
   e.state.units.root_font_size = e.state.style.font_size;
   if (e.state.style.opacity < 1.0) {
     notice(node, "is transparent as a whole, and was made so stroke by stroke");

@@ -83,7 +83,7 @@ class SvgSceneSink {
   /// What follows stands in this layer.
   virtual void layer(const SvgLayer& layer) = 0;
   virtual void shape(SvgShape shape) = 0;
-  /// A rectangle that we wrote for the paper.
+  /// The paper: a rectangle that we wrote, or the background of the whole.
   virtual void paper(Rgba color) = 0;
   /// Something that is not painted as the file says. `line` as SvgShape::line_number.
   virtual void notice(std::int64_t line, std::string element, std::string what) = 0;

@@ -15,7 +15,8 @@ namespace {
 constexpr std::size_t kCount = static_cast<std::size_t>(SvgProperty::kCount);
 
 /// Names in the order of SvgProperty, which is theirs.
-constexpr std::array<std::string_view, kCount> kNames{"clip-path",
+constexpr std::array<std::string_view, kCount> kNames{"background-color",
+                                                      "clip-path",
                                                       "color",
                                                       "display",
                                                       "fill",
@@ -69,6 +70,7 @@ bool is_readable(SvgProperty p, std::string_view value) {
     case SvgProperty::kFill:
     case SvgProperty::kStroke:
       return svg_paint(value).has_value();
+    case SvgProperty::kBackgroundColor:
     case SvgProperty::kColor:
     case SvgProperty::kStopColor:
       return svg_color(value).has_value() || svg_same_word(value, "currentColor");
@@ -131,7 +133,9 @@ std::optional<std::vector<double>> dash_list(std::string_view text, const SvgUni
     sum += *length;
     scan.skip_comma();
   }
-  if (!(sum > 0.0)) dashes.clear();
+  double gaps = dashes.size() % 2 == 1 ? sum : 0.0;
+  for (std::size_t i = 1; i < dashes.size(); i += 2) gaps += dashes[i];
+  if (!(sum > 0.0) || !(gaps > 0.0)) dashes.clear();
   if (dashes.size() % 2 == 1) {
     const std::vector<double> once = dashes;
     dashes.insert(dashes.end(), once.begin(), once.end());
@@ -228,7 +232,8 @@ bool svg_declared(const pugi::xml_node& node, SvgStyleSheet& sheet, std::string&
   };
   for (const pugi::xml_attribute& a : node.attributes()) {
     const std::string_view name = a.name();
-    if (name != "marker" && name != "mix-blend-mode") say(name, svg_trimmed(a.value()), 0);
+    if (name != "marker" && name != "mix-blend-mode" && name != "background-color")
+      say(name, svg_trimmed(a.value()), 0);
   }
   const bool within_budget =
       sheet.match(node, [&](const SvgDeclaration& d, std::uint64_t precedence) {

@@ -21,6 +21,7 @@ class SvgStyleSheet;
 
 /// The properties that matter to ink, or of which a notice is given.
 enum class SvgProperty : std::uint8_t {
+  kBackgroundColor,
   kClipPath,
   kColor,
   kDisplay,

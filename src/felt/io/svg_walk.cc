@@ -307,7 +307,7 @@ std::optional<Rgba> SvgWalker::paint_color(const SvgPaint& paint, const Element&
   std::optional<Rgba> color = plain(paint.kind, paint.color);
   if (paint.kind == Kind::kServer) {
     const SvgServerColor server = svg_server_color(document_, paint.server, style.color);
-    if (!server.paints) {
+    if (!server.paints || !server.color) {
       color = plain(paint.fallback, paint.fallback_color);
     } else if (server.is_gradient) {
       color = server.color;
