@@ -1,0 +1,22 @@
+#pragma once
+
+#include <string>
+
+#include "felt/base/result.h"
+#include "felt/io/layered_sketch.h"
+
+namespace felt {
+
+/// How far a written line may be from the stroke: its points lie on it.
+inline constexpr double kXoppToleranceMm = 0.02;
+/// Largest step from the width of one piece of a line to the next.
+inline constexpr double kXoppWidthStepMm = 0.1;
+/// Around the ink of a drawing without a sheet.
+inline constexpr double kXoppMarginMm = 5.0;
+
+/// A drawing as a document of Xournal++, of one page: layers, and strokes as lines with a width for
+/// each piece. docs/formats/xopp.md says what the format cannot hold. Equal drawings give equal
+/// bytes. Error: a layer's name that XML cannot hold, a coordinate beyond 1e9 mm.
+Result<std::string> xopp_bytes(const LayeredSketch& drawing);
+
+}  // namespace felt

@@ -1,0 +1,24 @@
+/// Any bytes as drawings of Quick, Draw!: the reader never crashes, works in bounded time, and what
+/// it takes keeps the invariants of the model.
+
+#include <cstdint>
+#include <string_view>
+
+#include "felt/base/check.h"
+#include "felt/io/quickdraw_import.h"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  using namespace felt;
+  const std::string_view text(reinterpret_cast<const char*>(data), size);
+  const Result<ImportedDrawing> drawing = import_quickdraw(text);
+  if (!drawing) {
+    FELT_CHECK(!drawing.error().message.empty());
+    return 0;
+  }
+  FELT_CHECK(!drawing->drawing.layers.empty());
+  FELT_CHECK(drawing->drawing.layers.size() <= static_cast<std::size_t>(kMaxQuickdrawDrawings));
+  for (const SketchLayer& layer : drawing->drawing.layers) {
+    for (const SketchStroke& s : layer.strokes) FELT_CHECK(check_invariants(s.stroke.data()));
+  }
+  return 0;
+}
