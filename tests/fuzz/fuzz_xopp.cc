@@ -81,7 +81,7 @@ extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t s
   const felt::Result<std::string> inside =
       packed ? felt::gunzip(bytes, kSmall) : felt::Result<std::string>(bytes);
   if (felt::is_zip(bytes) || !inside || (packed && random() % 8 == 0)) {
-    for (unsigned n = 1 + random() % 3; n > 0 && !bytes.empty(); --n) {
+    for (auto n = 1 + random() % 3; n > 0 && !bytes.empty(); --n) {
       bytes[random() % bytes.size()] = static_cast<char>(random() & 0xff);
     }
   } else {
