@@ -68,6 +68,11 @@ Studio::~Studio() {
   stop_loop();
 }
 
+void Studio::listen(StudioListener listener) {
+  listener_ = std::move(listener);
+  if (listener_.loop && servo_) listener_.loop(servo_.get(), clock_start_ns_);
+}
+
 void Studio::make_session(Document document) {
   if (options_.on_session) options_.on_session(document);
   SessionOptions options;
@@ -108,6 +113,7 @@ void Studio::start_loop() {
     hand_ = std::make_unique<PointerHand>(*hand, device_->hand_options(), mouse_pressure_);
   }
   publish();
+  if (listener_.loop) listener_.loop(servo_.get(), clock_start_ns_);
   if (options_.live) {
     thread_ = std::make_unique<RealtimeThread>(
         *servo_, RealtimeOptions{.lock_memory = device_->info().moves_hand});
@@ -125,6 +131,7 @@ void Studio::stop_loop() {
     thread_.reset();
     clock_start_ns_ = end_ns;
   }
+  if (listener_.loop) listener_.loop(nullptr, 0);
   drain();
 }
 

@@ -41,6 +41,10 @@ struct StudioOptions {
 struct StudioListener {
   std::function<void(const Event&)> event;
   std::function<void(const Edit&)> edit;
+  /// A loop begins whose samples for the saver may be taken (Servo::for_saver), and what the
+  /// studio's clock is ahead of the loop's; null: it ends, and nothing of it may be used any more.
+  /// When it begins to listen, too.
+  std::function<void(Servo*, std::int64_t)> loop = {};
 };
 
 /// Where the pen is and what it feels, for the eye.
@@ -75,7 +79,7 @@ class Studio : public QObject {
   [[nodiscard]] const Session& session() const noexcept { return *session_; }
   [[nodiscard]] const SheetPage& page() const noexcept { return page_; }
   /// One at a time; none: {}.
-  void listen(StudioListener listener) { listener_ = std::move(listener); }
+  void listen(StudioListener listener);
   /// No step of undo, but a change that is to be saved.
   void set_page(const SheetPage& page);
   /// Another drawing takes the place of this one: history, selection and modification start anew;

@@ -5,6 +5,7 @@
 #include <QDragEnterEvent>
 #include <QDropEvent>
 #include <QFileInfo>
+#include <QLabel>
 #include <QMenu>
 #include <QMimeData>
 #include <QStandardPaths>
@@ -63,7 +64,7 @@ FileActions::FileActions(Studio& studio, Actions& actions, QWidget* window,
   connect(&studio, &Studio::opened, this, &FileActions::hear_opened);
   connect(&studio, &Studio::page_changed, this, [this] { ++revision_; });
   if (studio.loop()) {
-    keep_journal(recovery_root());
+    keep_journal(recovery_roots());
     offer_once();
   }
   window->setAcceptDrops(true);

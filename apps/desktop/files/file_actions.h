@@ -2,7 +2,9 @@
 
 #include <QDateTime>
 #include <QObject>
+#include <QPointer>
 #include <QString>
+#include <QStringList>
 #include <QWidget>
 #include <cstdint>
 #include <memory>
@@ -14,8 +16,9 @@
 #include "desktop/files/file_dialogs.h"
 #include "desktop/files/file_worker.h"
 #include "desktop/files/journal.h"
-#include "desktop/files/recovery.h"
+#include "desktop/files/recovery_offer.h"
 
+class QLabel;
 class QMenu;
 
 namespace felt::desktop {
@@ -63,10 +66,10 @@ class FileActions : public QObject {
   void adopt(Drawing drawing, const QString& name);
 
   /// From now on nothing is lost by a crash. A live studio's window does so by itself.
-  void keep_journal(const QString& root);
+  void keep_journal(const QStringList& roots);
   [[nodiscard]] Journal* journal() const noexcept { return journal_.get(); }
   /// Asks what to do with drawings that a crash left behind, if there are any.
-  void offer_recovery(const QString& root);
+  void offer_recovery(const QStringList& roots);
 
   /// "Open recent", kept up to date; owned by the window.
   [[nodiscard]] QMenu* recent_menu() const noexcept { return recent_menu_; }
@@ -104,11 +107,11 @@ class FileActions : public QObject {
   void set_path(const QString& path);
   void remember(const QString& path);
   void fill_recent_menu();
-  void show_offers(std::vector<AbandonedFolder> folders, std::vector<Result<Recovered>> drawings);
-  void take_over(AbandonedFolder folder, Recovered recovered);
+  void show_offers(std::vector<RecoveryOffer> offers);
+  void take_over(RecoveryOffer offer);
   void forget_rescued();
   void offer_once();
-  void warn(const QString& why);
+  void show_status(const SaverStatus& status);
   [[nodiscard]] QString last_folder() const;
 
   Studio& studio_;
@@ -116,7 +119,8 @@ class FileActions : public QObject {
   std::unique_ptr<FileDialogs> dialogs_;
   FileWorker worker_;
   std::unique_ptr<Journal> journal_;
-  std::vector<AbandonedFolder> rescued_;  // until what was in them is saved
+  std::vector<AbandonedStore> rescued_;  // until what was in them is saved
+  QPointer<QLabel> warning_;  // that it is not kept as it should be
   QMenu* recent_menu_;
   QString path_;
   QString name_;                // of a drawing without a path; "" is "Untitled"

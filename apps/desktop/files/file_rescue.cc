@@ -10,10 +10,10 @@
 
 namespace felt::desktop {
 
-void FileActions::keep_journal(const QString& root) {
+void FileActions::keep_journal(const QStringList& roots) {
   journal_ = std::make_unique<Journal>(
-      studio_, [this] { return drawing(); }, root);
-  connect(journal_.get(), &Journal::failed, this, &FileActions::warn);
+      studio_, [this] { return drawing(); }, roots);
+  connect(journal_.get(), &Journal::status_changed, this, &FileActions::show_status);
   journal_->begin(display_name(), path_);
 }
 
@@ -21,64 +21,64 @@ void FileActions::keep_journal(const QString& root) {
 void FileActions::offer_once() {
   static bool is_done = false;
   if (std::exchange(is_done, true)) return;
-  QTimer::singleShot(0, this, [this] { offer_recovery(recovery_root()); });
+  QTimer::singleShot(0, this, [this] { offer_recovery(recovery_roots()); });
 }
 
-void FileActions::offer_recovery(const QString& root) {
-  auto folders = std::make_shared<std::vector<AbandonedFolder>>(find_abandoned(root));
-  if (folders->empty()) return;
-  worker_.start([this, folders] {
-    auto drawings = std::make_shared<std::vector<Result<Recovered>>>();
-    for (const AbandonedFolder& folder : *folders) drawings->push_back(recover(folder.path));
-    return [this, folders, drawings] { show_offers(std::move(*folders), std::move(*drawings)); };
+void FileActions::offer_recovery(const QStringList& roots) {
+  std::vector<std::string> places;
+  for (const QString& root : roots) places.push_back(root.toStdString());
+  worker_.start([this, places = std::move(places)] {
+    auto offers = std::make_shared<std::vector<RecoveryOffer>>(read_offers(find_abandoned(places)));
+    return [this, offers] { show_offers(std::move(*offers)); };
   });
 }
 
-void FileActions::show_offers(std::vector<AbandonedFolder> folders,
-                              std::vector<Result<Recovered>> drawings) {
-  std::vector<RecoveryDialog::Offer> offers;
-  for (std::size_t i = 0; i < folders.size(); ++i) {
-    // One that cannot be read stays where it is: a newer program may know more.
-    if (!drawings[i]) continue;
-    if (drawings[i]->has_changes) {
-      offers.push_back({std::move(folders[i]), *std::move(drawings[i])});
-    } else {
-      folders[i].remove();
-    }
-  }
+void FileActions::show_offers(std::vector<RecoveryOffer> offers) {
   if (offers.empty()) return;
   auto* dialog = new RecoveryDialog(std::move(offers), window_);
   dialog->setAttribute(Qt::WA_DeleteOnClose);
-  connect(dialog, &RecoveryDialog::recover_wanted, this, [this, dialog] {
-    RecoveryDialog::Offer& offer = dialog->chosen();
-    take_over(std::move(offer.folder), std::move(offer.recovered));
-  });
+  connect(dialog, &RecoveryDialog::recover_wanted, this,
+          [this, dialog] { take_over(std::move(dialog->chosen())); });
+  // What was recovered stays: who looks at the saved one may still want it.
+  connect(dialog, &RecoveryDialog::open_wanted, this, [this](const QString& path) { open(path); });
   dialog->open();
 }
 
-void FileActions::take_over(AbandonedFolder folder, Recovered recovered) {
+void FileActions::take_over(RecoveryOffer offer) {
   if (!may_replace()) return;
-  QString name = recovered.name.isEmpty() ? tr("Untitled") : recovered.name;
+  RecoveredDrawing& recovered = offer.recovered;
+  QString name = recovered.name.empty() ? tr("Untitled") : QString::fromStdString(recovered.name);
   if (name.endsWith(QStringLiteral(".felt"))) name.chop(5);
-  if (!recovered.path.isEmpty()) folder_ = QFileInfo(recovered.path).path();
+  if (!recovered.path.empty()) {
+    folder_ = QFileInfo(QString::fromStdString(recovered.path)).path();
+  }
   adopt(std::move(recovered.drawing), tr("Recovered %1").arg(name));
   // Kept until its drawing is in a file: a second crash must not take it.
-  rescued_.push_back(std::move(folder));
+  rescued_.push_back(std::move(offer.store));
 }
 
 void FileActions::forget_rescued() {
-  for (AbandonedFolder& folder : rescued_) folder.remove();
-  rescued_.clear();
+  for (AbandonedStore& store : std::exchange(rescued_, {})) {
+    static_cast<void>(std::move(store).remove());
+  }
 }
 
-void FileActions::warn(const QString& why) {
-  const QString text = tr("No crash protection: save often");
+/// A warning that stays as long as it is true, and stops nobody.
+void FileActions::show_status(const SaverStatus& status) {
+  delete warning_;
   auto* bar = window_->findChild<QStatusBar*>();
-  if (!bar) return;
-  auto* notice = new QLabel(QStringLiteral("⚠ ") + text, bar);
-  notice->setToolTip(tr("What is needed for recovery cannot be written: %1").arg(why));
-  notice->setAccessibleName(text);
-  bar->addPermanentWidget(notice);
+  if (!bar || status.state == SaverStatus::State::kWorking) return;
+  const QString why = QString::fromStdString(status.why);
+  const bool is_lost = status.state == SaverStatus::State::kFailing;
+  const QString text =
+      is_lost ? tr("No crash protection: save often") : tr("Crash protection in another place");
+  warning_ = new QLabel(QStringLiteral("⚠ ") + text, bar);
+  warning_->setToolTip(
+      is_lost ? tr("What is needed for recovery cannot be written: %1").arg(why)
+              : tr("The drawing is kept for recovery in %1, because the usual place fails: %2")
+                    .arg(QString::fromStdString(status.folder), why));
+  warning_->setAccessibleName(text);
+  bar->addPermanentWidget(warning_);
 }
 
 }  // namespace felt::desktop

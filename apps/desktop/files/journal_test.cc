@@ -5,12 +5,13 @@
 #include <QCoreApplication>
 #include <QDir>
 #include <QFile>
-#include <QProcess>
-#include <QThread>
+#include <QLabel>
+#include <QPushButton>
+#include <QStatusBar>
 #include <cmath>
-#include <cstdio>
 
-#include "desktop/files/recovery.h"
+#include "desktop/files/recovery_dialog.h"
+#include "desktop/files/recovery_offer.h"
 #include "desktop/files/test_desk.h"
 
 namespace felt::desktop {
@@ -43,246 +44,171 @@ Document reference(int steps) {
   return document;
 }
 
-Document recovered_from(const QString& root) {
-  const std::vector<AbandonedFolder> folders = find_abandoned(root);
-  EXPECT_EQ(folders.size(), 1u);
-  if (folders.empty()) return {};
-  const Result<Recovered> recovered = recover(folders.front().path);
-  EXPECT_TRUE(recovered) << recovered.error().message;
-  return recovered ? recovered->drawing.document : Document();
+/// What a crash now would leave, read.
+RecoveredDrawing crashed(const TestDesk& desk) {
+  desk.files->journal()->flush();
+  const Result<RecoveredDrawing> recovered =
+      recover_store(desk.files->journal()->folder().toStdString());
+  EXPECT_TRUE(recovered) << (recovered ? "" : recovered.error().message);
+  return recovered.value_or(RecoveredDrawing{});
 }
 
-/// A copy of the folder of a living journal, as a crash would leave it.
-QString as_crashed(const Journal& journal, const QString& root) {
-  const QString copy = root + QStringLiteral("/crashed");
-  QDir().mkpath(copy);
-  const QDir from(journal.folder());
-  const QStringList names = from.entryList(QDir::Files);
-  for (const QString& name : names) {
-    if (name != QStringLiteral("lock"))
-      QFile::copy(from.filePath(name), copy + QLatin1Char('/') + name);
-  }
-  return copy;
+std::vector<AbandonedStore> abandoned_in(const QString& root) {
+  return find_abandoned({root.toStdString()});
 }
 
 TEST(Journal, WhateverWasDrawnIsRecoveredAtAnyStep) {
   for (const int steps : {1, 20, 49, 55, 130, 239, 240, 270, 299, 333}) {
     TestDesk desk;
-    desk.files->keep_journal(desk.at("state"));
+    desk.files->keep_journal({desk.at("state")});
     for (int k = 0; k < steps; ++k) step(desk, k);
-    desk.files->journal()->flush();
-    const Result<Recovered> recovered =
-        recover(as_crashed(*desk.files->journal(), desk.folder.path()));
-    ASSERT_TRUE(recovered) << recovered.error().message;
+    const RecoveredDrawing recovered = crashed(desk);
     const Document expected = reference(steps);
-    EXPECT_EQ(recovered->drawing.document.stroke_count(), expected.stroke_count());
-    EXPECT_TRUE(recovered->drawing.document == expected) << steps << " steps";
+    EXPECT_EQ(recovered.drawing.document.stroke_count(), expected.stroke_count());
+    EXPECT_TRUE(recovered.drawing.document == expected) << steps << " steps";
+    desk.studio.set_modified(false);
   }
 }
 
 TEST(Journal, TheDrawingThatWasOpenedIsItsBase) {
   TestDesk desk;
-  desk.files->keep_journal(desk.at("state"));
+  desk.files->keep_journal({desk.at("state")});
   desk.draw(1);
   desk.person->next = desk.at("a.felt");
   desk.files->save();
   desk.files->finish_writing();
-  desk.journal_flush();
-  EXPECT_FALSE(recover(as_crashed(*desk.files->journal(), desk.at("x"))).value().has_changes);
+  EXPECT_FALSE(crashed(desk).has_changes);
   ASSERT_TRUE(desk.files->open(desk.at("a.felt")));
   desk.draw(2);
   desk.studio.set_page({100.0, 50.0, {9, 8, 7, 255}});
-  desk.journal_flush();
-  const Recovered recovered = recover(as_crashed(*desk.files->journal(), desk.at("y"))).value();
+  const RecoveredDrawing recovered = crashed(desk);
   EXPECT_TRUE(recovered.has_changes);
-  EXPECT_EQ(recovered.name, QStringLiteral("a.felt"));
-  EXPECT_EQ(recovered.path, desk.at("a.felt"));
+  EXPECT_EQ(recovered.name, "a.felt");
+  EXPECT_EQ(recovered.path, desk.at("a.felt").toStdString());
   EXPECT_TRUE(recovered.drawing.document == desk.document());
   EXPECT_EQ(recovered.drawing.page, desk.studio.page());
+  EXPECT_EQ(recovered.drawing, desk.files->drawing());
 }
 
 TEST(Journal, ADrawingThatOthersOpenIsABaseToo) {
   TestDesk desk;
-  desk.files->keep_journal(desk.at("state"));
+  desk.files->keep_journal({desk.at("state")});
   desk.draw(1);
   Document example = desk.document();
   desk.draw(2);
   desk.studio.open(example, {120.0, 90.0, {255, 255, 255, 255}});
   desk.draw(3);
-  desk.journal_flush();
-  const Recovered recovered = recover(as_crashed(*desk.files->journal(), desk.at("x"))).value();
+  const RecoveredDrawing recovered = crashed(desk);
   EXPECT_TRUE(recovered.drawing.document == desk.document());
   EXPECT_EQ(recovered.drawing.page, desk.studio.page());
 }
 
-TEST(Journal, DamageCostsTheEndAndNoMore) {
-  TestDesk desk;
-  desk.files->keep_journal(desk.at("state"));
-  std::vector<Document> after{desk.document()};
-  for (std::uint64_t i = 0; i < 12; ++i) {
-    desk.draw(i, 1);
-    after.push_back(desk.document());
-  }
-  desk.journal_flush();
-  const QString folder = as_crashed(*desk.files->journal(), desk.folder.path());
-  QFile log(folder + QStringLiteral("/edits-1"));
-  ASSERT_TRUE(log.open(QIODevice::ReadWrite));
-  std::size_t most = after.size();
-  for (qint64 size = log.size(); size >= 0; size -= 61) {
-    ASSERT_TRUE(log.resize(size));
-    const Document document = recover(folder).value().drawing.document;
-    const std::size_t count = document.stroke_count();
-    ASSERT_LT(count, after.size());
-    EXPECT_LE(count, most);
-    EXPECT_TRUE(document == after[count]);
-    most = count;
-  }
-  EXPECT_EQ(most, 0u);
-}
-
-TEST(Journal, ACleanCloseLeavesNothingAndACrashLeavesAFolder) {
+TEST(Journal, ACleanCloseLeavesNothingAndACrashLeavesAStore) {
   QTemporaryDir root;
   {
     TestDesk desk;
-    desk.files->keep_journal(root.path());
+    desk.files->keep_journal({root.path()});
     desk.draw(1);
-    EXPECT_TRUE(find_abandoned(root.path()).empty()) << "its owner lives";
+    EXPECT_TRUE(abandoned_in(root.path()).empty()) << "its owner lives";
     desk.person->unsaved = FileDialogs::Unsaved::kDiscard;
     EXPECT_TRUE(desk.files->may_close());
   }
   EXPECT_EQ(QDir(root.path()).entryList(QDir::Dirs | QDir::NoDotAndDotDot).size(), 0);
   {
     TestDesk desk;
-    desk.files->keep_journal(root.path());
+    desk.files->keep_journal({root.path()});
     desk.draw(1);  // and the window goes without a question
   }
-  std::vector<AbandonedFolder> left = find_abandoned(root.path());
+  std::vector<AbandonedStore> left = abandoned_in(root.path());
   ASSERT_EQ(left.size(), 1u);
-  EXPECT_EQ(recover(left[0].path).value().drawing.document.stroke_count(), 3u);
-  left[0].remove();
-  EXPECT_TRUE(find_abandoned(root.path()).empty());
+  EXPECT_EQ(recover_store(left[0].folder).value().drawing.document.stroke_count(), 3u);
+  EXPECT_TRUE(std::move(left[0]).remove());
+  EXPECT_TRUE(abandoned_in(root.path()).empty());
 }
 
-/// In a container every start has the same process number: the folder of the one that died has the
-/// name that the next one would take, and its lock names a process that lives.
-TEST(Journal, AFolderOfADeadProcessWithOurNumberIsLeftAloneAndOffered) {
-  QTemporaryDir root;
-  QString name;
-  QByteArray lock;
-  {
-    TestDesk desk;
-    desk.files->keep_journal(root.path());
-    desk.draw(1);
-    name = desk.files->journal()->folder();
-    QFile file(name + QStringLiteral("/lock"));
-    ASSERT_TRUE(file.open(QIODevice::ReadOnly));
-    lock = file.readAll();
-  }
-  const qsizetype dash = name.lastIndexOf(QLatin1Char('-'));
-  const QString next = name.left(dash + 1) + QString::number(name.mid(dash + 1).toInt() + 1);
-  ASSERT_TRUE(QDir().rename(name, next));
-  QFile file(next + QStringLiteral("/lock"));
-  ASSERT_TRUE(file.open(QIODevice::WriteOnly));
-  file.write(lock);
-  file.close();
-
-  TestDesk desk;
-  desk.files->keep_journal(root.path());
-  EXPECT_NE(desk.files->journal()->folder(), next);
-  desk.draw(2, 1);
-  const std::vector<AbandonedFolder> left = find_abandoned(root.path());
-  ASSERT_EQ(left.size(), 1u) << "the dead one's, not the one in use";
-  EXPECT_EQ(left[0].path, next);
-  EXPECT_EQ(recover(next).value().drawing.document.stroke_count(), 3u);
-  desk.studio.set_modified(false);
-}
-
-TEST(Journal, AFailureIsSaidAndNothingElseHappens) {
+/// The warning stays as long as it is true, and goes when it works again.
+TEST(Journal, AFailureIsShownAndNothingElseHappens) {
   TestDesk desk;
   QFile file(desk.at("state"));
   ASSERT_TRUE(file.open(QIODevice::WriteOnly));  // a file where the folder should be
-  desk.files->keep_journal(desk.at("state"));
-  QSignalSpy failed(desk.files->journal(), &Journal::failed);
+  auto* bar = new QStatusBar(&desk.window);
+  desk.files->keep_journal({desk.at("state")});
+  const auto warnings = [bar] {
+    QStringList names;
+    for (const QLabel* label : bar->findChildren<QLabel*>()) names << label->accessibleName();
+    return names;
+  };
+  QSignalSpy changed(desk.files->journal(), &Journal::status_changed);
   desk.draw(1);
-  EXPECT_TRUE(failed.count() > 0 || failed.wait(5000));
+  EXPECT_TRUE(changed.count() > 0 || changed.wait(5000));
+  EXPECT_EQ(warnings(), QStringList(QStringLiteral("No crash protection: save often")));
   EXPECT_EQ(desk.document().stroke_count(), 3u);
+  const auto tell = [&desk](SaverStatus::State state) {
+    Q_EMIT desk.files->journal()->status_changed({state, "disk full", "/elsewhere"});
+  };
+  tell(SaverStatus::State::kElsewhere);
+  EXPECT_EQ(warnings(), QStringList(QStringLiteral("Crash protection in another place")));
+  tell(SaverStatus::State::kWorking);
+  EXPECT_EQ(warnings(), QStringList());
 }
 
-TEST(Journal, ALongLogBeginsAnewAndLosesNothing) {
+/// What is offered: what is nowhere else, beside the file; all else is cleared away.
+TEST(Journal, OffersWhatNoFileHas) {
   QTemporaryDir root;
-  TestDesk desk;
-  desk.draw(1, 20);
-  JournalWriter writer(root.path().toStdString(), [](const std::string&) {});
-  writer.begin(std::make_shared<const Drawing>(desk.files->drawing()));
-  desk.studio.listen({{}, [&](const Edit& edit) { writer.edit(edit); }});
-  for (std::uint64_t i = 0; i < 40; ++i) {
-    desk.draw(i, 1);
-    if (i % 7 == 3) writer.renew(std::make_shared<const Drawing>(desk.files->drawing()));
-    if (i % 5 == 2) writer.flush();
-  }
-  desk.studio.listen({});
-  writer.flush();
-  EXPECT_TRUE(recover(root.path()).value().drawing.document == desk.document());
-  EXPECT_EQ(QDir(root.path()).entryList({QStringLiteral("base-*")}).size(), 1);
+  const auto crash = [&root](const char* file, bool saves, int more) {
+    TestDesk desk;
+    desk.files->keep_journal({root.path()});
+    desk.draw(1);
+    if (saves) {
+      desk.person->next = root.filePath(QString::fromUtf8(file));
+      desk.files->save();
+      desk.files->finish_writing();
+    }
+    if (more > 0) desk.draw(2, more);
+    desk.studio.set_modified(true);  // or the store would go with the window
+  };
+  crash("a.felt", true, 2);
+  crash("", false, 0);
+  std::vector<RecoveryOffer> offers = read_offers(abandoned_in(root.path()));
+  ASSERT_EQ(offers.size(), 2u);
+  const bool first_is_saved = offers[0].saved.has_value();
+  const RecoveryOffer& saved = offers[first_is_saved ? 0 : 1];
+  const RecoveryOffer& untitled = offers[first_is_saved ? 1 : 0];
+  ASSERT_TRUE(saved.saved);
+  EXPECT_EQ(saved.saved->drawing.document.stroke_count(), 3u);
+  EXPECT_EQ(saved.recovered.drawing.document.stroke_count(), 5u);
+  EXPECT_FALSE(untitled.saved);
+  EXPECT_EQ(untitled.recovered.drawing.document.stroke_count(), 3u);
 }
 
-/// Draws until the test below kills it; by itself a few lines, which must be there at its end.
-TEST(JournalChild, Draws) {
-  const QTemporaryDir own;
-  const QString given = qEnvironmentVariable("FELT_TEST_JOURNAL");
-  const int steps = given.isEmpty() ? 70 : 2000;
+TEST(Journal, RecoveringKeepsTheStoreUntilItIsSaved) {
+  QTemporaryDir root;
+  {
+    TestDesk desk;
+    desk.files->keep_journal({root.path()});
+    desk.draw(1);
+  }
   TestDesk desk;
-  desk.files->keep_journal(given.isEmpty() ? own.path() : given);
-  for (int k = 0; k < steps; ++k) {
-    step(desk, k);
-    if (k % 20 == 7) {
-      desk.files->journal()->flush();
-      std::printf("kept %d\n", k + 1);
-    }
-    std::printf("drawn %d\n", k + 1);
-    std::fflush(stdout);
-    QThread::msleep(10);
+  desk.window.show();
+  desk.files->offer_recovery({root.path()});
+  desk.files->finish_writing();
+  QCoreApplication::processEvents();
+  auto* dialog = desk.window.findChild<RecoveryDialog*>();
+  ASSERT_TRUE(dialog);
+  for (QPushButton* key : dialog->findChildren<QPushButton*>()) {
+    if (key->accessibleDescription().startsWith(QStringLiteral("Recover"))) key->click();
   }
-  desk.files->journal()->flush();
-  const Result<Recovered> recovered =
-      recover(as_crashed(*desk.files->journal(), desk.folder.path()));
-  ASSERT_TRUE(recovered) << recovered.error().message;
-  EXPECT_TRUE(recovered->drawing.document == reference(steps));
-}
-
-TEST(Journal, AKilledProgramLosesNextToNothing) {
-  for (const int kill_at : {15, 47, 95, 163}) {
-    QTemporaryDir root;
-    QProcess child;
-    QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
-    environment.insert(QStringLiteral("FELT_TEST_JOURNAL"), root.path());
-    child.setProcessEnvironment(environment);
-    child.start(QCoreApplication::applicationFilePath(),
-                {QStringLiteral("--gtest_filter=JournalChild.*")});
-    int drawn = 0, kept = 0;
-    while (drawn < kill_at && (child.canReadLine() || child.waitForReadyRead(20'000))) {
-      while (child.canReadLine()) {
-        const QList<QByteArray> words = child.readLine().trimmed().split(' ');
-        if (words[0] == "drawn") drawn = words[1].toInt();
-        if (words[0] == "kept") kept = words[1].toInt();
-      }
-    }
-    child.kill();  // SIGKILL
-    ASSERT_TRUE(child.waitForFinished());
-    ASSERT_GE(drawn, kill_at);
-    const QList<QByteArray> rest = child.readAll().split('\n');
-    for (const QByteArray& line : rest) {
-      if (line.startsWith("drawn ")) drawn = line.mid(6).toInt();
-      if (line.startsWith("kept ")) kept = line.mid(5).toInt();
-    }
-    const Document document = recovered_from(root.path());
-    int found = -1;
-    for (int k = drawn + 2; k >= kept && found < 0; --k) {
-      if (document == reference(k)) found = k;
-    }
-    EXPECT_GE(found, kept) << "killed after " << drawn << " steps";
-    std::printf("killed after %d steps of 10 ms: the last %d are lost\n", drawn, drawn - found);
-  }
+  EXPECT_EQ(desk.document().stroke_count(), 3u);
+  EXPECT_TRUE(desk.studio.is_modified());
+  EXPECT_EQ(desk.files->display_name(), QStringLiteral("Recovered Untitled"));
+  const auto folders = [&root] {
+    return QDir(root.path()).entryList(QDir::Dirs | QDir::NoDotAndDotDot).size();
+  };
+  EXPECT_EQ(folders(), 1);
+  desk.person->next = desk.at("b.felt");
+  desk.files->save();
+  desk.files->finish_writing();
+  EXPECT_EQ(folders(), 0);
 }
 
 }  // namespace

@@ -42,6 +42,26 @@ void check_names(const QDialog& dialog) {
   }
 }
 
+/// One with a file beside it, one without, one that is damaged.
+std::vector<RecoveryOffer> offers_like(TestDesk& desk) {
+  std::vector<RecoveryOffer> offers;
+  const QDateTime now = QDateTime::currentDateTime();
+  for (const char* name : {"Harbour.felt", "", "A much longer name of a drawing.felt"}) {
+    const std::string folder =
+        desk.at(("store" + std::to_string(offers.size())).c_str()).toStdString();
+    EXPECT_TRUE(make_private_folder(folder));
+    RecoveryOffer offer{{folder, FolderLock::take(folder).value(), 0}, {}, {}};
+    offer.recovered.drawing = desk.files->drawing();
+    offer.recovered.name = name;
+    offer.recovered.changed_at_s = now.toSecsSinceEpoch();
+    if (*name != 0) offer.recovered.path = "/home/" + offer.recovered.name;
+    if (offers.empty()) offer.saved = SavedDrawing{{}, now.addDays(-2)};
+    if (offers.size() == 2) offer.recovered.problems = {"3 changes could not be read"};
+    offers.push_back(std::move(offer));
+  }
+  return offers;
+}
+
 TEST(Looks, EveryControlOfEveryDialogHasAName) {
   TestDesk desk;
   desk.draw(1, 12);
@@ -52,12 +72,7 @@ TEST(Looks, EveryControlOfEveryDialogHasAName) {
     QApplication::setPalette(is_dark ? dark() : light);
     ExportDialog export_dialog(desk.files->drawing(), nullptr);
     PageDialog page_dialog(desk.studio.page(), nullptr);
-    std::vector<RecoveryDialog::Offer> offers(2);
-    for (RecoveryDialog::Offer& offer : offers) {
-      offer.recovered.drawing = desk.files->drawing();
-      offer.recovered.name = QStringLiteral("Harbour.felt");
-      offer.recovered.when = QDateTime::currentDateTime();
-    }
+    std::vector<RecoveryOffer> offers = offers_like(desk);
     RecoveryDialog recovery_dialog(std::move(offers), nullptr);
     for (QDialog* dialog :
          {static_cast<QDialog*>(&export_dialog), static_cast<QDialog*>(&page_dialog),

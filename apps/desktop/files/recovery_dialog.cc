@@ -3,12 +3,14 @@
 #include <QDialogButtonBox>
 #include <QFileInfo>
 #include <QFrame>
+#include <QGridLayout>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLocale>
 #include <QMessageBox>
 #include <QPushButton>
 #include <QScrollArea>
+#include <QScrollBar>
 #include <QVBoxLayout>
 #include <utility>
 
@@ -18,10 +20,12 @@
 namespace felt::desktop {
 namespace {
 
-constexpr QSize kPicture(150, 106);
+constexpr QSize kPicture(190, 134);
+constexpr int kRowsShown = 2;
 
-QString name_of(const Recovered& recovered) {
-  return recovered.name.isEmpty() ? RecoveryDialog::tr("Untitled") : recovered.name;
+QString name_of(const RecoveredDrawing& recovered) {
+  return recovered.name.empty() ? RecoveryDialog::tr("Untitled")
+                                : QString::fromStdString(recovered.name);
 }
 
 /// "14:32" today, with the day before.
@@ -32,41 +36,76 @@ QString time_of(const QDateTime& when) {
   return locale.toString(when.date(), QLocale::ShortFormat) + QLatin1Char(' ') + time;
 }
 
-QLabel* picture_of(const Recovered& recovered, double ratio, QWidget* parent) {
+QString facts_of(const Drawing& drawing, const QDateTime& when) {
+  const int count = int(drawing.document.stroke_count());
+  return count == 1 ? RecoveryDialog::tr("%1, one line").arg(time_of(when))
+                    : RecoveryDialog::tr("%1, %2 lines").arg(time_of(when)).arg(count);
+}
+
+QLabel* frame_of(const QString& name, QWidget* parent) {
   auto* label = new QLabel(parent);
-  const SheetPage& page = recovered.drawing.page;
-  const Rgba paper = page.paper.a > 0 ? page.paper : Rgba{255, 255, 255, 255};
-  QImage picture = sheet_thumbnail(visible_strokes(recovered.drawing.document), page.area(),
-                                   kPicture * ratio, paper);
-  picture.setDevicePixelRatio(ratio);
-  label->setPixmap(QPixmap::fromImage(picture));
   label->setFrameShape(QFrame::StyledPanel);
   label->setAlignment(Qt::AlignCenter);
   label->setFixedSize(kPicture + QSize(6, 6));
-  label->setAccessibleName(RecoveryDialog::tr("Picture of the drawing"));
+  label->setAccessibleName(name);
   return label;
+}
+
+QLabel* picture_of(const Drawing& drawing, const QString& name, double ratio, QWidget* parent) {
+  QLabel* label = frame_of(name, parent);
+  const SheetPage& page = drawing.page;
+  const Rgba paper = page.paper.a > 0 ? page.paper : Rgba{255, 255, 255, 255};
+  QImage picture =
+      sheet_thumbnail(visible_strokes(drawing.document), page.area(), kPicture * ratio, paper);
+  picture.setDevicePixelRatio(ratio);
+  label->setPixmap(QPixmap::fromImage(picture));
+  return label;
+}
+
+QLabel* plain_label(const QString& text, QWidget* parent, bool is_bold = false) {
+  auto* label = new QLabel(text, parent);
+  label->setTextFormat(Qt::PlainText);
+  label->setWordWrap(true);
+  if (is_bold) {
+    QFont bold = label->font();
+    bold.setBold(true);
+    label->setFont(bold);
+  }
+  return label;
+}
+
+/// Why there is no picture of a file.
+QString absence_of(const RecoveredDrawing& recovered) {
+  if (recovered.path.empty()) return RecoveryDialog::tr("It was never saved");
+  return QFileInfo::exists(QString::fromStdString(recovered.path))
+             ? RecoveryDialog::tr("The file cannot be read")
+             : RecoveryDialog::tr("The file is no longer there");
 }
 
 }  // namespace
 
-RecoveryDialog::RecoveryDialog(std::vector<Offer> offers, QWidget* parent)
+RecoveryDialog::RecoveryDialog(std::vector<RecoveryOffer> offers, QWidget* parent)
     : QDialog(parent), offers_(std::move(offers)), left_(offers_.size()) {
   setWindowTitle(tr("Recover drawings"));
   auto* all = new QVBoxLayout(this);
-  auto* text = new QLabel(tr("Feltline did not close in order. This was not saved:"), this);
-  text->setWordWrap(true);
-  all->addWidget(text);
+  all->addWidget(plain_label(tr("Feltline did not close in order. This was not saved:"), this));
   auto* list = new QWidget(this);
   auto* rows = new QVBoxLayout(list);
   rows->setContentsMargins(0, 0, 0, 0);
-  for (std::size_t i = 0; i < offers_.size(); ++i) add_row(i, *rows);
+  int shown_height = 0;
+  for (std::size_t i = 0; i < offers_.size(); ++i) {
+    QWidget* row = make_row(i);
+    rows->addWidget(row);
+    if (i < kRowsShown) shown_height += row->sizeHint().height() + rows->spacing();
+  }
   rows->addStretch();
   auto* scroll = new QScrollArea(this);
   scroll->setWidget(list);
   scroll->setWidgetResizable(true);
   scroll->setFrameShape(QFrame::NoFrame);
-  const int shown = std::min<int>(int(offers_.size()), 4);
-  scroll->setMinimumSize(list->sizeHint().width() + 24, shown * (kPicture.height() + 24));
+  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  scroll->setMinimumSize(list->sizeHint().width() + scroll->verticalScrollBar()->sizeHint().width(),
+                         shown_height);
   all->addWidget(scroll);
   auto* buttons = new QDialogButtonBox(this);
   QPushButton* later = buttons->addButton(tr("&Later"), QDialogButtonBox::RejectRole);
@@ -75,58 +114,95 @@ RecoveryDialog::RecoveryDialog(std::vector<Offer> offers, QWidget* parent)
   all->addWidget(buttons);
 }
 
-void RecoveryDialog::add_row(std::size_t i, QVBoxLayout& rows) {
-  const Recovered& recovered = offers_[i].recovered;
-  auto* row = new QWidget(this);
-  auto* line = new QHBoxLayout(row);
-  line->setContentsMargins(0, 4, 0, 4);
-  line->setSpacing(14);
-  line->addWidget(picture_of(recovered, devicePixelRatioF(), row));
-  const int count = int(recovered.drawing.document.stroke_count());
+QWidget* RecoveryDialog::make_row(std::size_t i) {
+  const RecoveryOffer& offer = offers_[i];
+  const RecoveredDrawing& recovered = offer.recovered;
   const QString name = name_of(recovered);
-  auto* words = new QVBoxLayout;
-  auto* title = new QLabel(name, row);
-  title->setTextFormat(Qt::PlainText);
-  QFont bold = title->font();
-  bold.setBold(true);
-  title->setFont(bold);
-  const QString when = time_of(recovered.when);
-  auto* note = new QLabel(count == 1 ? tr("Last changed %1, one line").arg(when)
-                                     : tr("Last changed %1, %2 lines").arg(when).arg(count),
-                          row);
-  auto* keys = new QHBoxLayout;
-  auto* recover = new QPushButton(tr("Recover"), row);
+  auto* row = new QWidget(this);
+  auto* grid = new QGridLayout(row);
+  grid->setContentsMargins(0, 4, 0, 8);
+  grid->setHorizontalSpacing(18);
+  QLabel* title = plain_label(name, row, true);
+  title->setToolTip(QString::fromStdString(recovered.path));
+  grid->addWidget(title, 0, 0, 1, 2);
+  grid->addWidget(picture_of(recovered.drawing, tr("Picture of the recovered drawing"),
+                             devicePixelRatioF(), row),
+                  1, 0);
+  const QDateTime when = QDateTime::fromSecsSinceEpoch(recovered.changed_at_s);
+  QString facts = tr("Recovered: %1").arg(facts_of(recovered.drawing, when));
+  grid->addWidget(plain_label(facts, row), 2, 0);
+  if (offer.saved) {
+    grid->addWidget(
+        picture_of(offer.saved->drawing, tr("Picture of the saved file"), devicePixelRatioF(), row),
+        1, 1);
+    facts = tr("Saved: %1").arg(facts_of(offer.saved->drawing, offer.saved->when));
+    grid->addWidget(plain_label(facts, row), 2, 1);
+  } else {
+    QLabel* frame = frame_of(absence_of(recovered), row);
+    frame->setText(absence_of(recovered));
+    frame->setWordWrap(true);
+    grid->addWidget(frame, 1, 1);
+  }
+  if (!recovered.problems.empty()) {
+    QLabel* warning = plain_label(tr("⚠ Not all of it could be read."), row);
+    QStringList problems;
+    for (const std::string& problem : recovered.problems) {
+      problems.push_back(QString::fromStdString(problem));
+    }
+    warning->setToolTip(problems.join(QLatin1Char('\n')));
+    grid->addWidget(warning, 3, 0, 1, 2);
+  }
+  grid->addWidget(make_keys(i, row), 4, 0, 1, 2);
+  return row;
+}
+
+QWidget* RecoveryDialog::make_keys(std::size_t i, QWidget* row) {
+  const RecoveryOffer& offer = offers_[i];
+  const QString name = name_of(offer.recovered);
+  auto* keys = new QWidget(row);
+  auto* line = new QHBoxLayout(keys);
+  line->setContentsMargins(0, 0, 0, 0);
+  auto* recover = new QPushButton(tr("Recover as a new drawing"), keys);
   recover->setAccessibleDescription(tr("Recover “%1”").arg(name));
   recover->setDefault(i == 0);
-  auto* discard_key = new QPushButton(tr("Discard…"), row);
+  line->addWidget(recover);
+  if (offer.saved) {
+    auto* open = new QPushButton(tr("Open the saved one"), keys);
+    open->setAccessibleDescription(tr("Open “%1” as it was saved").arg(name));
+    open->setToolTip(tr("What was not saved is kept, and offered again at the next start"));
+    open->setAutoDefault(false);
+    line->addWidget(open);
+    const QString path = QString::fromStdString(offer.recovered.path);
+    connect(open, &QPushButton::clicked, this, [this, path] {
+      Q_EMIT open_wanted(path);
+      accept();
+    });
+  }
+  auto* discard_key = new QPushButton(tr("Discard…"), keys);
   discard_key->setAccessibleDescription(tr("Throw “%1” away").arg(name));
   discard_key->setAutoDefault(false);
-  keys->addWidget(recover);
-  keys->addWidget(discard_key);
-  keys->addStretch();
-  words->addStretch();
-  words->addWidget(title);
-  words->addWidget(note);
-  words->addLayout(keys);
-  words->addStretch();
-  line->addLayout(words, 1);
-  rows.addWidget(row);
+  line->addWidget(discard_key);
+  line->addStretch();
   connect(recover, &QPushButton::clicked, this, [this, i] {
     chosen_ = i;
     Q_EMIT recover_wanted();
     accept();
   });
   connect(discard_key, &QPushButton::clicked, this, [this, i, row] { discard(i, row); });
+  return keys;
 }
 
 void RecoveryDialog::discard(std::size_t i, QWidget* row) {
   const QString name = name_of(offers_[i].recovered);
-  QMessageBox box(QMessageBox::Question, tr("Throw away"), tr("Throw “%1” away?").arg(name),
+  QMessageBox box(QMessageBox::Question, tr("Throw away"),
+                  tr("Throw away what was not saved of “%1”?").arg(name),
                   QMessageBox::Discard | QMessageBox::Cancel, this);
-  box.setInformativeText(tr("It cannot be brought back."));
+  box.setInformativeText(offers_[i].saved
+                             ? tr("It cannot be brought back. The file stays as it is.")
+                             : tr("It cannot be brought back."));
   box.setDefaultButton(QMessageBox::Cancel);
   if (box.exec() != QMessageBox::Discard) return;
-  offers_[i].folder.remove();
+  static_cast<void>(std::move(offers_[i].store).remove());
   row->hide();
   if (--left_ == 0) reject();
 }

@@ -220,12 +220,13 @@ void Saver::Work::push(Item item) {
 }
 
 void Saver::Work::set_status(SaverStatus now) {
+  bool is_news = false;
   {
     const std::lock_guard lock(mutex);
-    if (status == now) return;
+    is_news = now.state != status.state || now.why != status.why;
     status = now;
   }
-  if (options.on_status) options.on_status(now);
+  if (is_news && options.on_status) options.on_status(now);
 }
 
 void Saver::Work::run() {
