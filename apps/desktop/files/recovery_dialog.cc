@@ -120,7 +120,7 @@ QWidget* RecoveryDialog::make_row(std::size_t i) {
   const QString name = name_of(recovered);
   auto* row = new QWidget(this);
   auto* grid = new QGridLayout(row);
-  grid->setContentsMargins(0, 4, 0, 8);
+  grid->setContentsMargins(0, 4, 0, 14);
   grid->setHorizontalSpacing(18);
   QLabel* title = plain_label(name, row, true);
   title->setToolTip(QString::fromStdString(recovered.path));
@@ -129,14 +129,15 @@ QWidget* RecoveryDialog::make_row(std::size_t i) {
                              devicePixelRatioF(), row),
                   1, 0);
   const QDateTime when = QDateTime::fromSecsSinceEpoch(recovered.changed_at_s);
-  QString facts = tr("Recovered: %1").arg(facts_of(recovered.drawing, when));
-  grid->addWidget(plain_label(facts, row), 2, 0);
+  const auto add_facts = [&](const QString& what, const QString& facts, int column) {
+    grid->addWidget(plain_label(what + QLatin1Char('\n') + facts, row), 2, column, Qt::AlignTop);
+  };
+  add_facts(tr("Recovered"), facts_of(recovered.drawing, when), 0);
   if (offer.saved) {
     grid->addWidget(
         picture_of(offer.saved->drawing, tr("Picture of the saved file"), devicePixelRatioF(), row),
         1, 1);
-    facts = tr("Saved: %1").arg(facts_of(offer.saved->drawing, offer.saved->when));
-    grid->addWidget(plain_label(facts, row), 2, 1);
+    add_facts(tr("Saved"), facts_of(offer.saved->drawing, offer.saved->when), 1);
   } else {
     QLabel* frame = frame_of(absence_of(recovered), row);
     frame->setText(absence_of(recovered));

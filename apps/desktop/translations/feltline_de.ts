@@ -1924,6 +1924,14 @@ Ihre Zeichnung ist noch da: speichern Sie sie anderswo.</translation>
         <source>What is needed for recovery cannot be written: %1</source>
         <translation>Was zum Retten nötig ist, lässt sich nicht schreiben: %1</translation>
     </message>
+    <message>
+        <source>Crash protection in another place</source>
+        <translation>Absturzschutz an anderem Ort</translation>
+    </message>
+    <message>
+        <source>The drawing is kept for recovery in %1, because the usual place fails: %2</source>
+        <translation>Die Zeichnung wird zum Retten in %1 aufgehoben, denn am üblichen Ort geht es nicht: %2</translation>
+    </message>
 </context>
 <context>
     <name>felt::desktop::FileDialogs</name>
@@ -2432,10 +2440,6 @@ Doppelklick benennt um, Ziehen verschiebt</translation>
         <source>Closes all windows</source>
         <translation>Schließt alle Fenster</translation>
     </message>
-    <message>
-        <source>Untitled</source>
-        <translation>Ohne Namen</translation>
-    </message>
 </context>
 <context>
     <name>felt::desktop::OptionRow</name>
@@ -2811,10 +2815,6 @@ Doppelklick benennt um, Ziehen verschiebt</translation>
         <translation>Ohne Namen</translation>
     </message>
     <message>
-        <source>Picture of the drawing</source>
-        <translation>Bild der Zeichnung</translation>
-    </message>
-    <message>
         <source>Recover drawings</source>
         <translation>Zeichnungen retten</translation>
     </message>
@@ -2829,18 +2829,6 @@ Doppelklick benennt um, Ziehen verschiebt</translation>
     <message>
         <source>Keep them, and ask again at the next start</source>
         <translation>Behalten und beim nächsten Start wieder fragen</translation>
-    </message>
-    <message>
-        <source>Last changed %1, one line</source>
-        <translation>Zuletzt geändert %1, eine Linie</translation>
-    </message>
-    <message>
-        <source>Last changed %1, %2 lines</source>
-        <translation>Zuletzt geändert %1, %2 Linien</translation>
-    </message>
-    <message>
-        <source>Recover</source>
-        <translation>Retten</translation>
     </message>
     <message>
         <source>Recover “%1”</source>
@@ -2859,12 +2847,72 @@ Doppelklick benennt um, Ziehen verschiebt</translation>
         <translation>Wegwerfen</translation>
     </message>
     <message>
-        <source>Throw “%1” away?</source>
-        <translation>„%1“ wegwerfen?</translation>
-    </message>
-    <message>
         <source>It cannot be brought back.</source>
         <translation>Das lässt sich nicht zurückholen.</translation>
+    </message>
+    <message>
+        <source>%1, one line</source>
+        <translation>%1, eine Linie</translation>
+    </message>
+    <message>
+        <source>%1, %2 lines</source>
+        <translation>%1, %2 Linien</translation>
+    </message>
+    <message>
+        <source>It was never saved</source>
+        <translation>Sie wurde nie gespeichert</translation>
+    </message>
+    <message>
+        <source>The file cannot be read</source>
+        <translation>Die Datei ist nicht lesbar</translation>
+    </message>
+    <message>
+        <source>The file is no longer there</source>
+        <translation>Die Datei ist nicht mehr da</translation>
+    </message>
+    <message>
+        <source>Picture of the recovered drawing</source>
+        <translation>Bild der geretteten Zeichnung</translation>
+    </message>
+    <message>
+        <source>Picture of the saved file</source>
+        <translation>Bild der gespeicherten Datei</translation>
+    </message>
+    <message>
+        <source>⚠ Not all of it could be read.</source>
+        <translation>⚠ Nicht alles davon war lesbar.</translation>
+    </message>
+    <message>
+        <source>Recover as a new drawing</source>
+        <translation>Als neue Zeichnung retten</translation>
+    </message>
+    <message>
+        <source>Open the saved one</source>
+        <translation>Gespeicherte öffnen</translation>
+    </message>
+    <message>
+        <source>Open “%1” as it was saved</source>
+        <translation>„%1“ öffnen, wie sie gespeichert wurde</translation>
+    </message>
+    <message>
+        <source>What was not saved is kept, and offered again at the next start</source>
+        <translation>Was nicht gespeichert wurde, bleibt erhalten und wird beim nächsten Start wieder angeboten</translation>
+    </message>
+    <message>
+        <source>Throw away what was not saved of “%1”?</source>
+        <translation>Wegwerfen, was von „%1“ nicht gespeichert wurde?</translation>
+    </message>
+    <message>
+        <source>It cannot be brought back. The file stays as it is.</source>
+        <translation>Es lässt sich nicht zurückholen. Die Datei bleibt, wie sie ist.</translation>
+    </message>
+    <message>
+        <source>Recovered</source>
+        <translation>Gerettet</translation>
+    </message>
+    <message>
+        <source>Saved</source>
+        <translation>Gespeichert</translation>
     </message>
 </context>
 <context>

@@ -1924,6 +1924,14 @@ Je tekening is er nog: sla haar ergens anders op.</translation>
         <source>What is needed for recovery cannot be written: %1</source>
         <translation>Wat voor herstel nodig is kan niet worden geschreven: %1</translation>
     </message>
+    <message>
+        <source>Crash protection in another place</source>
+        <translation>Crashbeveiliging op een andere plek</translation>
+    </message>
+    <message>
+        <source>The drawing is kept for recovery in %1, because the usual place fails: %2</source>
+        <translation>De tekening wordt voor herstel bewaard in %1, want op de gewone plek lukt het niet: %2</translation>
+    </message>
 </context>
 <context>
     <name>felt::desktop::FileDialogs</name>
@@ -2432,10 +2440,6 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen</translation>
         <source>Closes all windows</source>
         <translation>Sluit alle vensters</translation>
     </message>
-    <message>
-        <source>Untitled</source>
-        <translation>Naamloos</translation>
-    </message>
 </context>
 <context>
     <name>felt::desktop::OptionRow</name>
@@ -2811,10 +2815,6 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen</translation>
         <translation>Naamloos</translation>
     </message>
     <message>
-        <source>Picture of the drawing</source>
-        <translation>Afbeelding van de tekening</translation>
-    </message>
-    <message>
         <source>Recover drawings</source>
         <translation>Tekeningen herstellen</translation>
     </message>
@@ -2829,18 +2829,6 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen</translation>
     <message>
         <source>Keep them, and ask again at the next start</source>
         <translation>Bewaren en bij de volgende start weer vragen</translation>
-    </message>
-    <message>
-        <source>Last changed %1, one line</source>
-        <translation>Laatst gewijzigd %1, één lijn</translation>
-    </message>
-    <message>
-        <source>Last changed %1, %2 lines</source>
-        <translation>Laatst gewijzigd %1, %2 lijnen</translation>
-    </message>
-    <message>
-        <source>Recover</source>
-        <translation>Herstellen</translation>
     </message>
     <message>
         <source>Recover “%1”</source>
@@ -2859,12 +2847,72 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen</translation>
         <translation>Weggooien</translation>
     </message>
     <message>
-        <source>Throw “%1” away?</source>
-        <translation>‘%1’ weggooien?</translation>
-    </message>
-    <message>
         <source>It cannot be brought back.</source>
         <translation>Dat kan niet ongedaan worden gemaakt.</translation>
+    </message>
+    <message>
+        <source>%1, one line</source>
+        <translation>%1, één lijn</translation>
+    </message>
+    <message>
+        <source>%1, %2 lines</source>
+        <translation>%1, %2 lijnen</translation>
+    </message>
+    <message>
+        <source>It was never saved</source>
+        <translation>Ze is nooit opgeslagen</translation>
+    </message>
+    <message>
+        <source>The file cannot be read</source>
+        <translation>Het bestand is niet leesbaar</translation>
+    </message>
+    <message>
+        <source>The file is no longer there</source>
+        <translation>Het bestand is er niet meer</translation>
+    </message>
+    <message>
+        <source>Picture of the recovered drawing</source>
+        <translation>Afbeelding van de herstelde tekening</translation>
+    </message>
+    <message>
+        <source>Picture of the saved file</source>
+        <translation>Afbeelding van het opgeslagen bestand</translation>
+    </message>
+    <message>
+        <source>⚠ Not all of it could be read.</source>
+        <translation>⚠ Niet alles ervan was leesbaar.</translation>
+    </message>
+    <message>
+        <source>Recover as a new drawing</source>
+        <translation>Als nieuwe tekening herstellen</translation>
+    </message>
+    <message>
+        <source>Open the saved one</source>
+        <translation>Opgeslagen tekening openen</translation>
+    </message>
+    <message>
+        <source>Open “%1” as it was saved</source>
+        <translation>“%1” openen zoals ze is opgeslagen</translation>
+    </message>
+    <message>
+        <source>What was not saved is kept, and offered again at the next start</source>
+        <translation>Wat niet is opgeslagen blijft bewaard en wordt bij de volgende start weer aangeboden</translation>
+    </message>
+    <message>
+        <source>Throw away what was not saved of “%1”?</source>
+        <translation>Weggooien wat van “%1” niet is opgeslagen?</translation>
+    </message>
+    <message>
+        <source>It cannot be brought back. The file stays as it is.</source>
+        <translation>Het kan niet worden teruggehaald. Het bestand blijft zoals het is.</translation>
+    </message>
+    <message>
+        <source>Recovered</source>
+        <translation>Hersteld</translation>
+    </message>
+    <message>
+        <source>Saved</source>
+        <translation>Opgeslagen</translation>
     </message>
 </context>
 <context>
