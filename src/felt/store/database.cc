@@ -4,6 +4,7 @@
 
 #include <utility>
 
+#include "felt/store/felt_schema.h"
 #include "felt/store/stroke_blob.h"
 
 namespace felt {
@@ -17,6 +18,20 @@ tl::unexpected<Error> error_of(sqlite3* db) {
               : kind == SQLITE_TOOBIG ? ErrorCode::kLimitExceeded
                                       : ErrorCode::kIo,
               sqlite3_errmsg(db));
+}
+
+/// What statements on a file of others may do.
+int authorize(void*, int action, const char* what, const char*, const char*, const char* within) {
+  if (within) return SQLITE_DENY;  // a view or trigger asks
+  switch (action) {
+    case SQLITE_SELECT:
+    case SQLITE_READ:
+      return SQLITE_OK;
+    case SQLITE_PRAGMA:
+      return std::string_view(what) == "quick_check" ? SQLITE_OK : SQLITE_DENY;
+    default:
+      return SQLITE_DENY;
+  }
 }
 
 }  // namespace
@@ -58,6 +73,14 @@ void Statement::bind_blob(int parameter, std::string_view bytes) const noexcept 
   sqlite3_bind_blob64(statement_, parameter, bytes.data(), bytes.size(), SQLITE_STATIC);
 }
 
+void Statement::bind_null(int parameter) const noexcept {
+  sqlite3_bind_null(statement_, parameter);
+}
+
+void Statement::bind_column(int parameter, const Statement& from, int column) const noexcept {
+  sqlite3_bind_value(statement_, parameter, sqlite3_column_value(from.statement_, column));
+}
+
 Result<bool> Statement::step() const {
   const int code = sqlite3_step(statement_);
   if (code == SQLITE_ROW) return true;
@@ -67,6 +90,10 @@ Result<bool> Statement::step() const {
 
 void Statement::reset() const noexcept {
   sqlite3_reset(statement_);
+}
+
+int Statement::columns() const noexcept {
+  return sqlite3_column_count(statement_);
 }
 
 bool Statement::is_integer(int column) const noexcept {
@@ -83,6 +110,10 @@ bool Statement::is_text(int column) const noexcept {
 
 bool Statement::is_blob(int column) const noexcept {
   return sqlite3_column_type(statement_, column) == SQLITE_BLOB;
+}
+
+bool Statement::is_null(int column) const noexcept {
+  return sqlite3_column_type(statement_, column) == SQLITE_NULL;
 }
 
 std::int64_t Statement::integer(int column) const noexcept {
@@ -140,14 +171,19 @@ Result<Database> Database::open(std::string_view bytes) {
       SQLITE_OK) {
     return database->error();
   }
-  Result<Statement> check = database->prepare("PRAGMA quick_check(1)");
+  sqlite3_set_authorizer(database->db_, &authorize, nullptr);
+  return database;
+}
+
+Result<void> Database::check_pages() const {
+  const Result<Statement> check = prepare("PRAGMA quick_check(1)");
   if (!check) return tl::unexpected(check.error());
   const Result<bool> row = check->step();
   if (!row) return tl::unexpected(row.error());
   if (!*row || check->text(0) != "ok") {
     return fail(ErrorCode::kInvalidData, *row ? std::string(check->text(0)) : "no answer");
   }
-  return database;
+  return {};
 }
 
 /// What sqlite.org/security.html asks for where files come from others.
@@ -156,7 +192,8 @@ Result<void> Database::harden() {
   sqlite3_db_config(db_, SQLITE_DBCONFIG_TRUSTED_SCHEMA, 0, nullptr);
   sqlite3_db_config(db_, SQLITE_DBCONFIG_ENABLE_TRIGGER, 0, nullptr);
   sqlite3_db_config(db_, SQLITE_DBCONFIG_ENABLE_VIEW, 0, nullptr);
-  constexpr int kTextBytes = 10'000, kColumns = 32, kOperations = 10'000, kDepth = 10;
+  constexpr int kTextBytes = 20'000, kColumns = static_cast<int>(kMaxColumns), kOperations = 10'000,
+                kDepth = 10;
   sqlite3_limit(db_, SQLITE_LIMIT_LENGTH, static_cast<int>(kMaxStrokeBlobBytes) + 4096);
   sqlite3_limit(db_, SQLITE_LIMIT_SQL_LENGTH, kTextBytes);
   sqlite3_limit(db_, SQLITE_LIMIT_COLUMN, kColumns);

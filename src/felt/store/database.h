@@ -27,16 +27,21 @@ class Statement {
   /// The text must live until the step.
   void bind_text(int parameter, std::string_view text) const noexcept;
   void bind_blob(int parameter, std::string_view bytes) const noexcept;
+  void bind_null(int parameter) const noexcept;
+  /// What stands in a column of another statement, whose row must stay until the step.
+  void bind_column(int parameter, const Statement& from, int column) const noexcept;
 
   /// The next row: true; the end: false. Error: as SQLite says it.
   Result<bool> step() const;
   /// For the next values.
   void reset() const noexcept;
 
+  [[nodiscard]] int columns() const noexcept;
   [[nodiscard]] bool is_integer(int column) const noexcept;
   [[nodiscard]] bool is_real(int column) const noexcept;
   [[nodiscard]] bool is_text(int column) const noexcept;
   [[nodiscard]] bool is_blob(int column) const noexcept;
+  [[nodiscard]] bool is_null(int column) const noexcept;
   [[nodiscard]] std::int64_t integer(int column) const noexcept;
   [[nodiscard]] double real(int column) const noexcept;
   /// Valid until the next step.
@@ -55,12 +60,17 @@ class Database {
   /// An empty one.
   static Result<Database> create();
   /// Of the bytes of a file, which must outlive it and stay unchanged; for reading only. The bytes
-  /// are not trusted: defensive mode, no trusted schema, low limits, all pages checked.
+  /// are not trusted: defensive mode, no trusted schema, low limits, and nothing but selecting from
+  /// plain columns is allowed: no function, view, trigger, module, attachment or pragma.
   static Result<Database> open(std::string_view bytes);
 
   Database(Database&& other) noexcept;
   Database& operator=(Database&& other) noexcept;
   ~Database();
+
+  /// SQLite's own check of all pages. Look at the schema first: a table may ask for more than a
+  /// look.
+  [[nodiscard]] Result<void> check_pages() const;
 
   Result<void> run(const char* sql);
   [[nodiscard]] Result<Statement> prepare(const char* sql) const;

@@ -1,12 +1,16 @@
 #include "felt/store/felt_file.h"
 
 #include <algorithm>
+#include <memory>
 #include <utility>
 
 #include "felt/base/atomic_file.h"
 #include "felt/base/read_file.h"
+#include "felt/store/carried_file.h"
 #include "felt/store/database.h"
+#include "felt/store/felt_schema.h"
 #include "felt/store/felt_tables.h"
+#include "felt/store/recording_tables.h"
 
 namespace felt {
 namespace {
@@ -14,6 +18,7 @@ namespace {
 constexpr std::string_view kMagic{"SQLite format 3\0", 16};
 constexpr std::size_t kHeaderBytes = 100;
 constexpr std::size_t kWriteVersionAt = 18, kReadVersionAt = 19;
+constexpr const char* kDamaged = "is damaged or cut off";
 constexpr std::size_t kUserVersionAt = 60, kApplicationIdAt = 68;
 
 std::uint32_t big_endian(std::string_view bytes, std::size_t at) noexcept {
@@ -28,8 +33,14 @@ tl::unexpected<Error> no_drawing(const std::string& why) {
   return fail(ErrorCode::kInvalidData, why);
 }
 
+tl::unexpected<Error> too_large() {
+  return fail(ErrorCode::kLimitExceeded,
+              "is larger than " + std::to_string(kMaxFeltBytes) + " bytes");
+}
+
 /// What the first bytes say, before SQLite sees any.
 Result<void> check_header(std::string_view bytes) {
+  if (bytes.size() > kMaxFeltBytes) return too_large();
   if (bytes.empty()) return no_drawing("is empty");
   const std::size_t known = std::min(bytes.size(), kMagic.size());
   if (bytes.substr(0, known) != kMagic.substr(0, known)) {
@@ -52,28 +63,53 @@ Result<void> check_header(std::string_view bytes) {
   return {};
 }
 
+/// `keep`: the same bytes, for extras; null: they are copied where there are any.
+Result<StoredDrawing> parse(std::string_view bytes, std::shared_ptr<const std::string> keep) {
+  if (auto ok = check_header(bytes); !ok) return tl::unexpected(ok.error());
+  const Result<Database> database = Database::open(bytes);
+  if (!database) return tl::unexpected(with_context(database.error(), kDamaged));
+  const Result<FeltSchema> schema = read_schema(*database);
+  if (!schema) return tl::unexpected(schema.error());
+  if (auto ok = database->check_pages(); !ok) {
+    return tl::unexpected(with_context(ok.error(), kDamaged));
+  }
+  Result<StoredDrawing> drawing = read_tables(*database);
+  if (drawing && schema->has_extras()) {
+    drawing->extras.file = keep ? std::move(keep) : std::make_shared<const std::string>(bytes);
+  }
+  return drawing;
+}
+
 }  // namespace
 
 Result<StoredDrawing> parse_felt(std::string_view bytes) {
-  if (auto ok = check_header(bytes); !ok) return tl::unexpected(ok.error());
-  const Result<Database> database = Database::open(bytes);
-  if (!database) {
-    return tl::unexpected(with_context(database.error(), "is damaged or cut off"));
-  }
-  return read_tables(*database);
+  return parse(bytes, nullptr);
 }
 
 Result<std::string> felt_bytes(const StoredDrawing& drawing) {
   Result<Database> database = Database::create();
   if (!database) return tl::unexpected(database.error());
-  if (auto ok = write_tables(*database, drawing); !ok) return tl::unexpected(ok.error());
-  return database->bytes();
+  const Result<CarriedFile> carried = CarriedFile::open(drawing.extras);
+  if (!carried) return tl::unexpected(carried.error());
+  const std::string setup =
+      "PRAGMA page_size=4096; PRAGMA application_id=" + std::to_string(kFeltApplicationId) +
+      "; PRAGMA user_version=" + std::to_string(kFeltVersion) + "; BEGIN";
+  auto done = database->run(setup.c_str())
+                  .and_then([&] { return write_tables(*database, drawing, carried->schema()); })
+                  .and_then([&] { return carried->copy_to(*database, drawing.document); })
+                  .and_then([&] { return write_recordings(*database, drawing.extras, *carried); })
+                  .and_then([&] { return database->run("COMMIT"); });
+  if (!done) return tl::unexpected(done.error());
+  Result<std::string> bytes = database->bytes();
+  if (bytes && bytes->size() > kMaxFeltBytes) return too_large();
+  return bytes;
 }
 
 Result<StoredDrawing> read_felt(const std::string& path) {
-  const Result<std::string> bytes = read_file(path, kMaxFeltBytes);
+  Result<std::string> bytes = read_file(path, kMaxFeltBytes);
   if (!bytes) return tl::unexpected(bytes.error());
-  Result<StoredDrawing> drawing = parse_felt(*bytes);
+  const auto shared = std::make_shared<const std::string>(*std::move(bytes));
+  Result<StoredDrawing> drawing = parse(*shared, shared);
   if (drawing) return drawing;
   return tl::unexpected(with_context(drawing.error(), path == "-" ? "stdin" : path));
 }

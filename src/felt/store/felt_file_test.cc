@@ -6,12 +6,16 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <sys/mman.h>
+
+#include <cmath>
 #include <filesystem>
 #include <random>
 
 #include "felt/base/atomic_file.h"
 #include "felt/base/read_file.h"
 #include "felt/document/random_document.h"
+#include "felt/store/felt_tables.h"
 
 namespace felt {
 namespace {
@@ -34,6 +38,18 @@ StoredDrawing random_drawing(std::uint64_t seed) {
   drawing.color = {static_cast<std::uint8_t>(random()), 0, 255, 128};
   const auto layers = drawing.document.layers();
   if (random() % 3 > 0) drawing.layer = layers[random() % layers.size()].id;
+  for (std::uint64_t i = random() % 4; i > 0; --i) {
+    drawing.palette.colors.push_back(
+        {{static_cast<std::uint8_t>(random()), 2, 3, 200}, i % 2 == 0 ? "" : "Grün"});
+    drawing.palette.name = "mine";
+    drawing.palette.columns = random() % 64;
+  }
+  if (random() % 2 == 0) {
+    drawing.view = StoredView{{148.5, -1.0 / static_cast<double>(1 + random() % 9)},
+                              3.0,
+                              static_cast<double>(random() % 360) - 180.0,
+                              random() % 2 == 0};
+  }
   return drawing;
 }
 
@@ -128,7 +144,50 @@ TEST_F(FeltFileTest, WhatNoFileMayHoldIsNotWritten) {
   drawing.page.width_mm = 0.0;
   EXPECT_THAT(write_felt(path("a.felt"), drawing).error().message,
               StartsWith(path("a.felt") + ": the sheet"));
+  drawing = random_drawing(2);
+  drawing.view = StoredView{{0.0, std::nan("")}};
+  EXPECT_FALSE(felt_bytes(drawing));
+  drawing.view->center.y = StoredView::kMostMm;
+  EXPECT_TRUE(felt_bytes(drawing));
+  drawing.palette.name = std::string(GplLimits::kMaxNameBytes + 1, 'n');
+  EXPECT_FALSE(felt_bytes(drawing));
   EXPECT_TRUE(read_felt(path("a.felt")).value() == random_drawing(1));
+}
+
+/// Limits at their edges: what is at one is written and read, what is above is an error.
+TEST_F(FeltFileTest, LimitsAreKeptExactly) {
+  StoredDrawing drawing;
+  drawing.palette.colors.assign(GplLimits::kMaxColors, {{1, 2, 3, 255}, "c"});
+  EXPECT_TRUE(parse_felt(felt_bytes(drawing).value()).value() == drawing);
+  drawing.palette.colors.push_back({});
+  EXPECT_EQ(felt_bytes(drawing).error().code, ErrorCode::kLimitExceeded);
+  drawing.palette.colors.clear();
+  Edit edit;
+  for (std::uint64_t i = 1; i < kMaxLayers; ++i) {
+    edit.layers.push_back({{i + 1}, std::nullopt, LayerState{"l", true, false}, 0, i});
+  }
+  edit.layers.front().after->name = std::string(kMaxLayerNameBytes, 'n');
+  ASSERT_TRUE(drawing.document.apply(edit));
+  EXPECT_TRUE(parse_felt(felt_bytes(drawing).value()).value() == drawing);
+  const Edit more{
+      "", {}, {{{kMaxLayers + 1}, std::nullopt, LayerState{"m", true, false}, 0, kMaxLayers}}};
+  ASSERT_TRUE(drawing.document.apply(more));
+  EXPECT_EQ(felt_bytes(drawing).error().code, ErrorCode::kLimitExceeded);
+  StoredDrawing named;
+  named.material = std::string(kMaxLayerNameBytes + 1, 'n');
+  EXPECT_FALSE(felt_bytes(named));
+}
+
+/// Nobody has so much memory in a test: the pages are promised and never looked at.
+TEST_F(FeltFileTest, AFileThatIsTooLargeIsNotLookedAt) {
+  const std::size_t size = kMaxFeltBytes + 1;
+  void* pages =
+      ::mmap(nullptr, size, PROT_READ, MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
+  if (pages == MAP_FAILED) GTEST_SKIP() << "this system does not promise 2 GiB of addresses";
+  const std::string_view bytes(static_cast<const char*>(pages), size);
+  EXPECT_EQ(parse_felt(bytes).error().code, ErrorCode::kLimitExceeded);
+  EXPECT_THAT(parse_felt(bytes.substr(1)).error().message, HasSubstr("is no Feltline drawing"));
+  ::munmap(pages, size);
 }
 
 /// Kills a process that saves at random moments: the old drawing or the new one, and no litter.

@@ -1,49 +1,19 @@
 #include "felt/store/felt_tables.h"
 
-#include <array>
-#include <cmath>
-#include <limits>
 #include <optional>
 #include <utility>
 
 #include "felt/base/utf8.h"
 #include "felt/store/byte_stream.h"
 #include "felt/store/crc32c.h"
+#include "felt/store/felt_sheet.h"
 #include "felt/store/stroke_blob.h"
 
 namespace felt {
 namespace {
 
-// In the order of their names, which is how the schema is read. Part of the format: a file whose
-// schema is not this text is not ours.
-constexpr std::array kTables = {
-    std::pair{"drawing",
-              "CREATE TABLE drawing(id INTEGER PRIMARY KEY, width_mm REAL NOT NULL, "
-              "height_mm REAL NOT NULL, paper INTEGER NOT NULL, material TEXT NOT NULL, "
-              "color INTEGER NOT NULL, layer INTEGER NOT NULL, last_stroke INTEGER NOT NULL, "
-              "last_layer INTEGER NOT NULL, checksum INTEGER NOT NULL)"},
-    std::pair{"layer",
-              "CREATE TABLE layer(id INTEGER PRIMARY KEY, place INTEGER NOT NULL, "
-              "name TEXT NOT NULL, visible INTEGER NOT NULL, locked INTEGER NOT NULL)"},
-    std::pair{"stroke",
-              "CREATE TABLE stroke(id INTEGER PRIMARY KEY, layer INTEGER NOT NULL, "
-              "place INTEGER NOT NULL, shape BLOB NOT NULL)"}};
-
-constexpr std::size_t kMaxLayers = 10'000;
-constexpr std::size_t kMaxNameBytes = 4096;
-constexpr std::int64_t kMaxId = std::int64_t{1} << 53;
-
 tl::unexpected<Error> bad(std::string what) {
   return fail(ErrorCode::kInvalidData, std::move(what));
-}
-
-std::int64_t number_of(Rgba c) noexcept {
-  return std::int64_t{c.r} << 24 | std::int64_t{c.g} << 16 | std::int64_t{c.b} << 8 | c.a;
-}
-
-Rgba color_of(std::int64_t n) noexcept {
-  const auto byte = [n](int shift) { return static_cast<std::uint8_t>((n >> shift) & 0xff); };
-  return {byte(24), byte(16), byte(8), byte(0)};
 }
 
 /// A checksum of all that the strokes' own ones do not cover.
@@ -65,6 +35,7 @@ std::uint32_t checksum_of(const StoredDrawing& d) {
     out.u64(layer.strokes.size());
     for (const StrokeId id : layer.strokes) out.u64(id.value);
   }
+  append_sheet_bytes(out, d);
   return crc32c(bytes);
 }
 
@@ -73,7 +44,7 @@ bool is_side(double mm) noexcept {
 }
 
 bool is_name(std::string_view text) noexcept {
-  return text.size() <= kMaxNameBytes && is_utf8(text);
+  return text.size() <= kMaxLayerNameBytes && is_utf8(text);
 }
 
 Result<void> check_drawing(const StoredDrawing& d) {
@@ -82,14 +53,18 @@ Result<void> check_drawing(const StoredDrawing& d) {
   }
   if (!is_name(d.material)) return bad("the material of the sheet has an impossible name");
   if (d.layer && !d.document.layer(d.layer)) return bad("the layer in use is not there");
-  if (d.document.layers().size() > kMaxLayers) return bad("has more than 10000 layers");
-  return {};
+  if (d.document.layers().size() > kMaxLayers) {
+    return fail(ErrorCode::kLimitExceeded, "has more than 10000 layers");
+  }
+  return check_sheet(d);
 }
 
 // --- Writing
 
 Result<void> write_drawing_row(const Database& db, const StoredDrawing& d) {
-  const auto row = db.prepare("INSERT INTO drawing VALUES(1,?,?,?,?,?,?,?,?,?)");
+  const auto row = db.prepare(
+      "INSERT INTO drawing(id, width_mm, height_mm, paper, material, color, layer, last_stroke, "
+      "last_layer, palette, palette_columns, checksum) VALUES(1,?,?,?,?,?,?,?,?,?,?,?)");
   if (!row) return tl::unexpected(row.error());
   row->bind(1, d.page.width_mm);
   row->bind(2, d.page.height_mm);
@@ -99,12 +74,15 @@ Result<void> write_drawing_row(const Database& db, const StoredDrawing& d) {
   row->bind(6, static_cast<std::int64_t>(d.layer.value));
   row->bind(7, static_cast<std::int64_t>(d.document.new_id().value - 1));
   row->bind(8, static_cast<std::int64_t>(d.document.new_layer_id().value - 1));
-  row->bind(9, static_cast<std::int64_t>(checksum_of(d)));
+  row->bind_text(9, d.palette.name);
+  row->bind(10, static_cast<std::int64_t>(d.palette.columns));
+  row->bind(11, static_cast<std::int64_t>(checksum_of(d)));
   return row->step().map([](bool) {});
 }
 
 Result<void> write_layers(const Database& db, const Document& document) {
-  const auto row = db.prepare("INSERT INTO layer VALUES(?,?,?,?,?)");
+  const auto row =
+      db.prepare("INSERT INTO layer(id, place, name, visible, locked) VALUES(?,?,?,?,?)");
   if (!row) return tl::unexpected(row.error());
   std::int64_t place = 0;
   for (const Layer& layer : document.layers()) {
@@ -121,7 +99,7 @@ Result<void> write_layers(const Database& db, const Document& document) {
 }
 
 Result<void> write_strokes(const Database& db, const Document& document) {
-  const auto row = db.prepare("INSERT INTO stroke VALUES(?,?,?,?)");
+  const auto row = db.prepare("INSERT INTO stroke(id, layer, place, shape) VALUES(?,?,?,?)");
   if (!row) return tl::unexpected(row.error());
   std::string shape;
   for (const Layer& layer : document.layers()) {
@@ -144,22 +122,6 @@ Result<void> write_strokes(const Database& db, const Document& document) {
 
 // --- Reading
 
-Result<void> check_schema(const Database& db) {
-  const auto row = db.prepare("SELECT type, name, sql FROM sqlite_schema ORDER BY name");
-  if (!row) return tl::unexpected(row.error());
-  for (const auto& [name, sql] : kTables) {
-    const Result<bool> more = row->step();
-    if (!more) return tl::unexpected(more.error());
-    if (!*more || row->text(0) != "table" || row->text(1) != name || row->text(2) != sql) {
-      return bad("has other tables than a Feltline drawing");
-    }
-  }
-  const Result<bool> more = row->step();
-  if (!more) return tl::unexpected(more.error());
-  if (*more) return bad("has other tables than a Feltline drawing");
-  return {};
-}
-
 /// What the row of the table `drawing` says and the drawing itself does not keep.
 struct Head {
   std::uint64_t last_stroke = 0, last_layer = 0;
@@ -172,30 +134,29 @@ bool is_id(std::int64_t value) noexcept {
 bool is_counter(std::int64_t value) noexcept {
   return value >= 0 && value <= kMaxId;
 }
-bool is_color(std::int64_t value) noexcept {
-  return value >= 0 && value <= std::numeric_limits<std::uint32_t>::max();
-}
-
 Result<Head> read_drawing_row(const Database& db, StoredDrawing& d) {
   const auto row = db.prepare(
       "SELECT width_mm, height_mm, paper, material, color, layer, last_stroke, last_layer, "
-      "checksum FROM drawing LIMIT 2");
+      "checksum, palette, palette_columns FROM drawing LIMIT 2");
   if (!row) return tl::unexpected(row.error());
   const Result<bool> any = row->step();
   if (!any) return tl::unexpected(any.error());
   if (!*any) return bad("says nothing about its sheet");
-  for (const int column : {2, 4, 5, 6, 7, 8}) {
+  for (const int column : {2, 4, 5, 6, 7, 8, 10}) {
     if (!row->is_integer(column)) return bad("the table 'drawing' holds no number where it must");
   }
-  if (!row->is_real(0) || !row->is_real(1) || !row->is_text(3) || !is_color(row->integer(2)) ||
-      !is_color(row->integer(4)) || !is_counter(row->integer(5)) || !is_counter(row->integer(6)) ||
-      !is_counter(row->integer(7))) {
+  if (!row->is_real(0) || !row->is_real(1) || !row->is_text(3) ||
+      !is_color_number(row->integer(2)) || !is_color_number(row->integer(4)) ||
+      !is_counter(row->integer(5)) || !is_counter(row->integer(6)) ||
+      !is_counter(row->integer(7)) || !row->is_text(9) || !is_counter(row->integer(10))) {
     return bad("the table 'drawing' holds an impossible value");
   }
   d.page = {row->real(0), row->real(1), color_of(row->integer(2))};
   d.material = std::string(row->text(3));
   d.color = color_of(row->integer(4));
   d.layer = {static_cast<std::uint64_t>(row->integer(5))};
+  d.palette.name = std::string(row->text(9));
+  d.palette.columns = static_cast<std::size_t>(row->integer(10));
   const Head head{static_cast<std::uint64_t>(row->integer(6)),
                   static_cast<std::uint64_t>(row->integer(7)), row->integer(8)};
   const Result<bool> more = row->step();
@@ -265,20 +226,17 @@ Result<void> read_strokes(const Database& db, Edit& edit) {
 
 }  // namespace
 
-Result<void> write_tables(Database& database, const StoredDrawing& drawing) {
+Result<void> write_tables(Database& database, const StoredDrawing& drawing,
+                          const FeltSchema* like) {
   if (auto ok = check_drawing(drawing); !ok) return ok;
-  std::string setup = "PRAGMA application_id=" + std::to_string(kFeltApplicationId) +
-                      "; PRAGMA user_version=" + std::to_string(kFeltVersion) + "; BEGIN";
-  for (const auto& [name, sql] : kTables) setup += std::string("; ") + sql;
-  return database.run(setup.c_str())
+  return make_tables(database, like)
       .and_then([&] { return write_drawing_row(database, drawing); })
       .and_then([&] { return write_layers(database, drawing.document); })
       .and_then([&] { return write_strokes(database, drawing.document); })
-      .and_then([&] { return database.run("COMMIT"); });
+      .and_then([&] { return write_sheet(database, drawing); });
 }
 
 Result<StoredDrawing> read_tables(const Database& database) {
-  if (auto ok = check_schema(database); !ok) return tl::unexpected(ok.error());
   StoredDrawing drawing;
   const Result<Head> head = read_drawing_row(database, drawing);
   if (!head) return tl::unexpected(head.error());
@@ -286,7 +244,8 @@ Result<StoredDrawing> read_tables(const Database& database) {
   edit.label = "Open";
   Result<void> done = read_layers(database, drawing.document, edit)
                           .and_then([&] { return read_strokes(database, edit); })
-                          .and_then([&] { return drawing.document.apply(edit); });
+                          .and_then([&] { return drawing.document.apply(edit); })
+                          .and_then([&] { return read_sheet(database, drawing); });
   if (!done) return tl::unexpected(done.error());
   drawing.document.reserve_ids({head->last_stroke}, {head->last_layer});
   if (auto ok = check_drawing(drawing); !ok) return tl::unexpected(ok.error());

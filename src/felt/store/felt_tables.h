@@ -3,15 +3,23 @@
 #include "felt/base/result.h"
 #include "felt/store/database.h"
 #include "felt/store/felt_file.h"
+#include "felt/store/felt_schema.h"
 
 namespace felt {
 
-/// Makes our tables in an empty database and fills them. Error: something that no file may hold (a
-/// page out of its range, a name that is not UTF-8, a stroke that is too large), by its name.
-Result<void> write_tables(Database& database, const StoredDrawing& drawing);
+inline constexpr std::size_t kMaxLayers = 10'000;
+/// Of a layer or material, in bytes of UTF-8.
+inline constexpr std::size_t kMaxLayerNameBytes = 4096;
+inline constexpr std::int64_t kMaxId = std::int64_t{1} << 53;
 
-/// The other way round, from a database that is not trusted: its tables must be exactly ours, and
-/// every row must make sense with the others. Error: names the row and the reason.
+/// Makes our tables in an empty database, with the columns of `like` if any, and fills ours. Error:
+/// something that no file may hold (a page out of its range, a name that is not UTF-8, a stroke
+/// that is too large), by its name.
+Result<void> write_tables(Database& database, const StoredDrawing& drawing, const FeltSchema* like);
+
+/// The other way round, from a database that is not trusted, whose schema is ours (read_schema):
+/// every row must make sense with the others. Extras are not read. Error: names the row and the
+/// reason.
 Result<StoredDrawing> read_tables(const Database& database);
 
 }  // namespace felt

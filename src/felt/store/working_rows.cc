@@ -26,6 +26,7 @@ tl::unexpected<Error> damaged(const char* what) {
 Result<void> append_sheet(ByteWriter& out, StoredDrawing drawing) {
   drawing.document = Document();
   drawing.layer = {};
+  drawing.extras = {};  // they are rows of strokes, which stand elsewhere
   const Result<std::string> bytes = felt_bytes(drawing);
   if (!bytes) return tl::unexpected(bytes.error());
   out.text(*bytes);

@@ -1,0 +1,63 @@
+#pragma once
+
+#include <optional>
+
+#include "felt/base/result.h"
+#include "felt/document/document.h"
+#include "felt/store/database.h"
+#include "felt/store/felt_extras.h"
+#include "felt/store/felt_schema.h"
+
+namespace felt {
+
+/// The file that a drawing was read from, opened again for what it carries. The extras must outlive
+/// it.
+class CarriedFile {
+ public:
+  /// Without a file there is nothing to carry, and all is well.
+  static Result<CarriedFile> open(const FeltExtras& extras);
+
+  /// Null where there is no file.
+  [[nodiscard]] const FeltSchema* schema() const noexcept { return database_ ? &schema_ : nullptr; }
+  [[nodiscard]] const Database* database() const noexcept {
+    return database_ ? &*database_ : nullptr;
+  }
+
+  /// Puts what a newer Feltline keeps into a database that has our tables and their rows: columns
+  /// of the drawing, of layers and strokes that are still there, and whole tables, less the rows
+  /// whose column "stroke" or "layer" names one that is gone.
+  Result<void> copy_to(Database& to, const Document& document) const;
+
+ private:
+  CarriedFile() = default;
+  Result<void> copy_columns(Database& to, const FeltTable& table) const;
+  Result<void> copy_table(Database& to, const FeltTable& table, const Document& document) const;
+
+  std::optional<Database> database_;
+  FeltSchema schema_;
+};
+
+/// Copies all rows of a table that is the same in both, for which `stays` says so.
+template <class Stays>
+Result<void> copy_rows(const Database& from, const Database& to, const FeltTable& table,
+                       Stays stays) {
+  std::string marks = "?";
+  for (std::size_t i = 1; i < table.columns.size(); ++i) marks += ",?";
+  const auto read = from.prepare(("SELECT * FROM " + table.name + " NOT INDEXED").c_str());
+  if (!read) return tl::unexpected(read.error());
+  const auto write = to.prepare(("INSERT INTO " + table.name + " VALUES(" + marks + ")").c_str());
+  if (!write) return tl::unexpected(write.error());
+  for (;;) {
+    const Result<bool> more = read->step();
+    if (!more) return tl::unexpected(more.error());
+    if (!*more) return {};
+    if (!stays(*read)) continue;
+    for (int i = 0; i < static_cast<int>(table.columns.size()); ++i) {
+      write->bind_column(i + 1, *read, i);
+    }
+    if (auto done = write->step(); !done) return tl::unexpected(done.error());
+    write->reset();
+  }
+}
+
+}  // namespace felt

@@ -1,0 +1,282 @@
+#include "felt/store/felt_salvage.h"
+
+#include <algorithm>
+#include <map>
+#include <memory>
+#include <optional>
+#include <utility>
+
+#include "felt/base/read_file.h"
+#include "felt/base/utf8.h"
+#include "felt/store/felt_sheet.h"
+#include "felt/store/felt_tables.h"
+#include "felt/store/page_scan.h"
+#include "felt/store/stroke_blob.h"
+
+namespace felt {
+namespace {
+
+using Value = ScannedRow::Value;
+
+bool is_none(const Value& v) noexcept {
+  return std::holds_alternative<std::monostate>(v);
+}
+std::optional<std::int64_t> whole(const Value& v) noexcept {
+  const auto* n = std::get_if<std::int64_t>(&v);
+  return n ? std::optional(*n) : std::nullopt;
+}
+/// SQLite keeps a double that is whole as a whole number.
+std::optional<double> number(const Value& v) noexcept {
+  if (const auto* x = std::get_if<double>(&v)) return *x;
+  const auto n = whole(v);
+  return n ? std::optional(static_cast<double>(*n)) : std::nullopt;
+}
+const std::string* text(const Value& v) noexcept {
+  const auto* bytes = std::get_if<ScannedRow::Bytes>(&v);
+  return bytes && bytes->is_text ? &bytes->value : nullptr;
+}
+const std::string* blob(const Value& v) noexcept {
+  const auto* bytes = std::get_if<ScannedRow::Bytes>(&v);
+  return bytes && !bytes->is_text ? &bytes->value : nullptr;
+}
+bool is_id(std::int64_t n) noexcept {
+  return n > 0 && n <= kMaxId;
+}
+
+/// Rows by what they look like, for which page belongs to which table is not known.
+class Findings {
+ public:
+  void take(const ScannedRow& row) {
+    const auto& v = row.values;
+    if (v.empty() || !is_none(v[0]) || !is_id(row.id)) return;
+    if (take_stroke(row) || take_layer(row) || take_drawing(row) || take_view(row)) return;
+    if (!take_color(row)) ++others;
+  }
+
+  struct FoundStroke {
+    StrokePtr stroke;
+    std::int64_t layer = 0, place = 0;
+  };
+  struct FoundLayer {
+    LayerState state;
+    std::int64_t place = 0;
+  };
+  std::map<std::int64_t, FoundStroke> strokes;
+  std::map<std::int64_t, FoundLayer> layers;
+  std::map<std::int64_t, NamedColor> colors;
+  std::optional<StoredDrawing> head;  // without document and palette's colours
+  std::optional<StoredView> view;
+  std::int64_t last_stroke = 0, last_layer = 0;
+  std::size_t others = 0;
+
+ private:
+  bool take_stroke(const ScannedRow& row) {
+    const auto& v = row.values;
+    if (v.size() < 4 || !whole(v[1]) || !whole(v[2]) || !blob(v[3])) return false;
+    if (!is_id(*whole(v[1])) || *whole(v[2]) < 0 || *whole(v[2]) > kMaxId) return false;
+    if (strokes.contains(row.id)) return true;
+    Result<Stroke> stroke = read_stroke_blob(*blob(v[3]));
+    if (!stroke) return false;
+    strokes[row.id] = {std::make_shared<const Stroke>(*std::move(stroke)), *whole(v[1]),
+                       *whole(v[2])};
+    return true;
+  }
+  bool take_layer(const ScannedRow& row) {
+    const auto& v = row.values;
+    if (v.size() < 5 || !whole(v[1]) || !text(v[2]) || !whole(v[3]) || !whole(v[4])) return false;
+    const std::string& name = *text(v[2]);
+    if ((*whole(v[3]) | 1) != 1 || (*whole(v[4]) | 1) != 1) return false;
+    if (name.size() > kMaxLayerNameBytes || !is_utf8(name)) return false;
+    if (layers.size() < kMaxLayers) {
+      layers.try_emplace(row.id,
+                         FoundLayer{{name, *whole(v[3]) == 1, *whole(v[4]) == 1}, *whole(v[1])});
+    }
+    return true;
+  }
+  bool take_drawing(const ScannedRow& row) {
+    const auto& v = row.values;
+    if (v.size() < 12 || row.id != 1 || !number(v[1]) || !number(v[2]) || !text(v[4]) ||
+        !text(v[9])) {
+      return false;
+    }
+    for (const std::size_t i : {3U, 5U, 6U, 7U, 8U, 10U, 11U}) {
+      if (!whole(v[i]) || *whole(v[i]) < 0 || *whole(v[i]) > kMaxId) return false;
+    }
+    StoredDrawing found;
+    found.page = {*number(v[1]), *number(v[2]), color_of(*whole(v[3]))};
+    found.material = *text(v[4]);
+    found.color = color_of(*whole(v[5]));
+    found.layer = {static_cast<std::uint64_t>(*whole(v[6]))};
+    found.palette.name = *text(v[9]);
+    found.palette.columns = static_cast<std::size_t>(*whole(v[10]));
+    const auto is_side = [](double mm) {
+      return mm >= SheetPage::kLeastMm && mm <= SheetPage::kMostMm;
+    };
+    if (!is_side(found.page.width_mm) || !is_side(found.page.height_mm) || head ||
+        found.material.size() > kMaxLayerNameBytes || !is_utf8(found.material)) {
+      return true;
+    }
+    head = std::move(found);
+    last_stroke = *whole(v[7]);
+    last_layer = *whole(v[8]);
+    return true;
+  }
+  bool take_view(const ScannedRow& row) {
+    const auto& v = row.values;
+    if (v.size() != 6 || row.id != 1 || !whole(v[5])) return false;
+    for (const std::size_t i : {1U, 2U, 3U, 4U}) {
+      if (!number(v[i])) return false;
+    }
+    view =
+        StoredView{{*number(v[1]), *number(v[2])}, *number(v[3]), *number(v[4]), *whole(v[5]) == 1};
+    return true;
+  }
+  bool take_color(const ScannedRow& row) {
+    const auto& v = row.values;
+    if (v.size() != 3 || !whole(v[1]) || !is_color_number(*whole(v[1])) || !text(v[2])) {
+      return false;
+    }
+    if (colors.size() < GplLimits::kMaxColors) {
+      colors.try_emplace(row.id, NamedColor{color_of(*whole(v[1])), *text(v[2])});
+    }
+    return true;
+  }
+};
+
+/// Makes a drawing of what was found.
+class Assembly {
+ public:
+  explicit Assembly(Findings findings) : found_(std::move(findings)) {}
+
+  Result<Salvaged> make(const std::string& why) {
+    if (found_.strokes.empty() && found_.layers.empty()) {
+      return fail(ErrorCode::kInvalidData, why + "; nothing of a drawing is in it");
+    }
+    out_.problems.push_back("The file " + why + ".");
+    take_head();
+    name_lost_layers();
+    if (auto ok = fill(); !ok) return tl::unexpected(ok.error());
+    take_rest();
+    return std::move(out_);
+  }
+
+ private:
+  void take_head() {
+    if (found_.head) {
+      out_.drawing = *std::move(found_.head);
+      return;
+    }
+    out_.problems.emplace_back(
+        "The size of the sheet, its paper and material, and the colour of new ink are lost; they "
+        "are those of a new drawing.");
+  }
+
+  void name_lost_layers() {
+    std::size_t lost = 0;
+    for (auto& [id, stroke] : found_.strokes) {
+      if (found_.layers.contains(stroke.layer)) continue;
+      if (found_.layers.size() == kMaxLayers) {
+        stroke.layer = found_.layers.rbegin()->first;
+        continue;
+      }
+      found_.layers[stroke.layer] = {{"Salvaged " + std::to_string(++lost), true, false}, kMaxId};
+    }
+    if (lost == 0) return;
+    out_.problems.push_back(lost == 1 ? "A layer has lost its name and place; it is the topmost."
+                                      : std::to_string(lost) +
+                                            " layers have lost their names and "
+                                            "places; they are the topmost.");
+  }
+
+  Result<void> fill() {
+    std::vector<std::int64_t> order;
+    for (const auto& [id, layer] : found_.layers) order.push_back(id);
+    std::sort(order.begin(), order.end(), [this](std::int64_t a, std::int64_t b) {
+      return std::pair(found_.layers[a].place, a) < std::pair(found_.layers[b].place, b);
+    });
+    Edit edit;
+    edit.label = "Salvage";
+    Document& document = out_.drawing.document;
+    const Layer& first = document.layers().front();
+    edit.layers.push_back({first.id, first.state(), std::nullopt, 0, 0});
+    for (std::size_t i = 0; i < order.size(); ++i) {
+      const LayerState& state = found_.layers[order[i]].state;
+      const LayerId id{static_cast<std::uint64_t>(order[i])};
+      if (id == first.id) {
+        edit.layers.front().after = state;
+        edit.layers.front().after_index = i;
+      } else {
+        edit.layers.push_back({id, std::nullopt, state, 0, i});
+      }
+    }
+    place_strokes(edit);
+    return document.apply(edit);
+  }
+
+  void place_strokes(Edit& edit) {
+    std::map<std::int64_t, std::vector<std::int64_t>> by_layer;
+    for (const auto& [id, stroke] : found_.strokes) by_layer[stroke.layer].push_back(id);
+    for (auto& [layer, ids] : by_layer) {
+      const auto place = [this](std::int64_t id) { return found_.strokes[id].place; };
+      std::stable_sort(ids.begin(), ids.end(),
+                       [&](std::int64_t a, std::int64_t b) { return place(a) < place(b); });
+      for (std::size_t i = 0; i < ids.size(); ++i) {
+        edit.changes.push_back({{static_cast<std::uint64_t>(ids[i])},
+                                nullptr,
+                                found_.strokes[ids[i]].stroke,
+                                {},
+                                {{static_cast<std::uint64_t>(layer)}, i}});
+      }
+      const std::int64_t missing = place(ids.back()) + 1 - std::ssize(ids);
+      if (missing <= 0) continue;
+      out_.problems.push_back("At least " + std::to_string(missing) +
+                              (missing == 1 ? " stroke" : " strokes") + " of the layer “" +
+                              found_.layers[layer].state.name + "” could not be read.");
+    }
+  }
+
+  void take_rest() {
+    StoredDrawing& d = out_.drawing;
+    const auto stroke = static_cast<std::uint64_t>(found_.last_stroke);
+    d.document.reserve_ids({stroke}, {static_cast<std::uint64_t>(found_.last_layer)});
+    if (!d.document.layer(d.layer)) d.layer = {};
+    for (auto& [id, color] : found_.colors) d.palette.colors.push_back(std::move(color));
+    if (!check_sheet(d)) {
+      d.palette = {};
+      out_.problems.emplace_back("The drawing's own colours are lost.");
+    }
+    d.view = found_.view;
+    if (!check_sheet(d)) d.view.reset();
+    if (found_.others > 0) {
+      out_.problems.emplace_back(
+          "What else is in the file, recordings for example, was left behind.");
+    }
+  }
+
+  Findings found_;
+  Salvaged out_;
+};
+
+}  // namespace
+
+Result<Salvaged> salvage_felt_bytes(std::string_view bytes) {
+  if (bytes.size() > kMaxFeltBytes) {
+    return fail(ErrorCode::kLimitExceeded,
+                "is larger than " + std::to_string(kMaxFeltBytes) + " bytes");
+  }
+  Result<StoredDrawing> whole = parse_felt(bytes);
+  if (whole) return Salvaged{*std::move(whole), {}};
+  Findings findings;
+  scan_rows(bytes, [&findings](const ScannedRow& row) { findings.take(row); });
+  return Assembly(std::move(findings)).make(whole.error().message);
+}
+
+Result<Salvaged> salvage_felt(const std::string& path) {
+  const Result<std::string> bytes = read_file(path, kMaxFeltBytes);
+  if (!bytes) return tl::unexpected(bytes.error());
+  Result<Salvaged> salvaged = salvage_felt_bytes(*bytes);
+  if (salvaged) return salvaged;
+  return tl::unexpected(with_context(salvaged.error(), path == "-" ? "stdin" : path));
+}
+
+}  // namespace felt

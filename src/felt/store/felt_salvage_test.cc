@@ -1,0 +1,201 @@
+#include "felt/store/felt_salvage.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <random>
+#include <set>
+
+#include "felt/document/random_document.h"
+#include "felt/store/page_scan.h"
+
+namespace felt {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+
+constexpr std::size_t kPage = 4096;
+
+/// Several pages of strokes in three layers, one of them larger than a page.
+StoredDrawing some_drawing() {
+  StoredDrawing drawing;
+  testing::RandomEdits edits(3);
+  Edit edit;
+  edit.layers.push_back({{2}, std::nullopt, LayerState{"Birds", true, false}, 0, 1});
+  edit.layers.push_back({{3}, std::nullopt, LayerState{"Trees", false, true}, 0, 2});
+  std::vector<std::size_t> places(4);
+  for (std::uint64_t i = 1; i <= 150; ++i) {
+    const std::uint64_t layer = 1 + i % 3;
+    edit.changes.push_back({{i}, nullptr, edits.stroke(), {}, {{layer}, places[layer]++}});
+  }
+  StrokeData data;
+  data.points.push_back({0, 0});
+  for (int i = 1; i <= 400; ++i) {
+    const double x = 1.0 / 3.0 * i;
+    data.points.insert(data.points.end(), {{x - 0.2, 0.1}, {x - 0.1, 0.1}, {x, 1.0 / (i % 7 + 1)}});
+  }
+  data.joints.assign(399, JointKind::kCorner);
+  data.widths = {{0.0, 1.0}, {400.0, 2.0}};
+  edit.changes.push_back({{151},
+                          nullptr,
+                          std::make_shared<const Stroke>(Stroke::create(data).value()),
+                          {},
+                          {{1}, places[1]}});
+  EXPECT_TRUE(drawing.document.apply(edit));
+  drawing.page = {300.0, 200.5, {9, 9, 9, 255}};
+  drawing.material = "paper";
+  drawing.layer = {2};
+  drawing.palette = {"mine", 4, {{{1, 2, 3, 255}, "Grün"}, {{4, 5, 6, 255}, ""}}};
+  drawing.view = StoredView{{10.0, 0.5}, 3.0, -20.0, true};
+  return drawing;
+}
+
+/// The strokes that stand in pages of which nothing was changed, by what the page scan finds when
+/// all other pages are blank.
+bool keeps_all_of(const StoredDrawing& got, const StoredDrawing& drawing,
+                  const std::set<std::uint64_t>& lost) {
+  for (const Layer& layer : drawing.document.layers()) {
+    for (const StrokeId id : layer.strokes) {
+      if (lost.contains(id.value)) continue;
+      const StrokePtr found = got.document.find(id);
+      if (!found || !(*found == *drawing.document.find(id))) return false;
+      if (got.document.layer_of(id) != layer.id) return false;
+    }
+  }
+  return true;
+}
+
+/// Strokes whose bytes, or parts of them, stand in the pages `from` to `to`.
+std::set<std::uint64_t> strokes_in(const std::string& bytes, std::size_t from, std::size_t to) {
+  const auto ids = [](const std::string& file) {
+    std::set<std::uint64_t> all;
+    const auto salvaged = salvage_felt_bytes(file);
+    if (!salvaged) return all;
+    for (const Layer& layer : salvaged->drawing.document.layers()) {
+      for (const StrokeId id : layer.strokes) all.insert(id.value);
+    }
+    return all;
+  };
+  std::string blank = bytes;
+  blank.replace(from * kPage, (to - from) * kPage, (to - from) * kPage, '\0');
+  std::set<std::uint64_t> all = ids(bytes);
+  for (const std::uint64_t id : ids(blank)) all.erase(id);
+  return all;
+}
+
+TEST(FeltSalvage, AWholeFileComesBackAsItIs) {
+  const StoredDrawing drawing = some_drawing();
+  const Salvaged salvaged = salvage_felt_bytes(felt_bytes(drawing).value()).value();
+  EXPECT_TRUE(salvaged.drawing == drawing);
+  EXPECT_THAT(salvaged.problems, IsEmpty());
+}
+
+TEST(FeltSalvage, WithoutAHeadAllIsThere) {
+  const StoredDrawing drawing = some_drawing();
+  std::string bytes = felt_bytes(drawing).value();
+  bytes.replace(0, kPage, kPage, '\0');
+  const Salvaged salvaged = salvage_felt_bytes(bytes).value();
+  EXPECT_TRUE(salvaged.drawing == drawing);
+  EXPECT_EQ(salvaged.problems.size(), 1u);
+  EXPECT_TRUE(felt_bytes(salvaged.drawing));
+}
+
+/// Every page in turn is lost: what stood in it is, and nothing else.
+TEST(FeltSalvage, EveryStrokeOnWholePagesIsThere) {
+  const StoredDrawing drawing = some_drawing();
+  const std::string bytes = felt_bytes(drawing).value();
+  const std::size_t pages = bytes.size() / kPage;
+  ASSERT_GE(pages, 10u);
+  std::size_t together = 0;
+  for (std::size_t page = 0; page < pages; ++page) {
+    const std::set<std::uint64_t> lost = strokes_in(bytes, page, page + 1);
+    together += lost.size();
+    for (const char fill : {'\0', '\xff', '\x0d'}) {
+      std::string changed = bytes;
+      changed.replace(page * kPage, kPage, kPage, fill);
+      const Result<Salvaged> salvaged = salvage_felt_bytes(changed);
+      ASSERT_TRUE(salvaged) << page;
+      EXPECT_TRUE(keeps_all_of(salvaged->drawing, drawing, lost)) << page;
+      EXPECT_EQ(salvaged->drawing.document.stroke_count() + lost.size(), 151u) << page;
+      EXPECT_FALSE(salvaged->problems.empty()) << page;
+      EXPECT_TRUE(felt_bytes(salvaged->drawing)) << page;
+    }
+  }
+  EXPECT_GE(together, 151u);  // each stood somewhere; the large one in several pages
+  EXPECT_LT(together, 151u + 10u);
+}
+
+TEST(FeltSalvage, ACutFileGivesWhatIsBeforeTheCut) {
+  const StoredDrawing drawing = some_drawing();
+  const std::string bytes = felt_bytes(drawing).value();
+  std::mt19937 random(6);
+  for (std::size_t page = 1; page < bytes.size() / kPage; ++page) {
+    const std::set<std::uint64_t> lost = strokes_in(bytes, page, bytes.size() / kPage);
+    const auto salvaged =
+        salvage_felt_bytes(std::string_view(bytes).substr(0, page * kPage + random() % kPage));
+    if (!salvaged) {
+      EXPECT_EQ(lost.size(), 151u);
+      continue;
+    }
+    EXPECT_TRUE(keeps_all_of(salvaged->drawing, drawing, lost)) << page;
+  }
+}
+
+TEST(FeltSalvage, FlippedBitsCostOnlyWhatTheyHit) {
+  const StoredDrawing drawing = some_drawing();
+  const std::string bytes = felt_bytes(drawing).value();
+  std::mt19937 random(7);
+  for (int run = 0; run < 1000; ++run) {
+    std::string changed = bytes;
+    const std::size_t at = random() % bytes.size();
+    changed[at] ^= static_cast<char>(1 << random() % 8);
+    const Result<Salvaged> salvaged = salvage_felt_bytes(changed);
+    ASSERT_TRUE(salvaged) << "byte " << at;
+    const std::set<std::uint64_t> lost = strokes_in(bytes, at / kPage, at / kPage + 1);
+    EXPECT_TRUE(at / kPage == 0 || keeps_all_of(salvaged->drawing, drawing, lost)) << "byte " << at;
+  }
+}
+
+TEST(FeltSalvage, SaysWhatIsMissing) {
+  const StoredDrawing drawing = some_drawing();
+  const std::string bytes = felt_bytes(drawing).value();
+  const auto problems = [](const std::string& file) {
+    std::string all;
+    const Salvaged salvaged = salvage_felt_bytes(file).value();
+    for (const std::string& problem : salvaged.problems) all += problem + "\n";
+    return all;
+  };
+  std::string all_problems;
+  for (std::size_t page = 1; page < bytes.size() / kPage; ++page) {
+    std::string changed = bytes;
+    changed.replace(page * kPage, kPage, kPage, '\0');
+    all_problems += problems(changed);
+  }
+  EXPECT_THAT(all_problems, HasSubstr("The file is damaged"));
+  EXPECT_THAT(all_problems, HasSubstr("The size of the sheet"));
+  EXPECT_THAT(all_problems, HasSubstr("3 layers have lost their names"));
+  EXPECT_THAT(all_problems, HasSubstr("of the layer “Birds” could not be read"));
+  EXPECT_THAT(salvage_felt_bytes("").error().message, HasSubstr("is empty; nothing of a drawing"));
+  EXPECT_THAT(salvage_felt_bytes(std::string(10'000, 'x')).error().message,
+              HasSubstr("nothing of a drawing"));
+  EXPECT_THAT(salvage_felt("/none/x.felt").error().message, HasSubstr("/none/x.felt"));
+  std::string newer = bytes;
+  newer[63] = 2;
+  EXPECT_THAT(problems(newer), HasSubstr("written by a newer Feltline"));
+}
+
+/// Cells that all stand for the same large row cost no more than the file is large.
+TEST(FeltSalvage, IsBoundedWhateverThePagesSay) {
+  std::string bytes(std::size_t{1} << 20, '\x0d');
+  std::size_t told = 0;
+  scan_rows(bytes, [&](const ScannedRow& row) {
+    for (const ScannedRow::Value& value : row.values) {
+      if (const auto* text = std::get_if<ScannedRow::Bytes>(&value)) told += text->value.size();
+    }
+  });
+  EXPECT_LT(told, std::size_t{8} << 20);
+}
+
+}  // namespace
+}  // namespace felt

@@ -1,0 +1,283 @@
+#include "felt/store/felt_schema.h"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "felt/base/check.h"
+
+namespace felt {
+namespace {
+
+// The definitions are part of the format: in a file they are this text, or go on after it.
+constexpr std::array kTables = {
+    OwnTable{
+        "drawing",
+        "CREATE TABLE drawing(id INTEGER PRIMARY KEY, width_mm REAL NOT NULL, "
+        "height_mm REAL NOT NULL, paper INTEGER NOT NULL, material TEXT NOT NULL, "
+        "color INTEGER NOT NULL, layer INTEGER NOT NULL, last_stroke INTEGER NOT NULL, "
+        "last_layer INTEGER NOT NULL, palette TEXT NOT NULL, palette_columns INTEGER NOT NULL, "
+        "checksum INTEGER NOT NULL)",
+        12},
+    OwnTable{"layer",
+             "CREATE TABLE layer(id INTEGER PRIMARY KEY, place INTEGER NOT NULL, "
+             "name TEXT NOT NULL, visible INTEGER NOT NULL, locked INTEGER NOT NULL)",
+             5},
+    OwnTable{"palette",
+             "CREATE TABLE palette(id INTEGER PRIMARY KEY, color INTEGER NOT NULL, "
+             "name TEXT NOT NULL)",
+             3},
+    OwnTable{"shown",
+             "CREATE TABLE shown(id INTEGER PRIMARY KEY, center_x_mm REAL NOT NULL, "
+             "center_y_mm REAL NOT NULL, px_per_mm REAL NOT NULL, angle_deg REAL NOT NULL, "
+             "mirrored INTEGER NOT NULL)",
+             6},
+    OwnTable{"stroke",
+             "CREATE TABLE stroke(id INTEGER PRIMARY KEY, layer INTEGER NOT NULL, "
+             "place INTEGER NOT NULL, shape BLOB NOT NULL)",
+             4}};
+
+constexpr std::array kRecordingTables = {
+    OwnTable{"recording",
+             "CREATE TABLE recording(id INTEGER PRIMARY KEY, device TEXT NOT NULL, "
+             "start_ns INTEGER NOT NULL, period_ns INTEGER NOT NULL, "
+             "first_sample INTEGER NOT NULL, samples INTEGER NOT NULL, "
+             "first_event INTEGER NOT NULL, events INTEGER NOT NULL, end_ns INTEGER NOT NULL, "
+             "checksum INTEGER NOT NULL)",
+             10},
+    OwnTable{"recording_event",
+             "CREATE TABLE recording_event(id INTEGER PRIMARY KEY, before_sample INTEGER NOT NULL, "
+             "time_ns INTEGER NOT NULL, kind TEXT NOT NULL, line TEXT NOT NULL)",
+             5},
+    OwnTable{"recording_sample",
+             "CREATE TABLE recording_sample(id INTEGER PRIMARY KEY, late_ns INTEGER NOT NULL, "
+             "x_mm REAL NOT NULL, y_mm REAL NOT NULL, z_mm REAL NOT NULL, pressure REAL, "
+             "buttons INTEGER NOT NULL, asked_x INTEGER, asked_y INTEGER, asked_z INTEGER, "
+             "cut_x INTEGER, cut_y INTEGER, cut_z INTEGER)",
+             13}};
+
+constexpr std::array kRecordingViews = {
+    "CREATE VIEW recordings AS SELECT id AS recording, device, 1000000000.0 / period_ns AS "
+    "rate_hz, "
+    "samples, events, 0.000001 * start_ns AS start_ms, 0.000001 * end_ns AS end_ms FROM recording",
+    "CREATE VIEW recorded_samples AS SELECT r.id AS recording, s.id - r.first_sample AS sample, "
+    "0.000001 * (r.start_ns + (s.id - r.first_sample) * r.period_ns + s.late_ns) AS t_ms, "
+    "s.x_mm, s.y_mm, s.z_mm, s.pressure, s.buttons, 0.0001 * s.asked_x AS asked_x_n, "
+    "0.0001 * s.asked_y AS asked_y_n, 0.0001 * s.asked_z AS asked_z_n, "
+    "0.0001 * (s.asked_x - s.cut_x) AS sent_x_n, 0.0001 * (s.asked_y - s.cut_y) AS sent_y_n, "
+    "0.0001 * (s.asked_z - s.cut_z) AS sent_z_n FROM recording AS r JOIN recording_sample AS s "
+    "ON s.id >= r.first_sample AND s.id < r.first_sample + r.samples",
+    "CREATE VIEW recorded_events AS SELECT r.id AS recording, e.id - r.first_event AS event, "
+    "e.before_sample - r.first_sample AS before_sample, 0.000001 * e.time_ns AS t_ms, e.kind, "
+    "e.line FROM recording AS r JOIN recording_event AS e "
+    "ON e.id >= r.first_event AND e.id < r.first_event + r.events"};
+
+constexpr std::size_t kMostSchemaRows = 4 * kMaxForeignTables;
+
+tl::unexpected<Error> bad(std::string what) {
+  return fail(ErrorCode::kInvalidData, std::move(what));
+}
+
+bool is_small_letter(char c) noexcept {
+  return c >= 'a' && c <= 'z';
+}
+bool is_digit(char c) noexcept {
+  return c >= '0' && c <= '9';
+}
+
+/// Takes pieces off the front of a definition.
+class Definition {
+ public:
+  explicit Definition(std::string_view text) noexcept : left_(text) {}
+
+  bool take(std::string_view word) noexcept {
+    if (!left_.starts_with(word)) return false;
+    left_.remove_prefix(word.size());
+    return true;
+  }
+  std::string_view name() noexcept {
+    if (left_.empty() || !is_small_letter(left_.front())) return {};
+    return take_while([](char c) { return is_small_letter(c) || is_digit(c) || c == '_'; },
+                      kMaxIdentifierBytes);
+  }
+  bool literal() noexcept {
+    if (take("NULL")) return true;
+    if (take("'")) {
+      take_while([](char c) { return c >= ' ' && c <= '~' && c != '\''; }, left_.size());
+      return take("'");
+    }
+    take("-");
+    if (take_while(is_digit, left_.size()).empty()) return false;
+    return !take(".") || !take_while(is_digit, left_.size()).empty();
+  }
+  [[nodiscard]] bool is_done() const noexcept { return left_.empty(); }
+
+ private:
+  template <class Fits>
+  std::string_view take_while(Fits fits, std::size_t most) noexcept {
+    const auto* const end = std::find_if_not(left_.begin(), left_.end(), fits);
+    const auto size = std::min(static_cast<std::size_t>(end - left_.begin()), most);
+    const std::string_view taken = left_.substr(0, size);
+    left_.remove_prefix(size);
+    return taken;
+  }
+  std::string_view left_;
+};
+
+bool parse_column(Definition& in, FeltTable& table) {
+  const std::string_view name = in.name();
+  if (name.empty() || table.columns.size() == kMaxColumns) return false;
+  table.columns.emplace_back(name);
+  if (in.take(" INTEGER PRIMARY KEY")) return table.columns.size() == 1;
+  if (!in.take(" INTEGER") && !in.take(" REAL") && !in.take(" TEXT") && !in.take(" BLOB")) {
+    return false;
+  }
+  in.take(" NOT NULL");
+  return !in.take(" DEFAULT ") || in.literal();
+}
+
+/// Ours, or ours and columns more.
+bool begins_like(const FeltTable& table, const OwnTable& own) {
+  const std::string_view sql = table.sql, ours = own.sql;
+  return sql == ours || (sql.starts_with(ours.substr(0, ours.size() - 1)) &&
+                         sql.substr(ours.size() - 1).starts_with(", "));
+}
+
+bool is_core(std::string_view name) {
+  return std::any_of(kTables.begin(), kTables.end(),
+                     [name](const OwnTable& own) { return own.name == name; });
+}
+
+/// Sorts a table to its place in the schema.
+Result<void> place(FeltSchema& schema, FeltTable table) {
+  const auto is_named = [&table](const OwnTable& own) { return own.name == table.name; };
+  if (const auto* own = std::find_if(kTables.begin(), kTables.end(), is_named);
+      own != kTables.end()) {
+    if (!begins_like(table, *own)) return bad("the table '" + table.name + "' is another");
+    const std::array places = {&schema.drawing, &schema.layer, &schema.palette, &schema.shown,
+                               &schema.stroke};
+    *places[static_cast<std::size_t>(own - kTables.begin())] = std::move(table);
+    return {};
+  }
+  if (const auto* own = std::find_if(kRecordingTables.begin(), kRecordingTables.end(), is_named);
+      own != kRecordingTables.end()) {
+    if (!begins_like(table, *own)) return bad("the table '" + table.name + "' is another");
+    schema.recordings.push_back(std::move(table));
+    return {};
+  }
+  if (schema.foreign.size() == kMaxForeignTables) {
+    return fail(ErrorCode::kLimitExceeded, "has more than 64 tables that are not ours");
+  }
+  schema.foreign.push_back(std::move(table));
+  return {};
+}
+
+Result<void> take_row(FeltSchema& schema, const Statement& row) {
+  const std::string_view type = row.text(0), name = row.text(1), on = row.text(2);
+  if (type == "view") return {};
+  if (type == "index") {
+    return is_core(on) ? bad("has an index of another program") : Result<void>();
+  }
+  if (type != "table") return bad("has triggers, which no drawing needs");
+  Result<FeltTable> table = parse_table(row.text(3));
+  if (!table || table->name != name || name != on) {
+    return bad("has a table that no Feltline makes: '" + std::string(name.substr(0, 100)) + "'");
+  }
+  return place(schema, *std::move(table));
+}
+
+}  // namespace
+
+const OwnTable& own_table(std::string_view name) {
+  const auto is_named = [name](const OwnTable& own) { return own.name == name; };
+  if (const auto* own = std::find_if(kTables.begin(), kTables.end(), is_named);
+      own != kTables.end()) {
+    return *own;
+  }
+  const auto* own = std::find_if(kRecordingTables.begin(), kRecordingTables.end(), is_named);
+  FELT_CHECK(own != kRecordingTables.end());
+  return *own;
+}
+
+std::string FeltTable::beyond(std::size_t ours) const {
+  std::string names;
+  for (std::size_t i = ours; i < columns.size(); ++i) names += ", \"" + columns[i] + "\"";
+  return names;
+}
+
+bool FeltSchema::has_extras() const noexcept {
+  const auto has_more = [](const FeltTable& table) {
+    return table.columns.size() > own_table(table.name).columns;
+  };
+  return !recordings.empty() || !foreign.empty() || has_more(drawing) || has_more(layer) ||
+         has_more(stroke);
+}
+
+Result<void> make_tables(Database& database, const FeltSchema* like) {
+  for (const OwnTable& own : kTables) {
+    std::string sql(own.sql);
+    if (like && own.name == "drawing") sql = like->drawing.sql;
+    if (like && own.name == "layer") sql = like->layer.sql;
+    if (like && own.name == "stroke") sql = like->stroke.sql;
+    if (auto ok = database.run(sql.c_str()); !ok) return ok;
+  }
+  return {};
+}
+
+Result<void> make_recording_tables(Database& database, const FeltSchema* like) {
+  for (std::size_t i = 0; i < kRecordingTables.size(); ++i) {
+    std::string sql(kRecordingTables[i].sql);
+    if (like && i < like->recordings.size()) sql = like->recordings[i].sql;
+    if (auto ok = database.run(sql.c_str()); !ok) return ok;
+  }
+  for (const char* view : kRecordingViews) {
+    if (auto ok = database.run(view); !ok) return ok;
+  }
+  return {};
+}
+
+Result<FeltTable> parse_table(std::string_view sql) {
+  Definition in(sql);
+  FeltTable table;
+  table.sql = std::string(sql);
+  bool good = in.take("CREATE TABLE ");
+  table.name = std::string(in.name());
+  good = good && !table.name.empty() && in.take("(");
+  do good = good && parse_column(in, table);
+  while (good && in.take(", "));
+  if (!good || !in.take(")") || !in.is_done()) return bad("is no plain table");
+  std::vector<std::string> names = table.columns;
+  std::sort(names.begin(), names.end());
+  if (std::adjacent_find(names.begin(), names.end()) != names.end()) return bad("is no table");
+  return table;
+}
+
+Result<FeltSchema> read_schema(const Database& database) {
+  const auto row =
+      database.prepare("SELECT type, name, tbl_name, sql FROM sqlite_schema ORDER BY name");
+  if (!row) return tl::unexpected(with_context(row.error(), "is damaged or cut off"));
+  FeltSchema schema;
+  for (std::size_t rows = 0;; ++rows) {
+    const Result<bool> more = row->step();
+    if (!more) return tl::unexpected(with_context(more.error(), "is damaged or cut off"));
+    if (!*more) break;
+    if (rows == kMostSchemaRows) {
+      return fail(ErrorCode::kLimitExceeded, "has more tables and views than a drawing may have");
+    }
+    if (auto ok = take_row(schema, *row); !ok) return tl::unexpected(ok.error());
+  }
+  for (const FeltTable* table :
+       {&schema.drawing, &schema.layer, &schema.palette, &schema.shown, &schema.stroke}) {
+    if (table->name.empty()) return bad("has other tables than a Feltline drawing");
+  }
+  if (schema.palette.columns.size() > own_table("palette").columns ||
+      schema.shown.columns.size() > own_table("shown").columns) {
+    return bad("has other tables than a Feltline drawing");
+  }
+  if (!schema.recordings.empty() && schema.recordings.size() != kRecordingTables.size()) {
+    return bad("has half the tables of recordings");
+  }
+  return schema;
+}
+
+}  // namespace felt

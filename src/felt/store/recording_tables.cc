@@ -1,0 +1,404 @@
+#include "felt/store/recording_tables.h"
+
+#include <cmath>
+#include <limits>
+#include <string>
+#include <utility>
+
+#include "felt/base/utf8.h"
+#include "felt/io/event_reader.h"
+#include "felt/io/event_writer.h"
+#include "felt/store/byte_stream.h"
+#include "felt/store/crc32c.h"
+#include "felt/store/felt_file.h"
+
+namespace felt {
+namespace {
+
+constexpr std::size_t kMaxRecordings = 10'000;
+constexpr std::size_t kMaxDeviceBytes = 4096;
+/// So that no sum of them leaves 64 bits.
+constexpr std::int64_t kMostNumber = std::int64_t{1} << 53;
+
+tl::unexpected<Error> bad(std::string what) {
+  return fail(ErrorCode::kInvalidData, std::move(what));
+}
+
+/// Forces as the tables have them: whole multiples of kRecordedForceStepN.
+std::int64_t steps_of(double n) noexcept {
+  return std::llround(n / kRecordedForceStepN);
+}
+
+/// Gathers what the checksum is over, a piece at a time.
+class Checksum {
+ public:
+  void sample(const RecordedSample& s) {
+    ByteWriter out(bytes_);
+    out.u64(static_cast<std::uint64_t>(s.time_ns));
+    for (const double v : {s.pen.position.x, s.pen.position.y, s.pen.position.z}) out.f64(v);
+    out.u8(static_cast<std::uint8_t>((s.pen.pressure ? 1 : 0) | (s.forces ? 2 : 0)));
+    if (s.pen.pressure) out.f64(*s.pen.pressure);
+    out.u32(s.pen.buttons);
+    if (s.forces) {
+      for (const Force& f : {s.forces->asked, s.forces->sent}) {
+        for (const double v : {f.x, f.y, f.z}) out.u64(static_cast<std::uint64_t>(steps_of(v)));
+      }
+    }
+    if (bytes_.size() > kPieceBytes) fold();
+  }
+  void event(std::size_t before_sample, std::string_view line) {
+    ByteWriter out(bytes_);
+    out.u64(before_sample);
+    out.text(line);
+    fold();
+  }
+  std::int64_t value() {
+    fold();
+    return crc_;
+  }
+
+ private:
+  static constexpr std::size_t kPieceBytes = std::size_t{1} << 16;
+  void fold() {
+    crc_ = crc32c(bytes_, crc_);
+    bytes_.clear();
+  }
+  std::string bytes_;
+  std::uint32_t crc_ = 0;
+};
+
+/// The row of `recording`.
+struct Head {
+  std::string device;
+  std::int64_t start_ns = 0, period_ns = 0, first_sample = 1, samples = 0, first_event = 1,
+               events = 0, end_ns = 0, checksum = 0;
+
+  [[nodiscard]] std::int64_t due_ns(std::int64_t sample) const noexcept {
+    return start_ns + sample * period_ns;
+  }
+};
+
+/// "tool" of {"t_ms":0,"event":"tool","id":"pencil"}.
+std::string_view kind_of(std::string_view line) noexcept {
+  constexpr std::string_view kKey = "\"event\":\"";
+  const std::size_t at = line.find(kKey);
+  if (at == std::string_view::npos) return {};
+  line.remove_prefix(at + kKey.size());
+  return line.substr(0, line.find('"'));
+}
+
+std::string line_of(const Event& event) {
+  std::string line;
+  append_event_line(line, event);
+  if (!line.empty() && line.back() == '\n') line.pop_back();
+  return line;
+}
+
+// --- Writing
+
+Result<void> write_samples(const Database& to, const FeltRecording& recording, const Head& head,
+                           Checksum& checksum) {
+  const auto row = to.prepare(
+      "INSERT INTO recording_sample(id, late_ns, x_mm, y_mm, z_mm, "
+      "pressure, buttons, asked_x, asked_y, asked_z, cut_x, cut_y, cut_z) "
+      "VALUES(?,?,?,?,?,?,?,?,?,?,?,?,?)");
+  if (!row) return tl::unexpected(row.error());
+  std::int64_t n = 0;
+  for (const RecordedSample& s : recording.samples) {
+    checksum.sample(s);
+    row->bind(1, head.first_sample + n);
+    row->bind(2, s.time_ns - head.due_ns(n++));
+    row->bind(3, s.pen.position.x);
+    row->bind(4, s.pen.position.y);
+    row->bind(5, s.pen.position.z);
+    s.pen.pressure ? row->bind(6, *s.pen.pressure) : row->bind_null(6);
+    row->bind(7, std::int64_t{s.pen.buttons});
+    for (int i = 8; i <= 13; ++i) row->bind_null(i);
+    if (s.forces) {
+      const auto& [asked, sent] = *s.forces;
+      const double a[] = {asked.x, asked.y, asked.z}, b[] = {sent.x, sent.y, sent.z};
+      for (int i = 0; i < 3; ++i) {
+        row->bind(8 + i, steps_of(a[i]));
+        row->bind(11 + i, steps_of(a[i]) - steps_of(b[i]));
+      }
+    }
+    if (auto done = row->step(); !done) return tl::unexpected(done.error());
+    row->reset();
+  }
+  return {};
+}
+
+Result<void> write_events(const Database& to, const FeltRecording& recording, const Head& head,
+                          Checksum& checksum) {
+  const auto row = to.prepare(
+      "INSERT INTO recording_event(id, before_sample, time_ns, kind, line) VALUES(?,?,?,?,?)");
+  if (!row) return tl::unexpected(row.error());
+  std::int64_t n = 0;
+  for (const RecordedEvent& e : recording.events) {
+    const std::string line = line_of(e.event);
+    if (!is_utf8(line)) return bad("an event of the recording is no text");
+    checksum.event(e.before_sample, line);
+    row->bind(1, head.first_event + n++);
+    row->bind(2, head.first_sample + static_cast<std::int64_t>(e.before_sample));
+    row->bind(3, e.event.time_ns);
+    row->bind_text(4, kind_of(line));
+    row->bind_text(5, line);
+    if (auto done = row->step(); !done) return tl::unexpected(done.error());
+    row->reset();
+  }
+  return {};
+}
+
+Result<void> write_head(const Database& to, const Head& head) {
+  const auto row = to.prepare(
+      "INSERT INTO recording(device, start_ns, period_ns, first_sample, samples, first_event, "
+      "events, end_ns, checksum) VALUES(?,?,?,?,?,?,?,?,?)");
+  if (!row) return tl::unexpected(row.error());
+  row->bind_text(1, head.device);
+  int at = 2;
+  for (const std::int64_t value : {head.start_ns, head.period_ns, head.first_sample, head.samples,
+                                   head.first_event, head.events, head.end_ns, head.checksum}) {
+    row->bind(at++, value);
+  }
+  return row->step().map([](bool) {});
+}
+
+Result<std::int64_t> next_id(const Database& db, const char* table) {
+  const auto row =
+      db.prepare(("SELECT id FROM " + std::string(table) + " ORDER BY id DESC LIMIT 1").c_str());
+  if (!row) return tl::unexpected(row.error());
+  const Result<bool> any = row->step();
+  if (!any) return tl::unexpected(any.error());
+  return *any ? row->integer(0) + 1 : 1;
+}
+
+Result<void> write_recording(const Database& to, const FeltRecording& recording) {
+  const Result<std::int64_t> sample = next_id(to, "recording_sample");
+  const Result<std::int64_t> event = next_id(to, "recording_event");
+  if (!sample || !event) return tl::unexpected(sample ? event.error() : sample.error());
+  if (recording.device.size() > kMaxDeviceBytes || !is_utf8(recording.device)) {
+    return bad("the device of the recording has an impossible name");
+  }
+  Head head{recording.device};
+  head.period_ns = recording.period_ns;
+  head.first_sample = *sample;
+  head.first_event = *event;
+  head.samples = std::int64_t(recording.samples.size());
+  head.events = std::int64_t(recording.events.size());
+  if (!recording.samples.empty()) {
+    head.start_ns = recording.samples.front().time_ns;
+    head.end_ns = recording.samples.back().time_ns;
+  }
+  Checksum checksum;
+  if (auto ok = write_samples(to, recording, head, checksum); !ok) return ok;
+  if (auto ok = write_events(to, recording, head, checksum); !ok) return ok;
+  head.checksum = checksum.value();
+  return write_head(to, head);
+}
+
+// --- Reading
+
+Result<std::vector<Head>> read_heads(const Database& db) {
+  const auto row = db.prepare(
+      "SELECT device, start_ns, period_ns, first_sample, samples, first_event, events, end_ns, "
+      "checksum FROM recording NOT INDEXED");
+  if (!row) return tl::unexpected(row.error());
+  std::vector<Head> heads;
+  for (;;) {
+    const Result<bool> more = row->step();
+    if (!more) return tl::unexpected(more.error());
+    if (!*more) return heads;
+    if (heads.size() == kMaxRecordings) {
+      return fail(ErrorCode::kLimitExceeded, "has more than 10000 recordings");
+    }
+    bool good = row->is_text(0) && row->text(0).size() <= kMaxDeviceBytes && is_utf8(row->text(0));
+    for (int i = 1; i <= 8; ++i) {
+      good = good && row->is_integer(i) && row->integer(i) >= 0 && row->integer(i) <= kMostNumber;
+    }
+    // A device loops in 0.2..4 ms; what is far from it only makes the products below too large.
+    if (!good || row->integer(2) > 1'000'000'000 || row->integer(4) > 1'000'000'000) {
+      return bad("recording " + std::to_string(heads.size()) + " holds an impossible value");
+    }
+    Head head{std::string(row->text(0))};
+    int at = 1;
+    for (std::int64_t* value : {&head.start_ns, &head.period_ns, &head.first_sample, &head.samples,
+                                &head.first_event, &head.events, &head.end_ns, &head.checksum}) {
+      *value = row->integer(at++);
+    }
+    heads.push_back(std::move(head));
+  }
+}
+
+bool is_sample_row(const Statement& row) {
+  bool good = row.is_integer(1) && std::abs(row.integer(1)) <= kMostNumber;
+  for (const int i : {2, 3, 4}) good = good && row.is_real(i);
+  good = good && (row.is_null(5) || row.is_real(5)) && row.is_integer(6) && row.integer(6) >= 0 &&
+         row.integer(6) <= std::numeric_limits<std::uint32_t>::max();
+  constexpr auto kMostSteps =
+      static_cast<std::int64_t>(2 * kMostRecordedForceN / kRecordedForceStepN);
+  for (int i = 7; i <= 12; ++i) {
+    good = good && (row.is_null(7) ? row.is_null(i)
+                                   : row.is_integer(i) && row.integer(i) <= kMostSteps &&
+                                         row.integer(i) >= -kMostSteps);
+  }
+  return good;
+}
+
+RecordedSample sample_of(const Statement& row, std::int64_t due_ns) {
+  RecordedSample s;
+  s.time_ns = due_ns + row.integer(1);
+  s.pen.position = {row.real(2), row.real(3), row.real(4)};
+  if (!row.is_null(5)) s.pen.pressure = row.real(5);
+  s.pen.buttons = static_cast<std::uint32_t>(row.integer(6));
+  if (row.is_null(7)) return s;
+  const auto force = [&row](int at, bool sent) {
+    const auto value = [&](int i) {
+      return kRecordedForceStepN *
+             static_cast<double>(row.integer(at + i) - (sent ? row.integer(at + i + 3) : 0));
+    };
+    return Force{value(0), value(1), value(2)};
+  };
+  s.forces = RecordedForces{force(7, false), force(7, true)};
+  return s;
+}
+
+Result<void> read_samples(const Database& db, const Head& head, FeltRecording& recording,
+                          Checksum& checksum) {
+  const auto row = db.prepare(
+      "SELECT id, late_ns, x_mm, y_mm, z_mm, pressure, buttons, asked_x, asked_y, asked_z, cut_x, "
+      "cut_y, cut_z FROM recording_sample NOT INDEXED WHERE id >= ? AND id < ?");
+  if (!row) return tl::unexpected(row.error());
+  row->bind(1, head.first_sample);
+  row->bind(2, head.first_sample + head.samples);
+  for (std::int64_t n = 0;; ++n) {
+    const Result<bool> more = row->step();
+    if (!more) return tl::unexpected(more.error());
+    if (!*more) return n == head.samples ? Result<void>() : bad("has fewer samples than it says");
+    if (row->integer(0) != head.first_sample + n || !is_sample_row(*row)) {
+      return bad("sample " + std::to_string(n) + " holds an impossible value");
+    }
+    recording.samples.push_back(sample_of(*row, head.due_ns(n)));
+    checksum.sample(recording.samples.back());
+  }
+}
+
+Result<Event> event_of(std::string_view text) {
+  LineReader lines(read_text(text));
+  LineBatch batch;
+  const Result<bool> any = lines.fill(batch, text.size() + 1);
+  if (!any) return tl::unexpected(any.error());
+  if (!*any || batch.size() != 1) return bad("is no line");
+  EventReader reader;
+  Event event;
+  RawStroke stroke;
+  const Result<ScriptLineKind> kind = reader.read(batch.line(0), event, stroke);
+  if (!kind) return tl::unexpected(kind.error());
+  if (*kind != ScriptLineKind::kEvent) return bad("is no event");
+  return event;
+}
+
+Result<void> read_events(const Database& db, const Head& head, FeltRecording& recording,
+                         Checksum& checksum) {
+  const auto row = db.prepare(
+      "SELECT id, before_sample, time_ns, line FROM recording_event NOT INDEXED "
+      "WHERE id >= ? AND id < ?");
+  if (!row) return tl::unexpected(row.error());
+  row->bind(1, head.first_event);
+  row->bind(2, head.first_event + head.events);
+  for (std::int64_t n = 0;; ++n) {
+    const Result<bool> more = row->step();
+    if (!more) return tl::unexpected(more.error());
+    if (!*more) return n == head.events ? Result<void>() : bad("has fewer events than it says");
+    const std::string name = "event " + std::to_string(n);
+    if (row->integer(0) != head.first_event + n || !row->is_integer(1) || !row->is_integer(2) ||
+        !row->is_text(3) || row->integer(1) < head.first_sample ||
+        row->integer(1) > head.first_sample + head.samples) {
+      return bad(name + " holds an impossible value");
+    }
+    Result<Event> event = event_of(row->text(3));
+    if (!event) return tl::unexpected(with_context(event.error(), name));
+    event->time_ns = row->integer(2);
+    const auto before = static_cast<std::size_t>(row->integer(1) - head.first_sample);
+    checksum.event(before, row->text(3));
+    recording.events.push_back({before, *std::move(event)});
+  }
+}
+
+Result<FeltRecording> read_one(const Database& db, const Head& head) {
+  FeltRecording recording;
+  recording.device = head.device;
+  recording.period_ns = head.period_ns;
+  Checksum checksum;
+  Result<void> done = read_samples(db, head, recording, checksum)
+                          .and_then([&] { return read_events(db, head, recording, checksum); })
+                          .and_then([&] { return check_recording(recording); });
+  if (!done) return tl::unexpected(done.error());
+  if (checksum.value() != head.checksum) return bad("its checksum is not that of its samples");
+  return recording;
+}
+
+RecordingInfo info_of(const Head& head) {
+  const double s = 1e-9 * static_cast<double>(head.end_ns - head.start_ns);
+  return {head.device, head.period_ns, head.samples, head.events, s};
+}
+
+RecordingInfo info_of(const FeltRecording& r) {
+  const double s =
+      r.samples.empty()
+          ? 0.0
+          : 1e-9 * static_cast<double>(r.samples.back().time_ns - r.samples.front().time_ns);
+  return {r.device, r.period_ns, std::ssize(r.samples), std::ssize(r.events), s};
+}
+
+/// Those of the file, or none.
+Result<std::vector<Head>> heads_of(const CarriedFile& file) {
+  if (!file.database() || file.schema()->recordings.empty()) return std::vector<Head>();
+  return read_heads(*file.database());
+}
+
+}  // namespace
+
+Result<void> write_recordings(Database& to, const FeltExtras& extras, const CarriedFile& carried) {
+  const FeltSchema* like = carried.schema();
+  const bool has_carried = like && !like->recordings.empty();
+  if (!has_carried && extras.added.empty()) return {};
+  if (auto ok = make_recording_tables(to, like); !ok) return ok;
+  if (has_carried) {
+    for (const FeltTable& table : like->recordings) {
+      const auto all = [](const Statement&) { return true; };
+      if (auto ok = copy_rows(*carried.database(), to, table, all); !ok) return ok;
+    }
+  }
+  for (const auto& recording : extras.added) {
+    if (auto ok = check_recording(*recording); !ok) return ok;
+    if (auto ok = write_recording(to, *recording); !ok) return ok;
+  }
+  return {};
+}
+
+Result<std::vector<RecordingInfo>> recordings_of(const StoredDrawing& drawing) {
+  const Result<CarriedFile> file = CarriedFile::open(drawing.extras);
+  if (!file) return tl::unexpected(file.error());
+  const Result<std::vector<Head>> heads = heads_of(*file);
+  if (!heads) return tl::unexpected(heads.error());
+  std::vector<RecordingInfo> all;
+  for (const Head& head : *heads) all.push_back(info_of(head));
+  for (const auto& recording : drawing.extras.added) all.push_back(info_of(*recording));
+  return all;
+}
+
+Result<FeltRecording> read_recording(const StoredDrawing& drawing, std::size_t number) {
+  const Result<CarriedFile> file = CarriedFile::open(drawing.extras);
+  if (!file) return tl::unexpected(file.error());
+  const Result<std::vector<Head>> heads = heads_of(*file);
+  if (!heads) return tl::unexpected(heads.error());
+  if (number >= heads->size() + drawing.extras.added.size()) {
+    return fail(ErrorCode::kNotFound, "has no recording " + std::to_string(number));
+  }
+  if (number >= heads->size()) return *drawing.extras.added[number - heads->size()];
+  Result<FeltRecording> recording = read_one(*file->database(), (*heads)[number]);
+  if (recording) return recording;
+  return tl::unexpected(with_context(recording.error(), "recording " + std::to_string(number)));
+}
+
+}  // namespace felt
