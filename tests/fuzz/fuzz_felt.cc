@@ -8,7 +8,8 @@
 #include "felt/store/crc32c.h"
 #include "felt/store/edit_blob.h"
 #include "felt/store/felt_file.h"
-#include "felt/store/journal_log.h"
+#include "felt/store/felt_recording.h"
+#include "felt/store/felt_salvage.h"
 #include "felt/store/stroke_blob.h"
 
 namespace {
@@ -18,9 +19,19 @@ void must(bool condition) {
 }
 
 void try_file(std::string_view bytes) {
+  if (const auto salvaged = felt::salvage_felt_bytes(bytes)) {
+    must(felt::felt_bytes(salvaged->drawing).has_value());
+  }
   const felt::Result<felt::StoredDrawing> drawing = felt::parse_felt(bytes);
   if (!drawing) return must(!drawing.error().message.empty());
-  must(felt::parse_felt(felt::felt_bytes(*drawing).value()).value() == *drawing);
+  const std::string written = felt::felt_bytes(*drawing).value();
+  const felt::StoredDrawing again = felt::parse_felt(written).value();
+  must(again.document == drawing->document && again.palette == drawing->palette &&
+       again.page == drawing->page && again.view == drawing->view);
+  must(felt::felt_bytes(again).value() == written);
+  if (const auto all = felt::recordings_of(again)) {
+    for (std::size_t i = 0; i < all->size(); ++i) static_cast<void>(read_recording(again, i));
+  }
 }
 
 void try_stroke(std::string bytes) {
@@ -47,6 +58,5 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   try_file(bytes);
   try_stroke(std::string(bytes));
   try_edit(bytes);
-  for (const felt::LogRecord& record : felt::read_log(bytes)) must(record.bytes.size() < size);
   return 0;
 }
