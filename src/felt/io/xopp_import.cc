@@ -85,6 +85,10 @@ class XoppReader {
       }
     }
     finish_sheet(root);
+    if (drawing_.layers.empty()) {
+      drawing_.layers.emplace_back();
+      drawing_.layers[0].name = "Layer 1";
+    }
     return ImportedDrawing{std::move(drawing_), std::move(report_)};
   }
 

@@ -153,6 +153,12 @@ TEST(XoppImport, PagesLieBelowEachOther) {
           "line 5: background has another colour than the first page, whose colour the sheet has"));
 }
 
+TEST(XoppImport, PagesWithoutInkGiveALayerToDrawOn) {
+  const std::string empty = "<page width=\"720\" height=\"360\"><layer/></page>";
+  EXPECT_EQ(read(document(empty + empty)).drawing.layers.size(), 1u);
+  EXPECT_EQ(read(document("")).drawing.layers.size(), 1u);
+}
+
 TEST(XoppImport, DotsAreDabs) {
   const ImportedDrawing d =
       read(page("<stroke tool=\"pen\" color=\"black\" width=\"2.26\">"
