@@ -130,7 +130,7 @@ TEST(InkOfPoints, UnusablePointsAreLeftOut) {
   const std::vector<WidePoint> some = {{{NAN, 0}, 1}, {{1, 0}, 1}, {{2, 0}, -5}};
   const StrokeData data = ink.of_line(some).value();
   EXPECT_TRUE(check_invariants(data));
-  EXPECT_DOUBLE_EQ(data.widths.back().width_mm, kMinWidthMm);
+  EXPECT_NEAR(data.widths.back().width_mm, kMinWidthMm, 1e-12);
 }
 
 TEST(InkOfPoints, WorkIsBoundedWhateverTheLengths) {
