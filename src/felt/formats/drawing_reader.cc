@@ -8,6 +8,7 @@
 #include "felt/formats/format_traits.h"
 #include "felt/formats/layered_drawing.h"
 #include "felt/formats/line_drawing.h"
+#include "felt/io/inkml_import.h"
 #include "felt/io/quickdraw_import.h"
 #include "felt/io/svg_import.h"
 #include "felt/io/xopp_import.h"
@@ -50,6 +51,7 @@ Result<ImportedDrawing> import_foreign(std::string_view bytes, FileFormat format
     case FileFormat::kXopp:
       return import_xopp(bytes, options.import);
     case FileFormat::kInkml:
+      return import_inkml(bytes, options.import);
     case FileFormat::kFelt:
     case FileFormat::kPdf:
     case FileFormat::kPng:

@@ -2,12 +2,13 @@
 
 #include "felt/base/atomic_file.h"
 #include "felt/document/visible_strokes.h"
-#include "felt/formats/format_traits.h"
 #include "felt/formats/layered_drawing.h"
 #include "felt/formats/line_drawing.h"
+#include "felt/io/inkml_writer.h"
 #include "felt/io/pdf_writer.h"
 #include "felt/io/png.h"
 #include "felt/io/svg_writer.h"
+#include "felt/io/xopp_writer.h"
 #include "felt/render/page.h"
 
 namespace felt {
@@ -51,11 +52,11 @@ Result<std::string> drawing_bytes(const StoredDrawing& drawing, FileFormat forma
     case FileFormat::kPng:
       return png_bytes(drawing, options);
     case FileFormat::kInkml:
+      return inkml_text(layered_sketch(drawing));
     case FileFormat::kXopp:
-      break;
+      return xopp_bytes(layered_sketch(drawing));
   }
-  return fail(ErrorCode::kUnsupported,
-              std::string(traits_of(format).title) + " is not written yet");
+  return fail(ErrorCode::kInvalidArgument, "no such format");
 }
 
 Result<void> write_drawing(const std::string& path, const StoredDrawing& drawing, FileFormat format,
