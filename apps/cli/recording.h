@@ -7,7 +7,7 @@
 
 namespace felt::cli {
 
-/// Tells a recording (a file, or "-") to a session, every event as it is: its samples went through
+/// Tells a recording (a script, the newest one in a .felt drawing, or "-") to a session, every event as it is: its samples went through
 /// a device and a loop when it was made, and do not again. What gesture is in work at the end is
 /// ended. Relative paths of imports start at the recording's folder.
 ///

@@ -5,8 +5,10 @@
 #include <memory>
 
 #include "commands.h"
+#include "felt/formats/drawing_writer.h"
 #include "felt/io/limits.h"
 #include "felt/io/png.h"
+#include "felt/store/felt_recording.h"
 #include "force_plot.h"
 #include "forces_csv.h"
 #include "overlay_picture.h"
@@ -34,6 +36,7 @@ struct ReplayCommandArguments {
   std::optional<double> until_ms;
   bool overlay = false;
   bool as_recorded = false;
+  bool recording = false;
   PictureArguments picture;
 };
 
@@ -42,6 +45,7 @@ constexpr const char* kExamples =
     "feltline replay events.ndjson --on sketch.ndjson -o - | feltline info -\n"
     "feltline replay events.ndjson --until 2500 --overlay -o work.png\n"
     "feltline replay recording.ndjson --as-recorded -o sketch.svg\n"
+    "feltline replay strokes.ndjson --recording -o sketch.felt\n"
     "feltline replay strokes.ndjson --device premium --hand light --set pencil.snap=off \\\n"
     "      --stats json";
 
@@ -81,6 +85,8 @@ void add_options(CLI::App& command, ReplayCommandArguments& args) {
   command.add_flag("--as-recorded", args.as_recorded,
                    "The script is a recording: its samples are drawn as they are, without device, "
                    "hand and forces");
+  command.add_flag("--recording", args.recording,
+                   "Keep in the .felt how it was drawn: samples, forces, events");
   command.add_option("--mm-per-unit", args.mm_per_unit, "Size of one unit of raw strokes, in mm")
       ->check(number_between(1e-9, 1e9))
       ->capture_default_str();
@@ -96,6 +102,7 @@ struct ReplayOutputs {
   std::optional<SessionView> stopped;  ///< what was in work when the play was stopped
   std::optional<ForcesCsv> forces;
   std::optional<ForcePlot> plot;
+  std::optional<FeltRecorder> recorder;
   const ReplayRun* run = nullptr;  ///< while it plays: how far it is
 };
 
@@ -104,12 +111,26 @@ void check_outputs(const ReplayCommandArguments& args) {
   if (args.output.empty() && args.forces.empty() && args.plot.empty() && args.stats.empty()) {
     throw UsageError("replay needs -o OUT, --forces, --plot or --stats");
   }
+  if (args.recording && args.output.empty()) throw UsageError("--recording needs -o OUT.felt");
+  if (args.recording && !args.on.empty()) {
+    throw UsageError("--recording tells a drawing from its beginning: it does not go with --on");
+  }
+  if (args.recording && args.until_ms) {
+    throw UsageError("--recording tells all of a script: it does not go with --until");
+  }
   const int to_stdout = (args.output == "-" ? 1 : 0) + (args.forces == "-" ? 1 : 0) +
                         (args.plot == "-" ? 1 : 0) + (args.stats.empty() ? 0 : 1);
   if (to_stdout > 1) throw UsageError("-o, --forces, --plot and --stats: only one can have stdout");
 }
 
-Result<void> open_sketch(const ReplayCommandArguments& args, ReplayOutputs& outputs) {
+Result<void> open_sketch(const ReplayCommandArguments& args, const ReplaySettings& settings,
+                         ReplayOutputs& outputs) {
+  if (args.recording) {
+    const Capabilities& device = settings.device.capabilities;
+    outputs.recorder.emplace("simulated " + args.pen.device, device.period_ns);
+    outputs.recorder->event({0, UseDevice{device}});
+    return {};
+  }
   if (args.overlay) {
     Result<Output> opened = Output::create(args.output);
     if (!opened) return tl::unexpected(opened.error());
@@ -132,9 +153,12 @@ Result<ReplayOutputs> open_outputs(const ReplayCommandArguments& args,
     const Result<PictureOptions> picture = args.picture.parse();
     if (!picture) throw UsageError(picture.error().message);
     if (args.overlay && *format != Format::kPng) throw UsageError("--overlay needs -o OUT.png");
+    if (args.recording && *format != Format::kFelt) {
+      throw UsageError("--recording needs -o OUT.felt");
+    }
     outputs.format = *format;
     outputs.picture = *picture;
-    if (Result<void> opened = open_sketch(args, outputs); !opened) {
+    if (Result<void> opened = open_sketch(args, settings, outputs); !opened) {
       return tl::unexpected(opened.error());
     }
   }
@@ -183,6 +207,18 @@ Result<void> write_view(const SessionView& view, ReplayOutputs& outputs) {
   return outputs.view->commit();
 }
 
+/// The whole drawing, and how it was made.
+Result<void> write_recorded(const ReplayCommandArguments& args, FeltRecorder& recorder,
+                            const Session& session) {
+  StoredDrawing drawing;
+  drawing.document = session.document();
+  drawing.material = session.sheet().material().id;
+  drawing.color = session.sheet().color();
+  drawing.layer = session.layer();
+  if (Result<void> added = add_recording(drawing, recorder.take()); !added) return added;
+  return write_drawing(args.output, drawing, FileFormat::kFelt);
+}
+
 Result<void> write_outputs(const ReplayCommandArguments& args, ReplayOutputs& outputs,
                            ReplayMachine& machine) {
   if (outputs.plot) {
@@ -197,6 +233,7 @@ Result<void> write_outputs(const ReplayCommandArguments& args, ReplayOutputs& ou
     if (Result<void> done = outputs.forces->finish(); !done) return done;
   }
   if (!outputs.format) return {};
+  if (outputs.recorder) return write_recorded(args, *outputs.recorder, machine.session());
   const SessionView view =
       outputs.stopped ? *std::move(outputs.stopped) : view_of(machine.session(), std::nullopt);
   if (outputs.view) return write_view(view, outputs);
@@ -212,8 +249,15 @@ ReplayMachine::Observer observer_of(const ReplayCommandArguments& args, ReplayOu
       outputs.stopped = view_of(session, on_sheet(pen.position));
     };
   }
-  if (outputs.plot || outputs.forces) {
+  if (outputs.recorder) {
+    observer.event = [&outputs](const Event& event) { outputs.recorder->event(event); };
+  }
+  if (outputs.plot || outputs.forces || outputs.recorder) {
     observer.tick = [&outputs](const ReplayTick& tick) -> Result<void> {
+      const TickReport& report = tick.report;
+      if (outputs.recorder) {
+        outputs.recorder->forces(report.sample.time_ns, report.asked, report.sent);
+      }
       if (outputs.plot) outputs.plot->add(tick.report, tick.width_mm);
       return outputs.forces ? outputs.forces->add(tick.report, tick.pressure) : Result<void>();
     };
@@ -230,7 +274,7 @@ ReplayMachine::Observer observer_of(const ReplayCommandArguments& args, ReplayOu
 void check_as_recorded(const ReplayCommandArguments& args, const CLI::App& command) {
   for (const char* option :
        {"--forces", "--plot", "--stats", "--device", "--hand", "--rate", "--delay", "--no-force",
-        "--seed", "--material", "--set", "--until", "--overlay", "--mm-per-unit"}) {
+        "--seed", "--material", "--set", "--until", "--overlay", "--mm-per-unit", "--recording"}) {
     if (command.count(option) == 0) continue;
     throw UsageError(std::string(option) +
                      " does not go with --as-recorded: a recording is drawn as it is, without "

@@ -85,7 +85,7 @@ ReplayMachine::ReplayMachine(const ReplaySettings& settings, Document document, 
       stylus_(settings.device, settings.hand),
       session_(make_tools(), {.device = settings.device.capabilities,
                               .document = std::move(document),
-                              .on_event = {},
+                              .on_event = observer_.event,
                               .on_edit = [this](const Edit& edit) { see_edit(edit); }}),
       probe_(
           make_tools(),

@@ -33,6 +33,7 @@ class ReplayMachine {
  public:
   struct Observer {
     std::function<Result<void>(const ReplayTick&)> tick{};  ///< an error ends the play
+    std::function<void(const Event&)> event{};              ///< all that the session is told
     /// Each 4 ms: how far the play is in what was added, 0..1.
     std::function<void(const Session& session, double fraction)> turn{};
     /// The play stops here, to 4 ms, in the middle of whatever is in work ...

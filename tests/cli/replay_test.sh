@@ -168,6 +168,25 @@ run 1 "$feltline" replay far.ndjson -o far.svg
 has err "stroke s1 of the sketch: "
 [ ! -e far.svg ] || fail "a sketch that failed was written"
 
+# A recording in a drawing: the same drawing as without, to the last bit, and again when it is played.
+run 0 "$feltline" replay events.ndjson -o plain.ndjson
+run 0 "$feltline" replay events.ndjson --recording -o kept.felt
+run 0 "$feltline" convert kept.felt -o kept.ndjson
+run 0 "$feltline" replay kept.felt --as-recorded -o played.ndjson
+run 0 "$feltline" replay kept.felt --as-recorded -o played.felt
+run 0 "$feltline" convert played.felt -o played.felt.ndjson
+cut -d, -f2- kept.ndjson >kept.shapes
+cut -d, -f2- played.ndjson >played.shapes
+same played.shapes kept.shapes
+cut -d, -f2- plain.ndjson >plain.shapes
+same plain.shapes kept.shapes
+run 1 "$feltline" replay played.felt --as-recorded -o x.ndjson
+has err "has no recording"
+run 2 "$feltline" replay events.ndjson --recording -o x.svg
+has err "--recording needs -o OUT.felt"
+run 2 "$feltline" replay events.ndjson --recording --on s1.ndjson -o x.felt
+has err "does not go with --on"
+
 # A recording is told to a session as it is: pen events draw without a loop between them.
 cat >recorded.ndjson <<'END'
 {"t_ms":0,"event":"device","senses_pressure":true}

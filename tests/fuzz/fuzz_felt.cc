@@ -1,8 +1,10 @@
 // Whatever the bytes: a drawing that reads back equal, or an error with a message. Bytes that begin
 // like a file are read as one; others are tried as a stroke and as an edit, with a right checksum,
 // so that the fuzzer gets behind it.
+#include <algorithm>
 #include <cstdint>
 #include <cstdlib>
+#include <cstring>
 #include <string>
 
 #include "felt/store/crc32c.h"
@@ -11,6 +13,7 @@
 #include "felt/store/felt_recording.h"
 #include "felt/store/felt_salvage.h"
 #include "felt/store/stroke_blob.h"
+#include "felt_mutator.h"
 
 namespace {
 
@@ -59,4 +62,13 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   try_stroke(std::string(bytes));
   try_edit(bytes);
   return 0;
+}
+
+extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t size,
+                                               std::size_t max_size, unsigned seed) {
+  const std::string bytes(reinterpret_cast<const char*>(data), size);
+  const std::string changed = felt::fuzz::FeltMutator(seed).mutated(bytes);
+  const std::size_t length = std::min(changed.size(), max_size);
+  std::memcpy(data, changed.data(), length);
+  return length;
 }
