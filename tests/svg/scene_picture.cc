@@ -11,7 +11,9 @@
 #include <agg2/agg_scanline_u.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdlib>
 
 #include "felt/io/svg_dashes.h"
 
@@ -171,29 +173,35 @@ class Painter {
   bool nothing_ = false;
 };
 
-/// Pixels of `a` that are like none of `b` nearby.
+/// Whether the pixel of `a` at a place is within the span of the nine of `b` around it.
+bool has_like(const Image& a, const Image& b, int x, int y, int tolerance) {
+  const auto at = [](const Image& image, int u, int v) {
+    return image.bytes().data() + 4 * (static_cast<std::ptrdiff_t>(v) * image.width() + u);
+  };
+  const std::uint8_t* pixel = at(a, x, y);
+  const std::uint8_t* same = at(b, x, y);
+  bool close = true;
+  for (int c = 0; c < 4; ++c) close = close && std::abs(pixel[c] - same[c]) <= tolerance;
+  if (close) return true;
+  std::array<int, 4> least{255, 255, 255, 255}, most{};
+  for (int v = std::max(0, y - 1); v <= std::min(b.height() - 1, y + 1); ++v) {
+    for (int u = std::max(0, x - 1); u <= std::min(b.width() - 1, x + 1); ++u) {
+      for (std::size_t c = 0; c < 4; ++c) {
+        least[c] = std::min<int>(least[c], at(b, u, v)[c]);
+        most[c] = std::max<int>(most[c], at(b, u, v)[c]);
+      }
+    }
+  }
+  for (std::size_t c = 0; c < 4; ++c) {
+    if (pixel[c] < least[c] - tolerance || pixel[c] > most[c] + tolerance) return false;
+  }
+  return true;
+}
+
 std::int64_t pixels_without_like(const Image& a, const Image& b, int tolerance) {
   std::int64_t count = 0;
-  const auto channel = [](const Image& image, int x, int y, int c) {
-    const Rgba p = image.at(x, y);
-    return static_cast<int>(c == 0 ? p.r : c == 1 ? p.g : c == 2 ? p.b : p.a);
-  };
   for (int y = 0; y < a.height(); ++y) {
-    for (int x = 0; x < a.width(); ++x) {
-      bool apart = false;
-      for (int c = 0; c < 4 && !apart; ++c) {
-        int least = 255, most = 0;
-        for (int v = std::max(0, y - 1); v <= std::min(b.height() - 1, y + 1); ++v) {
-          for (int u = std::max(0, x - 1); u <= std::min(b.width() - 1, x + 1); ++u) {
-            least = std::min(least, channel(b, u, v, c));
-            most = std::max(most, channel(b, u, v, c));
-          }
-        }
-        const int value = channel(a, x, y, c);
-        apart = value < least - tolerance || value > most + tolerance;
-      }
-      count += apart ? 1 : 0;
-    }
+    for (int x = 0; x < a.width(); ++x) count += has_like(a, b, x, y, tolerance) ? 0 : 1;
   }
   return count;
 }

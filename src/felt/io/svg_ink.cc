@@ -20,7 +20,9 @@ namespace {
 constexpr const char* kLayerName = "Ink";
 /// A line of other programs has no relief of the sheet in it.
 constexpr const char* kMaterial = "felt-tip";
+/// As far as files can be written.
 constexpr double kFarthestMm = 1e9;
+constexpr const char* kFar = "reaches farther than 1e9 mm and was left out";
 
 Rect bounds_mm(const SvgShape& shape) {
   Rect box;
@@ -46,10 +48,9 @@ bool shows_filling(const SvgShape& shape) {
   return shape.fill && !std::all_of(shape.contours.begin(), shape.contours.end(), is_flat);
 }
 
-bool is_far(const std::vector<Point>& points) {
-  return std::any_of(points.begin(), points.end(), [](Point p) {
-    return !(std::fabs(p.x) <= kFarthestMm && std::fabs(p.y) <= kFarthestMm);
-  });
+bool is_far(const Rect& r) {
+  return !(r.x0 >= -kFarthestMm && r.y0 >= -kFarthestMm && r.x1 <= kFarthestMm &&
+           r.y1 <= kFarthestMm);
 }
 
 std::optional<SheetPage> page_of(double width_mm, double height_mm) {
@@ -164,10 +165,6 @@ bool SvgInk::add_wide(const SvgShape& shape) {
     wide->id.clear();
   }
   for (std::string& what : wide->notices) say(shape, std::move(what));
-  if (is_far(wide->data.points)) {
-    say(shape, "reaches farther than 1e9 mm and was left out");
-    return true;
-  }
   push(shape, std::move(wide->data), std::move(wide->id));
   return true;
 }
@@ -230,8 +227,12 @@ void SvgInk::add_edge(const SvgShape& shape) {
 void SvgInk::add_contour(const SvgShape& shape, const SvgContour& contour, Rgba color,
                          double width) {
   SvgContour moved{contour.points, contour.closed};
-  for (Point& p : moved.points) p = apply(shape.to_mm, p);
-  if (is_far(moved.points)) return say(shape, "reaches farther than 1e9 mm and was left out");
+  Rect box;
+  for (Point& p : moved.points) {
+    p = apply(shape.to_mm, p);
+    box.extend(p);
+  }
+  if (is_far(box)) return say(shape, kFar);
   SvgCenterLine line = svg_center_line(moved);
   const bool is_point = std::all_of(moved.points.begin(), moved.points.end(),
                                     [&](Point p) { return p == moved.points.front(); });
@@ -259,6 +260,7 @@ void SvgInk::add_contour(const SvgShape& shape, const SvgContour& contour, Rgba 
 void SvgInk::push(const SvgShape& shape, StrokeData data, std::string id) {
   Result<Stroke> stroke = Stroke::create(std::move(data));
   if (!stroke) return say(shape, "makes no stroke and was left out: " + stroke.error().message);
+  if (is_far(stroke->bounds())) return say(shape, kFar);
   const bool is_ours = shape.variable_width && shape.variable_width->is_ours;
   if (id.empty() && !is_ours) {
     id = shape.id.empty() ? std::string(shape.element) + std::to_string(number_)

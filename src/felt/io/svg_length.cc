@@ -53,7 +53,7 @@ double percent_base(SvgAxis axis, const SvgUnits& u) {
 /// An argument of a transform in user units or degrees; CSS writes units behind it.
 bool transform_argument(SvgScan& scan, double& value) {
   if (!scan.number(value)) return false;
-  const std::string_view unit = scan.name();
+  const std::string_view unit = scan.letters();
   if (unit.empty() || svg_same_word(unit, "px") || svg_same_word(unit, "deg")) return true;
   if (const std::optional<double> mm = paper_unit_mm(unit)) {
     value *= *mm / kSvgMmPerPx;

@@ -107,6 +107,14 @@ std::string_view SvgScan::name() noexcept {
   return name;
 }
 
+std::string_view SvgScan::letters() noexcept {
+  std::size_t at = 0;
+  while (at < text_.size() && lower(text_[at]) >= 'a' && lower(text_[at]) <= 'z') ++at;
+  const std::string_view word = text_.substr(0, at);
+  text_.remove_prefix(at);
+  return word;
+}
+
 std::string_view SvgScan::until(char c) noexcept {
   const std::size_t at = std::min(text_.find(c), text_.size());
   const std::string_view part = text_.substr(0, at);

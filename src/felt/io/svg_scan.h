@@ -25,6 +25,8 @@ class SvgScan {
   bool take(std::string_view word) noexcept;
   /// Letters, digits, '-', '_' and everything that is not ASCII; empty where there are none.
   std::string_view name() noexcept;
+  /// ASCII letters; empty where there are none.
+  std::string_view letters() noexcept;
   /// Everything before c, without it and with it gone; everything where there is none.
   std::string_view until(char c) noexcept;
   /// Whether a number may begin here.

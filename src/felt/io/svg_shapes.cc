@@ -16,7 +16,8 @@ constexpr std::array<std::string_view, 7> kShapes{"path", "rect",     "circle", 
 /// Lengths of one element.
 class Lengths {
  public:
-  Lengths(const pugi::xml_node& node, const SvgUnits& units) : node_(node), units_(units) {}
+  Lengths(const pugi::xml_node& node, const SvgUnits& units, std::string& problem)
+      : node_(node), units_(units), problem_(problem) {}
 
   /// The attribute, or 0.
   [[nodiscard]] double operator()(const char* name, SvgAxis axis) const {
@@ -29,12 +30,18 @@ class Lengths {
   }
 
  private:
+  /// What is there and no length is a problem to be told.
   [[nodiscard]] std::optional<double> given(const char* name, SvgAxis axis) const {
-    return svg_length(node_.attribute(name).value(), axis, units_);
+    const std::string_view text = svg_trimmed(node_.attribute(name).value());
+    if (text.empty() || svg_same_word(text, "auto")) return std::nullopt;
+    const std::optional<double> length = svg_length(text, axis, units_);
+    if (!length) problem_ = std::string(name) + " is no length";
+    return length;
   }
 
   const pugi::xml_node& node_;
   const SvgUnits& units_;
+  std::string& problem_;
 };
 
 void add_rect(const Lengths& length, SvgPathBuilder& path) {
@@ -100,7 +107,7 @@ SvgOutline svg_outline(std::string_view name, const pugi::xml_node& node, const 
     return {std::move(data.contours), std::move(data.problem)};
   }
   SvgPathBuilder path(most_segments);
-  const Lengths length(node, units);
+  const Lengths length(node, units, outline.problem);
   const auto x = [&](const char* attribute) { return length(attribute, SvgAxis::kX); };
   const auto y = [&](const char* attribute) { return length(attribute, SvgAxis::kY); };
   if (name == "rect") {

@@ -1,0 +1,269 @@
+// Whatever the bytes: a drawing, which written as SVG reads back equal, or an error with a message.
+// Mutations keep to the grammar of SVG half of the time: elements are copied, moved, wrapped and
+// repeated, attributes get values of their own languages (path data, transforms, colours, lengths,
+// style sheets, our own attributes).
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <cstdlib>
+#include <cstring>
+#include <pugixml.hpp>
+#include <random>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "felt/io/svg_import.h"
+#include "felt/io/svg_writer.h"
+
+// Only the fuzzer has it; replaying a corpus mutates nothing.
+extern "C" __attribute__((weak)) std::size_t LLVMFuzzerMutate(std::uint8_t* data, std::size_t size,
+                                                              std::size_t max_size);
+
+namespace {
+
+void must(bool condition) {
+  if (!condition) std::abort();
+}
+
+/// Small enough that its outlines are made quickly.
+bool is_handy(const felt::LayeredSketch& drawing) {
+  std::size_t segments = 0;
+  double farthest = 0.0;
+  for (const felt::SketchLayer& layer : drawing.layers) {
+    for (const felt::SketchStroke& s : layer.strokes) {
+      segments += static_cast<std::size_t>(s.stroke.segment_count());
+      const felt::Rect r = s.stroke.bounds();
+      farthest = std::max({farthest, -r.x0, -r.y0, r.x1, r.y1});
+    }
+  }
+  return segments < 200 && farthest < 1e4;
+}
+
+using Random = std::mt19937;
+
+template <class List>
+const char* one_of(const List& list, Random& random) {
+  return list[random() % std::size(list)];
+}
+
+std::string number(Random& random) {
+  constexpr std::array<const char*, 10> kOdd{"0",    "-0", "1e9", "-1e9", "1e400",
+                                             "1e-9", ".5", "1e",  "0.05", "999999999999"};
+  if (random() % 8 == 0) return one_of(kOdd, random);
+  return std::to_string(static_cast<int>(random() % 4000) - 1000) +
+         (random() % 2 == 0 ? "e-1" : "");
+}
+
+std::string numbers(Random& random, std::size_t count) {
+  std::string text;
+  for (std::size_t i = 0; i < count; ++i) text += number(random) + (random() % 3 == 0 ? "," : " ");
+  return text;
+}
+
+std::string path_data(Random& random) {
+  constexpr std::array<const char*, 20> kCommands{"M", "m", "L", "l", "H", "h", "V", "v", "C", "c",
+                                                  "S", "s", "Q", "q", "T", "t", "A", "a", "Z", "z"};
+  std::string text = "M" + numbers(random, 2);
+  for (std::size_t n = random() % 8; n > 0; --n) {
+    text += one_of(kCommands, random) + numbers(random, random() % 8);
+  }
+  return text;
+}
+
+std::string transform(Random& random) {
+  constexpr std::array<const char*, 7> kNames{"matrix", "translate", "scale", "rotate",
+                                              "skewX",  "skewY",     "none"};
+  std::string text;
+  for (std::size_t n = 1 + random() % 3; n > 0; --n) {
+    text += std::string(one_of(kNames, random)) + "(" + numbers(random, random() % 7) + ") ";
+  }
+  return text;
+}
+
+std::string length(Random& random) {
+  constexpr std::array<const char*, 10> kUnits{"",   "px", "mm", "%",   "em",
+                                               "in", "pt", "vw", "rem", "?"};
+  return number(random) + one_of(kUnits, random);
+}
+
+std::string color(Random& random) {
+  constexpr std::array<const char*, 12> kColors{
+      "none",    "red",         "#abc",         "#12345678", "rgb(1,2,3)",      "hsl(9,9%,9%)",
+      "url(#a)", "url(#b) red", "currentColor", "inherit",   "rgba(1,2,3,50%)", "hsla(1turn"};
+  return one_of(kColors, random);
+}
+
+std::string style_sheet(Random& random) {
+  constexpr std::array<const char*, 14> kParts{
+      "*",         " path",    ">g",           "+rect", "~use",       "#a",
+      ".b",        "[x^='y']", ":first-child", ",",     "{fill:red}", "{stroke:blue!important}",
+      "@media x{", "/* */"};
+  std::string text;
+  for (std::size_t n = random() % 12; n > 0; --n) text += one_of(kParts, random);
+  return text;
+}
+
+std::string knots(Random& random) {
+  std::string text;
+  for (std::size_t n = random() % 5; n > 0; --n) {
+    text += number(random) + "," + number(random) + (random() % 2 == 0 ? " | " : " ");
+  }
+  return text;
+}
+
+/// A value in the language of the attribute.
+std::string value_for(const std::string& name, Random& random) {
+  constexpr std::array<const char*, 4> kIds{"a", "b", "c", ""};
+  constexpr std::array<const char*, 8> kWords{"smooth corner", "true", "none",  "layer",
+                                              "visible",       "1",    "round", "powerstroke"};
+  if (name == "d" || name == "inkscape:original-d") return path_data(random);
+  if (name == "points" || name == "viewBox" || name == "stroke-dasharray") {
+    return numbers(random, random() % 9);
+  }
+  if (name == "transform") return transform(random);
+  if (name == "fill" || name == "stroke" || name == "color") return color(random);
+  if (name == "id" || name == "class") return one_of(kIds, random);
+  if (name == "href" || name == "inkscape:path-effect") {
+    return std::string("#") + one_of(kIds, random);
+  }
+  if (name == "style") return "fill:" + color(random) + ";stroke-width:" + length(random);
+  if (name == "offset_points" || name == "felt:widths") return knots(random);
+  return random() % 2 == 0 ? length(random) : std::string(one_of(kWords, random));
+}
+
+constexpr std::array<const char*, 17> kElements{"g",        "path",
+                                                "rect",     "circle",
+                                                "ellipse",  "line",
+                                                "polyline", "polygon",
+                                                "svg",      "use",
+                                                "defs",     "symbol",
+                                                "switch",   "linearGradient",
+                                                "stop",     "inkscape:path-effect",
+                                                "style"};
+constexpr std::array<const char*, 38> kAttributes{"d",
+                                                  "points",
+                                                  "x",
+                                                  "y",
+                                                  "width",
+                                                  "height",
+                                                  "rx",
+                                                  "ry",
+                                                  "r",
+                                                  "cx",
+                                                  "cy",
+                                                  "x1",
+                                                  "y2",
+                                                  "transform",
+                                                  "transform-origin",
+                                                  "viewBox",
+                                                  "preserveAspectRatio",
+                                                  "fill",
+                                                  "stroke",
+                                                  "stroke-width",
+                                                  "stroke-dasharray",
+                                                  "stroke-dashoffset",
+                                                  "stroke-linecap",
+                                                  "opacity",
+                                                  "display",
+                                                  "visibility",
+                                                  "id",
+                                                  "class",
+                                                  "style",
+                                                  "href",
+                                                  "inkscape:original-d",
+                                                  "inkscape:path-effect",
+                                                  "inkscape:groupmode",
+                                                  "offset_points",
+                                                  "effect",
+                                                  "felt:widths",
+                                                  "felt:joints",
+                                                  "felt:closed"};
+
+std::vector<pugi::xml_node> elements_of(const pugi::xml_document& document) {
+  std::vector<pugi::xml_node> open{document.document_element()}, all;
+  while (!open.empty() && all.size() < 1000) {
+    const pugi::xml_node node = open.back();
+    open.pop_back();
+    all.push_back(node);
+    for (const pugi::xml_node child : node.children()) {
+      if (child.type() == pugi::node_element) open.push_back(child);
+    }
+  }
+  return all;
+}
+
+void set_attribute(pugi::xml_node node, Random& random) {
+  const std::string name = one_of(kAttributes, random);
+  pugi::xml_attribute attribute = node.attribute(name.c_str());
+  if (!attribute) attribute = node.append_attribute(name.c_str());
+  attribute.set_value(value_for(name, random).c_str());
+}
+
+void mutate(pugi::xml_document& document, Random& random) {
+  const std::vector<pugi::xml_node> all = elements_of(document);
+  pugi::xml_node node = all[random() % all.size()], other = all[random() % all.size()];
+  const pugi::xml_node root = document.document_element();
+  switch (random() % 8) {
+    case 0:
+      if (node != root) node.parent().remove_child(node);
+      break;
+    case 1:
+      if (all.size() < 300) other.append_copy(node);
+      break;
+    case 2: {
+      pugi::xml_node made = node.append_child(one_of(kElements, random));
+      for (std::size_t n = random() % 5; n > 0; --n) set_attribute(made, random);
+      if (std::strcmp(made.name(), "style") == 0) made.text().set(style_sheet(random).c_str());
+      break;
+    }
+    case 3:
+      node.set_name(one_of(kElements, random));
+      if (node == root) node.set_name("svg");
+      break;
+    case 4:
+      if (node.first_attribute()) node.remove_attribute(node.first_attribute());
+      break;
+    default:
+      set_attribute(node, random);
+  }
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  const std::string_view bytes(reinterpret_cast<const char*>(data), size);
+  const felt::Result<felt::ImportedDrawing> read = felt::import_svg(bytes);
+  if (!read) {
+    must(!read.error().message.empty());
+    return 0;
+  }
+  for (const felt::ImportNotice& notice : read->report.notices()) must(!notice.what.empty());
+  if (!is_handy(read->drawing)) return 0;
+  const felt::Result<std::string> text = felt::svg_text(read->drawing, {});
+  must(text.has_value());
+  const felt::Result<felt::ImportedDrawing> again = felt::import_svg(*text);
+  must(again.has_value());
+  must(again->drawing == read->drawing);
+  must(again->report.empty());
+  return 0;
+}
+
+extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t size,
+                                               std::size_t max_size, unsigned int seed) {
+  Random random(seed);
+  pugi::xml_document document;
+  const bool is_xml = static_cast<bool>(document.load_buffer(data, size));
+  if (is_xml && document.document_element() && random() % 4 != 0) {
+    for (std::size_t n = 1 + random() % 4; n > 0; --n) mutate(document, random);
+    std::ostringstream out;
+    document.save(out, "", pugi::format_raw);
+    const std::string text = out.str();
+    if (text.size() <= max_size && !text.empty()) {
+      std::memcpy(data, text.data(), text.size());
+      return text.size();
+    }
+  }
+  return LLVMFuzzerMutate != nullptr ? LLVMFuzzerMutate(data, size, max_size) : size;
+}
