@@ -12,7 +12,8 @@ std::vector<std::string> suite_names(const std::string& root);
 /// Whether our picture of a file is that beside it.
 struct SuiteResult {
   bool agrees = false;
-  std::string why;  ///< where it does not: the error, or how many pixels are apart
+  std::string why;          ///< where it does not: the error, or how many pixels are apart
+  bool needs_more = false;  ///< text, pictures, gradients, patterns, clip paths, masks, filters
 };
 
 /// Agrees: at most kPixelsAllowed pixels are apart (pixels_apart). `out`, where it is not empty, is

@@ -20,26 +20,31 @@ int main(int argc, char** argv) {
     if (std::strcmp(argv[i], "--list") == 0) list = true;
     if (std::strcmp(argv[i], "--pictures") == 0 && i + 1 < argc) out = argv[++i];
   }
-  std::map<std::string, std::pair<int, int>> table;
-  int agree = 0, all = 0;
+  struct Row {
+    int agree = 0, all = 0, agree_plain = 0, plain = 0;
+  };
+  std::map<std::string, Row> table;
+  Row sum;
   for (const std::string& name : felt::testing::suite_names(root)) {
     const felt::testing::SuiteResult result = felt::testing::compare_with_suite(root, name, out);
-    auto& row = table[fs::path(name).parent_path().string()];
-    row.second += 1;
-    all += 1;
-    if (result.agrees) {
-      row.first += 1;
-      agree += 1;
-      if (list) std::printf("%s\n", name.c_str());
-    } else if (!list) {
-      std::printf("%s: %s\n", name.c_str(), result.why.c_str());
+    for (Row* row : {&table[fs::path(name).parent_path().string()], &sum}) {
+      row->all += 1;
+      row->agree += result.agrees ? 1 : 0;
+      row->plain += result.needs_more ? 0 : 1;
+      row->agree_plain += result.agrees && !result.needs_more ? 1 : 0;
     }
+    if (list && result.agrees) std::printf("%s\n", name.c_str());
+    if (!list && !result.agrees) std::printf("%s: %s\n", name.c_str(), result.why.c_str());
   }
   if (list) return 0;
-  std::printf("\n| folder | agree | of |\n|---|---|---|\n");
-  for (const auto& [folder, counts] : table) {
-    std::printf("| %s | %d | %d |\n", folder.c_str(), counts.first, counts.second);
-  }
-  std::printf("| all | %d | %d |\n", agree, all);
+  std::printf(
+      "\n| folder | agree | of | agree, of those that need only lines and fillings | of |\n");
+  std::printf("|---|---|---|---|---|\n");
+  const auto print = [](const std::string& name, const Row& row) {
+    std::printf("| %s | %d | %d | %d | %d |\n", name.c_str(), row.agree, row.all, row.agree_plain,
+                row.plain);
+  };
+  for (const auto& [folder, row] : table) print(folder, row);
+  print("all", sum);
   return 0;
 }

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <numbers>
 
 #include "felt/io/svg_scan.h"
@@ -199,7 +198,7 @@ std::optional<Affine> svg_transform(std::string_view text) {
     all = then(*one, all);  // the last of the list comes first
     scan.skip_comma();
   }
-  constexpr double kMost = std::numeric_limits<float>::max();
+  constexpr double kMost = 1e38;
   for (const double v : {all.a, all.b, all.c, all.d, all.e, all.f}) {
     if (!(std::fabs(v) <= kMost)) return std::nullopt;
   }
