@@ -5,6 +5,7 @@
 // System calls are made directly: no look-up of the real functions is needed, and nothing between
 // here and the kernel can repeat or hide a call. Files mapped into memory (SQLite's -shm) are not
 // seen; they hold nothing that a later process relies on.
+#include <dirent.h>
 #include <errno.h>
 #include <fcntl.h>
 #include <signal.h>
@@ -35,7 +36,7 @@ char names[kDescriptors][256];
 /// The path as it is below the folder, or null where it is elsewhere.
 const char* inside(int folder_fd, const char* path) noexcept {
   thread_local char whole[1024];
-  if (state == nullptr || !state->armed || state->memory || path == nullptr) return nullptr;
+  if (state == nullptr || state->memory || path == nullptr) return nullptr;
   if (path[0] == '/') {
     snprintf(whole, sizeof whole, "%s", path);
   } else if (folder_fd == AT_FDCWD) {
@@ -56,8 +57,7 @@ const char* inside(int folder_fd, const char* path) noexcept {
 }
 
 bool is_watched(int fd) noexcept {
-  return state != nullptr && state->armed && !state->memory && fd >= 0 && fd < kDescriptors &&
-         watched[fd];
+  return state != nullptr && !state->memory && fd >= 0 && fd < kDescriptors && watched[fd];
 }
 
 bool fails_on(int fd, Call call, const char* name) noexcept {
@@ -101,8 +101,9 @@ int open_file(int folder_fd, const char* path, int flags, mode_t mode) noexcept 
   const bool creates = unnamed || (flags & O_CREAT) != 0;
   if (place != nullptr) {
     if (felt::faults::fails(creates ? Call::kCreate : Call::kOpen, "open", place)) return -1;
-    if (unnamed && state->no_unnamed) return errno = EOPNOTSUPP, -1;
-    if (state->read_only && (unnamed || (creates && access(place, F_OK) != 0))) {
+    if (unnamed && state->armed && state->no_unnamed) return errno = EOPNOTSUPP, -1;
+    if (state->read_only &&
+        (unnamed || (creates && syscall(SYS_faccessat, AT_FDCWD, place, F_OK) != 0))) {
       return errno = EACCES, -1;
     }
   }
@@ -119,8 +120,9 @@ bool name_fails(Call call, const char* name, int folder_fd, const char* path) no
   const char* place = inside(folder_fd, path);
   if (place == nullptr) return false;
   if (felt::faults::fails(call, name, place)) return true;
-  if (state->read_only) errno = EACCES;
-  return state->read_only;
+  if (!state->armed || !state->read_only) return false;
+  errno = EACCES;
+  return true;
 }
 
 mode_t mode_of(int flags, va_list arguments) noexcept {
@@ -302,6 +304,52 @@ FELT_EXPORT int mkdirat(int folder, const char* path, mode_t mode) noexcept {
 }
 FELT_EXPORT int mkdir(const char* path, mode_t mode) noexcept {
   return mkdirat(AT_FDCWD, path, mode);
+}
+
+// --- looking -------------------------------------------------------------------------------------
+
+namespace {
+
+bool look_fails(int folder, const char* path, const char* name) noexcept {
+  const char* place = inside(folder, path);
+  return place != nullptr && felt::faults::fails(Call::kLook, name, place);
+}
+
+int look(int folder, const char* path, void* info, int flags) noexcept {
+  if (look_fails(folder, path, "stat")) return -1;
+  return static_cast<int>(syscall(SYS_newfstatat, folder, path, info, flags));
+}
+
+}  // namespace
+
+FELT_EXPORT int stat(const char* path, struct stat* info) noexcept {
+  return look(AT_FDCWD, path, info, 0);
+}
+FELT_EXPORT int stat64(const char* path, struct stat64* info) noexcept {
+  return look(AT_FDCWD, path, info, 0);
+}
+FELT_EXPORT int lstat(const char* path, struct stat* info) noexcept {
+  return look(AT_FDCWD, path, info, AT_SYMLINK_NOFOLLOW);
+}
+FELT_EXPORT int lstat64(const char* path, struct stat64* info) noexcept {
+  return look(AT_FDCWD, path, info, AT_SYMLINK_NOFOLLOW);
+}
+FELT_EXPORT int fstatat(int folder, const char* path, struct stat* info, int flags) noexcept {
+  return look(folder, path, info, flags);
+}
+FELT_EXPORT int fstatat64(int folder, const char* path, struct stat64* info, int flags) noexcept {
+  return look(folder, path, info, flags);
+}
+FELT_EXPORT int access(const char* path, int how) noexcept {
+  if (look_fails(AT_FDCWD, path, "access")) return -1;
+  return static_cast<int>(syscall(SYS_faccessat, AT_FDCWD, path, how));
+}
+/// The library's own open and close are not ours to see, so a descriptor is opened here.
+FELT_EXPORT DIR* opendir(const char* path) {
+  const int fd = open_file(AT_FDCWD, path, O_RDONLY | O_DIRECTORY | O_CLOEXEC, 0);
+  if (fd < 0) return nullptr;
+  if (fd < kDescriptors) watched[fd] = false;  // closed by closedir, unseen
+  return fdopendir(fd);
 }
 
 // --- attributes ----------------------------------------------------------------------------------

@@ -50,7 +50,8 @@ bool can_befall(Mode mode, Call call) noexcept {
       return true;
     case Mode::kEnospc:
     case Mode::kEdquot:
-      return call != Call::kOpen && call != Call::kRead && call != Call::kUnlink;
+      return call != Call::kOpen && call != Call::kRead && call != Call::kLook &&
+             call != Call::kUnlink;
     case Mode::kEintr:
       return call == Call::kOpen || call == Call::kCreate || call == Call::kRead ||
              call == Call::kWrite || call == Call::kTruncate || call == Call::kAllocate;
@@ -79,7 +80,7 @@ bool is_chosen() noexcept {
 }  // namespace
 
 bool fails(Call call, const char* name, const char* path) noexcept {
-  if (!is_chosen() || !can_befall(state->mode, call)) return false;
+  if (!state->armed || !is_chosen() || !can_befall(state->mode, call)) return false;
   if (state->hits.fetch_add(1) == 0) {
     snprintf(state->hit_name, sizeof state->hit_name, "%s %s", name, path);
   }

@@ -25,6 +25,7 @@ enum class Call : std::uint32_t {
   kOpen,    ///< of a file that is there
   kCreate,  ///< open that makes one
   kRead,
+  kLook,  ///< stat, access, opendir
   kWrite,
   kSync,
   kRename,

@@ -54,7 +54,7 @@ class Suite {
     messages_.clear();
     std::uint32_t sites = 0;
     RunResult plain = run_one(scenario, {});
-    const std::uint32_t stride = options_.stride > 0 ? options_.stride : scenario.is_large ? 3 : 1;
+    const std::uint32_t stride = options_.stride > 0 ? options_.stride : scenario.stride;
     if (options_.memory) {
       for (const bool persistent : {false, true})
         sites = count_up(scenario, Mode::kNone, persistent, stride);

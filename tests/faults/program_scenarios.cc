@@ -48,7 +48,7 @@ Scenario convert_to(const std::string& program, const std::string& extension) {
         return lived && could_remove && !left.empty() ? "left behind: " + left : "";
       }};
   scenario.command = {program, "convert", "@/in.felt", "-o", "@/" + name};
-  scenario.is_large = true;
+  scenario.stride = 5;
   return scenario;
 }
 

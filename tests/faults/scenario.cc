@@ -37,6 +37,7 @@ void say(const Error& error) {
 std::vector<Scenario> all_scenarios(const std::string& program) {
   std::vector<Scenario> all;
   add_save_scenarios(all);
+  add_store_scenarios(all);
   if (!program.empty()) add_program_scenarios(all, program);
   return all;
 }

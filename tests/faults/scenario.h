@@ -30,8 +30,8 @@ struct Scenario {
   std::vector<std::string> command = {};
   /// Shows that the driver can find damage; not part of the suite.
   bool is_plant = false;
-  /// Takes long: every third call only, unless all are asked for.
-  bool is_large = false;
+  /// Every so many calls only, unless all are asked for: the rest takes long.
+  std::uint32_t stride = 1;
   /// Allocations can be made to fail in it.
   bool has_memory = false;
 };
@@ -49,6 +49,7 @@ void say(const Error& error);
 /// All of them. `program` is the feltline to run, or "": no scenarios of the program then.
 std::vector<Scenario> all_scenarios(const std::string& program);
 void add_save_scenarios(std::vector<Scenario>& to);
+void add_store_scenarios(std::vector<Scenario>& to);
 void add_program_scenarios(std::vector<Scenario>& to, const std::string& program);
 
 }  // namespace felt::faults

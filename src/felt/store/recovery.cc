@@ -74,7 +74,9 @@ class StoreCopy {
     const std::string store = from + '/' + kWorkingStoreFile;
     for (const char* end : {"", "-wal"}) {
       std::error_code error;
-      if (*end != '\0' && !fs::exists(store + end, error)) continue;
+      const bool there = fs::exists(store + end, error);
+      if (error) return fail(ErrorCode::kIo, store + end + ": " + error.message());
+      if (*end != '\0' && !there) continue;
       fs::copy_file(store + end, path() + end, error);
       if (error) return fail(ErrorCode::kIo, store + end + ": " + error.message());
     }
@@ -92,12 +94,15 @@ class Assembly {
     out_.problems = std::move(problems);
   }
 
-  RecoveredDrawing run() {
+  Result<RecoveredDrawing> run() {
     read_about();
     read_base();
     read_edits();
     use_about();
+    if (store_.ran_out_of_memory()) return fail(ErrorCode::kIo, "not enough memory");
+    if (failure_) return tl::unexpected(*failure_);
     read_live();
+    if (store_.ran_out_of_memory()) return fail(ErrorCode::kIo, "not enough memory");
     return std::move(out_);
   }
 
@@ -106,14 +111,25 @@ class Assembly {
     std::int64_t id = 0, serial = 0, parts = 0;
   };
 
+  /// What is damaged is left out. What fails for another reason (memory) may be whole another time.
+  void note(const Error& error) {
+    if (error.code == ErrorCode::kIo && !failure_) failure_ = error;
+  }
+
   void problem(std::string what) { out_.problems.push_back(std::move(what)); }
 
   void read_about() {
-    const bool whole = store_.rows("about", "id", "crc, bytes", 1, [this](const Statement& row) {
+    bool whole = true;
+    const bool all = store_.rows("about", "id", "crc, bytes", 1, [&](const Statement& row) {
+      whole = false;
       if (row_crc(1, 0, row.blob(2)) != row.integer(1)) return;
-      if (Result<WorkingAbout> about = read_about_row(row.blob(2))) about_ = *std::move(about);
+      Result<WorkingAbout> about = read_about_row(row.blob(2));
+      if (!about) return note(about.error());
+      about_ = *std::move(about);
+      whole = about_.has_value();
     });
-    if (!whole) problem("what the drawing is called could not be read");
+    if (!whole || !all)
+      problem("what the drawing is called, its page and its colours could not be read");
     if (!about_) return;
     out_.name = about_->name;
     out_.path = about_->path;
@@ -169,6 +185,9 @@ class Assembly {
     if (const auto head = rows.find(0); head != rows.end()) {
       if (Result<StoredDrawing> drawing = read_base_head(head->second)) {
         out_.drawing = *std::move(drawing);
+      } else {
+        ++lost;
+        note(drawing.error());
       }
     }
     Edit edit;
@@ -289,6 +308,7 @@ class Assembly {
   const StoreReader& store_;
   RecoveredDrawing out_;
   std::optional<WorkingAbout> about_;
+  std::optional<Error> failure_;
   std::int64_t first_serial_ = 0;
 };
 
@@ -301,13 +321,18 @@ Result<void> AbandonedStore::remove() && {
 std::vector<AbandonedStore> find_abandoned(const std::vector<std::string>& roots) {
   std::vector<AbandonedStore> found;
   for (const std::string& root : roots) {
-    std::error_code error;
-    for (const fs::directory_entry& entry : fs::directory_iterator(root, error)) {
+    std::error_code error, end;
+    for (fs::directory_iterator at(root, end); !end && at != fs::directory_iterator();
+         at.increment(end)) {
+      const fs::directory_entry& entry = *at;
       if (!entry.is_directory(error) || entry.is_symlink(error)) continue;
       std::string folder = entry.path().string();
       Result<FolderLock> lock = FolderLock::take(folder);
       if (!lock) continue;  // its process lives
-      if (fs::exists(folder + '/' + kWorkingStoreFile, error)) {
+      const fs::file_status there = fs::status(folder + '/' + kWorkingStoreFile, error);
+      // What cannot be looked at may be a drawing.
+      if (there.type() == fs::file_type::none) continue;
+      if (fs::exists(there)) {
         const std::int64_t when = store_changed_at(folder);
         found.push_back({std::move(folder), *std::move(lock), when});
       } else {
@@ -327,8 +352,9 @@ Result<RecoveredDrawing> recover_store(const std::string& folder) {
   std::vector<std::string> problems;
   const Result<StoreReader> store = StoreReader::open(copy->path(), problems);
   if (!store) return tl::unexpected(with_context(store.error(), folder));
-  RecoveredDrawing out = Assembly(*store, std::move(problems)).run();
-  out.changed_at_s = store_changed_at(folder);
+  Result<RecoveredDrawing> out = Assembly(*store, std::move(problems)).run();
+  if (!out) return tl::unexpected(with_context(out.error(), folder));
+  out->changed_at_s = store_changed_at(folder);
   return out;
 }
 

@@ -31,10 +31,12 @@ std::optional<std::int64_t> probe(sqlite3* db, const std::string& sql, std::int6
 
 }  // namespace
 
-StoreReader::StoreReader(StoreReader&& other) noexcept : db_(std::exchange(other.db_, nullptr)) {}
+StoreReader::StoreReader(StoreReader&& other) noexcept
+    : db_(std::exchange(other.db_, nullptr)), ran_out_of_memory_(other.ran_out_of_memory_) {}
 
 StoreReader& StoreReader::operator=(StoreReader&& other) noexcept {
   std::swap(db_, other.db_);
+  std::swap(ran_out_of_memory_, other.ran_out_of_memory_);
   return *this;
 }
 
@@ -85,12 +87,17 @@ Result<void> StoreReader::check(std::vector<std::string>& problems) {
   if (!row) return tl::unexpected(row.error());
   for (;;) {
     const Result<bool> more = row->step();
+    look_at_memory();
     if (!more) problems.push_back("the database is damaged: " + more.error().message);
     if (!more || !*more) return {};
     if (row->text(0) != "ok") {
       problems.push_back("the database is damaged: " + std::string(row->text(0)));
     }
   }
+}
+
+void StoreReader::look_at_memory() const noexcept {
+  ran_out_of_memory_ = ran_out_of_memory_ || sqlite3_errcode(db_) == SQLITE_NOMEM;
 }
 
 bool StoreReader::rows(const std::string& table, const std::string& key, const std::string& columns,
@@ -101,14 +108,17 @@ bool StoreReader::rows(const std::string& table, const std::string& key, const s
   bool is_whole = true;
   for (std::int64_t next = first;;) {
     const Result<Statement> row = Statement::of(db_, all.c_str());
+    look_at_memory();
     if (!row) return false;
     row->bind(1, next);
     for (;;) {
       const Result<bool> more = row->step();
+      look_at_memory();
       if (more && !*more) return is_whole;
       if (!more) break;
       next = row->integer(0) + 1;
       each(*row);
+      look_at_memory();  // without it, a blob comes out empty
     }
     is_whole = false;
     const std::optional<std::int64_t> behind = probe(db_, one, next);

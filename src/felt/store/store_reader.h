@@ -29,12 +29,19 @@ class StoreReader {
   bool rows(const std::string& table, const std::string& key, const std::string& columns,
             std::int64_t first, const std::function<void(const Statement&)>& each) const;
 
+  /// Rows were left out because memory was short, not because they are damaged: nothing that was
+  /// read counts.
+  [[nodiscard]] bool ran_out_of_memory() const noexcept { return ran_out_of_memory_; }
+
  private:
   StoreReader() = default;
   Result<void> check(std::vector<std::string>& problems);
   [[nodiscard]] Result<std::int64_t> pragma(const char* sql) const;
 
+  void look_at_memory() const noexcept;
+
   sqlite3* db_ = nullptr;
+  mutable bool ran_out_of_memory_ = false;
 };
 
 }  // namespace felt

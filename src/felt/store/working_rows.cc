@@ -63,7 +63,11 @@ Result<void> remove_store_folder(const std::string& folder) {
   // The database first: what is without one holds no drawing. The lock last.
   for (const char* name : {kWorkingStoreFile, kNewStoreFile, kCopiedStoreFile}) {
     for (const char* end : {"", "-wal", "-shm", "-journal"}) {
-      ::unlink((folder + '/' + name + end).c_str());
+      const std::string path = folder + '/' + name + end;
+      // A database that stays keeps its journal: without it, it would be an older drawing.
+      if (::unlink(path.c_str()) != 0 && errno != ENOENT) {
+        return fail(ErrorCode::kIo, path + ": cannot be removed: " + std::strerror(errno));
+      }
     }
   }
   ::unlink((folder + "/lock").c_str());
