@@ -102,7 +102,7 @@ int open_file(int folder_fd, const char* path, int flags, mode_t mode) noexcept 
   if (place != nullptr) {
     if (felt::faults::fails(creates ? Call::kCreate : Call::kOpen, "open", place)) return -1;
     if (unnamed && state->armed && state->no_unnamed) return errno = EOPNOTSUPP, -1;
-    if (state->read_only &&
+    if (state->armed && state->read_only &&
         (unnamed || (creates && syscall(SYS_faccessat, AT_FDCWD, place, F_OK) != 0))) {
       return errno = EACCES, -1;
     }

@@ -18,7 +18,10 @@ std::string document_in(const std::string& folder) {
 }
 
 void prepare_document(const std::string& folder) {
-  if (!write_felt(document_in(folder), drawing_of(0))) std::abort();
+  if (const auto made = write_felt(document_in(folder), drawing_of(0)); !made) {
+    std::fprintf(stderr, "%s\n", made.error().message.c_str());
+    std::abort();
+  }
 }
 
 /// What a person does: saves again and again. The first error ends it.

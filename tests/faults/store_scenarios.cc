@@ -103,7 +103,7 @@ Scenario store_renew() {
 Scenario store_checkpoint() {
   Scenario scenario = store_commit();
   scenario.name = "store_checkpoint";
-  scenario.stride = 211;
+  scenario.stride = 401;
   scenario.act = [](const std::string& folder) {
     state->armed = false;
     auto store = new_store(root_in(folder), 1);
@@ -209,7 +209,7 @@ void add_store_scenarios(std::vector<Scenario>& to) {
   for (Scenario scenario :
        {store_create(), store_commit(), store_renew(), store_recover(), saver_elsewhere()}) {
     scenario.has_memory = true;
-    scenario.stride = 7;
+    scenario.stride = 13;
     to.push_back(scenario);
   }
   to.push_back(store_checkpoint());

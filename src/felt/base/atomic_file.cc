@@ -30,6 +30,8 @@ Result<AtomicFile> AtomicFile::create(const std::string& path) {
   if (path != "-") file.target_ = resolved(path);
   struct stat info {};
   const bool exists = path != "-" && ::stat(file.target_.c_str(), &info) == 0;
+  // What cannot be looked at may be anything: it is not taken for nothing.
+  if (path != "-" && !exists && errno != ENOENT) return file.error("cannot be looked at");
   const bool replaceable = path != "-" && (!exists || S_ISREG(info.st_mode));
   if (exists && S_ISDIR(info.st_mode)) {
     errno = EISDIR;
