@@ -55,7 +55,7 @@ void LiveInk::begin() {
   selection_ = {};
   air_.clear();
   untold_.clear();
-  told_down_ = false;
+  contact_ = {};
 }
 
 void LiveInk::context(const Event& event) {
@@ -77,11 +77,14 @@ void LiveInk::told(const Event& event, bool gesture_in_work) {
     if (open_) append_event_line(events_, event);
     return;
   }
-  const bool is_down = in_contact(sample_of(event, *pen));
-  if (is_down && !told_down_ && !open_) open();
-  told_down_ = is_down;
-  if (is_down) last_contact_ns_ = event.time_ns;
+  const PenSample sample = sample_of(event, *pen);
+  const bool touches = contact_.update(sample) == Contact::Change::kTouched;
+  if (touches && !open_) open();
+  if (in_contact(sample)) last_contact_ns_ = event.time_ns;
   if (!open_) {
+    // With the pen down, what came of its gesture is known: the rest of it does nothing, and must
+    // not look like another one.
+    if (contact_.is_down()) return air_.clear();
     air_.push_back(event);
     if (air_.size() > kAirSamples) air_.pop_front();
     return;
@@ -135,13 +138,17 @@ void LiveInk::close() {
   kept_ns_ = INT64_MIN;
 }
 
-/// The pen comes down in what the session was not told.
-bool LiveInk::overhang_touches() const {
-  bool was_down = told_down_;
-  for (const PenSample& sample : untold_) {
-    const bool is_down = in_contact(sample);
-    if (is_down && !was_down) return true;
-    was_down = is_down;
+/// The pen comes down in what the session was not told. What of it is the end of a gesture that is
+/// over is no overhang.
+bool LiveInk::overhang_touches() {
+  Contact contact = contact_;
+  std::size_t over = 0;
+  for (std::size_t i = 0; i < untold_.size(); ++i) {
+    if (contact.update(untold_[i]) == Contact::Change::kTouched) {
+      untold_.erase(untold_.begin(), untold_.begin() + static_cast<std::ptrdiff_t>(over));
+      return true;
+    }
+    if (contact.is_down()) over = i + 1;
   }
   return false;
 }

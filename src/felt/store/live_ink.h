@@ -13,6 +13,7 @@
 #include "felt/haptics/pen_sample.h"
 #include "felt/session/event.h"
 #include "felt/store/working_store.h"
+#include "felt/tools/contact.h"
 
 namespace felt {
 
@@ -64,7 +65,7 @@ class LiveInk {
   void open();
   void close();
   void keep(Changes& changes, LiveKind kind, std::string bytes);
-  [[nodiscard]] bool overhang_touches() const;
+  bool overhang_touches();
 
   std::map<std::string, OptionValue> options_;
   std::optional<UseDevice> device_;
@@ -74,7 +75,8 @@ class LiveInk {
   std::deque<Event> air_;         // the last told samples above the sheet
   std::deque<PenSample> untold_;  // the overhang
   std::int64_t told_ns_ = INT64_MIN, last_contact_ns_ = INT64_MIN, kept_ns_ = INT64_MIN;
-  bool told_down_ = false, open_ = false, clear_ = false;
+  Contact contact_;               // after the last told sample
+  bool open_ = false, clear_ = false;
   std::string context_, events_;  // not taken yet
   std::vector<LiveChunk> chunks_;
   std::size_t bytes_ = 0;

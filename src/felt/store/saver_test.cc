@@ -84,6 +84,35 @@ TEST(Saver, AHungEditThreadCostsNoInk) {
   }
 }
 
+/// Another tool is chosen in the middle of a line, which ends it: what the pen does until it is
+/// lifted is no gesture, here as there.
+TEST(Saver, TheRestOfALineIsNoOtherGesture) {
+  for (const char* tool : {"eraser", "pull", "pencil"}) {
+    for (const int told : {22, 30, 49, 52, 60}) {
+      for (const bool hangs : {false, true}) {
+        const TestFolder folder;
+        SaverDesk desk({.roots = {folder.path}});
+        desk.draw(7, 12);
+        desk.apply(SelectTool{"smooth"});
+        desk.steps(20);
+        desk.apply(SelectTool{tool});
+        desk.steps(told - 20);
+        desk.saver->turn();
+        desk.hangs = hangs;
+        desk.steps(70);
+        desk.saver->turn();
+        const RecoveredDrawing recovered = desk.crashed();
+        for (int i = 0; hangs && i < 70; ++i) {
+          PenSample late = SaverDesk::sample(told + i);
+          late.time_ns += SaverDesk::kOffsetNs;
+          ASSERT_TRUE(desk.session->sample(late));
+        }
+        EXPECT_TRUE(recovered.drawing.document == desk.ended()) << tool << ' ' << told << hangs;
+      }
+    }
+  }
+}
+
 /// ... and it wakes again: what it tells then is what the loop had told.
 TEST(Saver, WhatIsToldLateIsNoInkTwice) {
   for (int told = 44; told <= 120; told += 4) {
