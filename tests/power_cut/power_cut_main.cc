@@ -13,6 +13,7 @@
 #include <filesystem>
 #include <memory>
 #include <random>
+#include <sstream>
 
 #include "tests/power_cut/log_disk.h"
 #include "tests/power_cut/mounts.h"
@@ -237,10 +238,15 @@ int skip(const std::string& why) {
   return kSkipped;
 }
 
-bool matches(const std::string& name, const std::string& pattern, bool by_default) {
-  if (pattern.empty()) return by_default;
-  if (pattern.back() != '*') return name == pattern;
-  return name.rfind(pattern.substr(0, pattern.size() - 1), 0) == 0;
+/// Is the name among these, separated by commas, each perhaps a beginning and '*'?
+bool matches(const std::string& name, const std::string& patterns, bool by_default) {
+  if (patterns.empty()) return by_default;
+  std::stringstream list(patterns);
+  for (std::string one; std::getline(list, one, ',');) {
+    const bool is_beginning = !one.empty() && one.back() == '*';
+    if (is_beginning ? name.rfind(one.substr(0, one.size() - 1), 0) == 0 : name == one) return true;
+  }
+  return false;
 }
 
 int run(const Options& options) {
@@ -296,7 +302,8 @@ int main(int argc, char** argv) {
   CLI::App app("Cuts the power at random moments of saving, and looks whether anything was lost");
   app.add_option("--states", options.states, "how many states of each workload and file system");
   app.add_option("--file-system", options.system, "ext4, xfs or btrfs; all without it");
-  app.add_option("--workload", options.workload, "one, or a beginning and '*'; all without it");
+  app.add_option("--workload", options.workload,
+                 "some, separated by commas, each may be a beginning and '*'");
   app.add_option("--seed", options.seed, "of all that is random");
   app.add_option("--per-recording", options.per_recording, "states of each recording");
   app.add_flag("--list", options.list, "the names of the workloads");

@@ -72,6 +72,7 @@ std::uint32_t Diary::acknowledged_at(std::uint64_t record, std::uint32_t floor) 
 std::vector<Workload> all_workloads() {
   std::vector<Workload> all;
   add_save_workloads(all);
+  add_store_workloads(all);
   return all;
 }
 

@@ -60,5 +60,6 @@ struct Workload {
 
 std::vector<Workload> all_workloads();
 void add_save_workloads(std::vector<Workload>& to);
+void add_store_workloads(std::vector<Workload>& to);
 
 }  // namespace felt::power_cut
