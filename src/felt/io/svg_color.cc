@@ -128,6 +128,10 @@ std::optional<SvgPaint> plain_paint(std::string_view text) {
   if (svg_same_word(text, "none")) return paint;
   paint.kind = SvgPaint::Kind::kCurrent;
   if (svg_same_word(text, "currentColor")) return paint;
+  paint.kind = SvgPaint::Kind::kContextFill;
+  if (text == "context-fill") return paint;
+  paint.kind = SvgPaint::Kind::kContextStroke;
+  if (text == "context-stroke") return paint;
   const std::optional<Rgba> color = whole_color(text);
   if (!color) return std::nullopt;
   paint.kind = SvgPaint::Kind::kColor;

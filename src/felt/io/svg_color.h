@@ -16,8 +16,10 @@ struct SvgPaint {
   enum class Kind {
     kNone,
     kColor,
-    kCurrent,  ///< the property `color` of the shape
-    kServer,   ///< an element of the file: a gradient, a pattern
+    kCurrent,        ///< the property `color` of the shape
+    kServer,         ///< an element of the file: a gradient, a pattern
+    kContextFill,    ///< the filling of the `use` that repeats it
+    kContextStroke,  ///< its line
   };
   Kind kind = Kind::kNone;
   Rgba color{0, 0, 0, 255};

@@ -140,6 +140,12 @@ bool SvgWalker::resolve(Element& e) {
   State& s = e.state;
   s.style = svg_style(e.declared, s.style, s.units);
   s.units.font_size = s.style.font_size;
+  for (SvgPaint* paint : {&s.style.fill, &s.style.stroke}) {
+    if (paint->kind == SvgPaint::Kind::kContextFill)
+      *paint = s.context_fill;
+    else if (paint->kind == SvgPaint::Kind::kContextStroke)
+      *paint = s.context_stroke;
+  }
   const bool is_layer = document_.inkscape(e.node, "groupmode") == "layer";
   if (!s.style.displayed && !is_layer) {
     notice(e.node, "is hidden in the file and was left out");
@@ -242,6 +248,8 @@ void SvgWalker::visit_use(Element& e, const Frame& from) {
   };
   e.state.to_mm =
       then(translation({length("x", SvgAxis::kX), length("y", SvgAxis::kY)}), e.state.to_mm);
+  e.state.context_fill = e.state.style.fill;
+  e.state.context_stroke = e.state.style.stroke;
   const std::size_t depth = stack_.size();
   push(e, from);
   if (stack_.size() == depth) return;

@@ -29,6 +29,7 @@ class SvgWalker {
     double opacity = 1.0;
     SvgUnits units;
     std::optional<Rect> frame;
+    SvgPaint context_fill, context_stroke;  ///< of the use around it
     bool default_is_svg = true;
     SvgLayer layer;
   };
