@@ -11,6 +11,7 @@ namespace {
 class Joiner {
  public:
   explicit Joiner(const SvgContour& contour) : contour_(contour) {
+    line_.points.reserve(contour.points.size());
     line_.places.assign(contour.segment_count() + 1, 0.0);
   }
 

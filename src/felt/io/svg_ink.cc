@@ -183,61 +183,57 @@ void SvgInk::notice_ends(const SvgShape& shape) {
   }
 }
 
-void SvgInk::add_line(const SvgShape& shape) {
-  const SvgLine& line = *shape.line;
+void SvgInk::add_line(SvgShape& shape) {
+  const SvgLine line = *shape.line;
   if (shows_filling(shape)) say(shape, "has a filling, which was left out: ink is lines");
   notice_ends(shape);
-  for (const SvgContour& contour : shape.contours) {
+  // Each is taken out of the shape: a long path is not kept twice.
+  for (SvgContour& contour : shape.contours) {
     if (line.dashes.empty()) {
-      add_contour(shape, contour, line.color, line.width);
+      add_contour(shape, std::move(contour), line.color, line.width);
       continue;
     }
-    const auto dashes =
+    auto dashes =
         svg_dashes(contour, line.dashes, line.dash_offset, line.cap != SvgCap::kButt, dashes_left_);
     if (!dashes) {
       say(shape, "has more dashes than are taken, and became a solid line");
-      add_contour(shape, contour, line.color, line.width);
+      add_contour(shape, std::move(contour), line.color, line.width);
       continue;
     }
     dashes_left_ -= std::min(dashes_left_, dashes->size());
-    for (const SvgContour& dash : *dashes) add_contour(shape, dash, line.color, line.width);
+    for (SvgContour& dash : *dashes) add_contour(shape, std::move(dash), line.color, line.width);
   }
 }
 
-void SvgInk::add_edge(const SvgShape& shape) {
+void SvgInk::add_edge(SvgShape& shape) {
   say(shape, "is filled and has no line; it became a thin line along its edge");
-  const double scale = std::sqrt(std::fabs(determinant(shape.to_mm)));
-  if (!(scale > 0.0)) return say(shape, "is flattened to nothing and was left out");
-  SvgShape edge = shape;
-  for (SvgContour& contour : edge.contours) {
+  const Affine to_mm = std::exchange(shape.to_mm, Affine{});
+  if (determinant(to_mm) == 0.0) return say(shape, "is flattened to nothing and was left out");
+  for (SvgContour& contour : shape.contours) {
     if (!contour.closed && contour.points.front() != contour.points.back()) {
       const Cubic c = straight(contour.points.back(), contour.points.front());
-      contour.points.insert(contour.points.end(), {c.p[1], c.p[2], c.p[3]});
+      contour.points.insert(contour.points.end(), {c.p[1], c.p[2], contour.points.front()});
     }
     contour.closed = true;
-    for (Point& p : contour.points) p = apply(shape.to_mm, p);
-  }
-  edge.to_mm = {};
-  for (const SvgContour& contour : edge.contours) {
-    add_contour(edge, contour, shape.fill->color, kEdgeWidthMm);
+    for (Point& p : contour.points) p = apply(to_mm, p);
+    add_contour(shape, std::move(contour), shape.fill->color, kEdgeWidthMm);
   }
 }
 
 /// One contour as a stroke of a width in user units.
-void SvgInk::add_contour(const SvgShape& shape, const SvgContour& contour, Rgba color,
-                         double width) {
-  SvgContour moved{contour.points, contour.closed};
+void SvgInk::add_contour(const SvgShape& shape, SvgContour moved, Rgba color, double width) {
   Rect box;
   for (Point& p : moved.points) {
     p = apply(shape.to_mm, p);
     box.extend(p);
   }
   if (is_far(box)) return say(shape, kFar);
-  SvgCenterLine line = svg_center_line(moved);
   const bool is_point = std::all_of(moved.points.begin(), moved.points.end(),
                                     [&](Point p) { return p == moved.points.front(); });
   // As in SVG: what has neither length nor caps shows nothing.
   if (is_point && (!shape.line || shape.line->cap == SvgCap::kButt)) return;
+  SvgCenterLine line = svg_center_line(moved);
+  moved.points = std::vector<Point>();  // long paths take much memory
   if (line.joined_short) {
     say(shape, "has parts shorter than 0.05 mm, which were joined to those beside them");
   }

@@ -31,9 +31,9 @@ class SvgInk final : public SvgSceneSink {
   bool outside_frame(const SvgShape& shape);
   bool take_as_paper(const SvgShape& shape);
   bool add_wide(const SvgShape& shape);
-  void add_line(const SvgShape& shape);
-  void add_edge(const SvgShape& shape);
-  void add_contour(const SvgShape& shape, const SvgContour& contour, Rgba color, double width);
+  void add_line(SvgShape& shape);
+  void add_edge(SvgShape& shape);
+  void add_contour(const SvgShape& shape, SvgContour contour, Rgba color, double width);
   void notice_ends(const SvgShape& shape);
   void push(const SvgShape& shape, StrokeData data, std::string id);
 
