@@ -208,6 +208,38 @@ TEST_F(DamagedStore, GarbageBesideItIsNoHarm) {
   EXPECT_TRUE(recovered->problems.empty());
 }
 
+/// It may be a disk that fails for a moment.
+TEST_F(DamagedStore, WhatCannotBeLookedAtIsNotCleared) {
+  fs::rename(database_, database_ + ".away");
+  fs::create_symlink(database_, database_);  // leads to itself: nobody can look at it
+  EXPECT_TRUE(find_abandoned({root_}).empty());
+  EXPECT_TRUE(fs::exists(database_ + "-wal"));
+  fs::remove(database_);
+  fs::rename(database_ + ".away", database_);
+  EXPECT_EQ(find_abandoned({root_}).size(), 1u);
+}
+
+TEST_F(DamagedStore, ADatabaseThatCannotBeRemovedKeepsItsJournal) {
+  fs::rename(database_, database_ + ".away");
+  fs::create_directory(database_);
+  auto found = find_abandoned({root_});
+  ASSERT_EQ(found.size(), 1u);
+  const auto removed = std::move(found.front()).remove();
+  ASSERT_FALSE(removed);
+  EXPECT_EQ(removed.error().message.find(database_ + ": cannot be removed"), 0u);
+  EXPECT_TRUE(fs::exists(database_ + "-wal"));
+}
+
+TEST(DamagedFelt, ANameThatLeadsNowhereIsNotReplaced) {
+  const std::string folder = folder_for_test(), path = folder + "/a.felt";
+  fs::create_symlink(path, path);
+  const auto saved = write_felt(path, felt::testing::random_drawing(1));
+  ASSERT_FALSE(saved);
+  EXPECT_EQ(saved.error().message.find(path + ": "), 0u) << saved.error().message;
+  EXPECT_TRUE(fs::is_symlink(path));
+  fs::remove_all(folder);
+}
+
 /// Never a crash, never a part of the drawing without a word.
 TEST_F(DamagedStore, GivesAllOrSaysWhatIsMissing) {
   const std::string wal = read_file(database_ + "-wal", kMostBytes).value();
