@@ -9,6 +9,11 @@
 #include <string>
 #include <vector>
 
+#include "felt/base/read_file.h"
+#include "felt/io/png.h"
+#include "felt/io/svg_import.h"
+#include "felt/render/page.h"
+#include "tests/svg/scene_picture.h"
 #include "tests/svg/suite.h"
 
 namespace felt::testing {
@@ -18,9 +23,9 @@ namespace fs = std::filesystem;
 
 constexpr const char* kFiles = "tests/svg/files";
 
-std::vector<std::string> own_files() {
+std::vector<std::string> files_in(const char* folder) {
   std::vector<std::string> names;
-  for (const fs::directory_entry& entry : fs::directory_iterator(kFiles)) {
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
     if (entry.path().extension() == ".svg") names.push_back(entry.path().string());
   }
   std::sort(names.begin(), names.end());
@@ -31,7 +36,7 @@ TEST(SvgPictures, OurFilesLookAsLibrsvgDrawsThem) {
   if (std::system("command -v rsvg-convert >/dev/null 2>&1") != 0) {
     GTEST_SKIP() << "rsvg-convert is not installed (package librsvg2-bin)";
   }
-  const std::vector<std::string> names = own_files();
+  const std::vector<std::string> names = files_in(kFiles);
   EXPECT_GE(names.size(), 60U);
   const std::string png = (fs::temp_directory_path() / "felt-svg-picture.png").string();
   for (const std::string& name : names) {
@@ -39,6 +44,46 @@ TEST(SvgPictures, OurFilesLookAsLibrsvgDrawsThem) {
     const char* out = std::getenv("FELT_SVG_PICTURES");
     const SuiteResult result = compare_pictures(name, png, out == nullptr ? "" : out);
     EXPECT_TRUE(result.agrees) << name << ": " << result.why;
+  }
+  fs::remove(png);
+}
+
+Sketch strokes_of(const LayeredSketch& drawing) {
+  Sketch all;
+  for (const SketchLayer& layer : drawing.layers) {
+    all.insert(all.end(), layer.strokes.begin(), layer.strokes.end());
+  }
+  return all;
+}
+
+/// The strokes that become of a file, drawn as Feltline draws ink.
+Image ink_picture(const std::string& name, int width_px) {
+  const auto read = import_svg(read_file(name, std::size_t{1} << 20).value()).value();
+  const Rect sheet = read.drawing.page.value().area();
+  return render_page(
+             strokes_of(read.drawing),
+             {.dpi = width_px * 25.4 / sheet.width(), .sheet = sheet, .paper = {0, 0, 0, 0}})
+      .value();
+}
+
+/// Lines with round ends and corners are what ink can show: their strokes look as librsvg draws
+/// them.
+TEST(SvgPictures, InkLooksAsLibrsvgDrawsTheLines) {
+  if (std::system("command -v rsvg-convert >/dev/null 2>&1") != 0) {
+    GTEST_SKIP() << "rsvg-convert is not installed (package librsvg2-bin)";
+  }
+  const std::vector<std::string> names = files_in("tests/svg/ink");
+  EXPECT_GE(names.size(), 8U);
+  const std::string png = (fs::temp_directory_path() / "felt-svg-ink.png").string();
+  for (const std::string& name : names) {
+    ASSERT_EQ(std::system(("rsvg-convert -w 300 " + name + " -o " + png).c_str()), 0) << name;
+    const Image theirs = decode_png(read_file(png, std::size_t{1} << 24).value()).value().image;
+    const Image ours = ink_picture(name, theirs.width());
+    EXPECT_LE(pixels_apart(ours, theirs), kPixelsAllowed) << name;
+    if (const char* out = std::getenv("FELT_SVG_PICTURES")) {
+      EXPECT_TRUE(
+          write_png(std::string(out) + "/" + fs::path(name).stem().string() + ".png", ours, 96));
+    }
   }
   fs::remove(png);
 }

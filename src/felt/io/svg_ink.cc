@@ -187,6 +187,9 @@ void SvgInk::add_line(SvgShape& shape) {
   const SvgLine line = *shape.line;
   if (shows_filling(shape)) say(shape, "has a filling, which was left out: ink is lines");
   notice_ends(shape);
+  if (line.color.a < 255 && (shape.contours.size() > 1 || !line.dashes.empty())) {
+    say(shape, "is transparent and of several parts; where these cross, it became darker");
+  }
   // Each is taken out of the shape: a long path is not kept twice.
   for (SvgContour& contour : shape.contours) {
     if (line.dashes.empty()) {
