@@ -37,6 +37,7 @@ void add_commands(CLI::App& app, Console& console) {
   add_convert_command(app, console);
   add_info_command(app, console);
   add_formats_command(app);
+  add_recover_command(app, console);
   add_replay_command(app, console);
   add_demo_command(app, console);
   add_tools_command(app, console);

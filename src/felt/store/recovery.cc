@@ -287,7 +287,11 @@ class Assembly {
     ScriptSink sink;
     sink.event = [&](const Event& event) {
       told_ns = std::max(told_ns, event.time_ns);
-      return session.apply(event);
+      Result<void> done = session.apply(event);
+      // The layer in use may have gone with the last edit, before its successor was told: then the
+      // highest one is in use, here as there.
+      if (!done && std::holds_alternative<LayerEvent>(event.what)) done = {};
+      return done;
     };
     // An error ends it there, with the ink so far.
     if (const Result<void> done = read_script("line", read_text(stretch.script), sink); !done) {

@@ -1,0 +1,122 @@
+#include <fmt/core.h>
+#include <unistd.h>
+
+#include <ctime>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <system_error>
+#include <vector>
+
+#include "commands.h"
+#include "felt/store/folder_lock.h"
+#include "felt/store/recovery.h"
+
+namespace felt::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int kMostNames = 1000;
+
+struct RecoverArguments {
+  bool list = false;
+  std::string folder;
+  std::vector<std::string> from;
+};
+
+std::string time_text(std::int64_t seconds) {
+  const std::time_t when = seconds;
+  std::tm local{};
+  if (!::localtime_r(&when, &local)) return "?";
+  return fmt::format("{:04}-{:02}-{:02} {:02}:{:02}:{:02}", local.tm_year + 1900, local.tm_mon + 1,
+                     local.tm_mday, local.tm_hour, local.tm_min, local.tm_sec);
+}
+
+/// "harbour" for "harbour.felt", and nothing that leads to another folder.
+std::string stem_of(const RecoveredDrawing& recovered) {
+  std::string stem = fs::path(recovered.name).filename().string();
+  if (stem.size() > 5 && stem.ends_with(".felt")) stem.resize(stem.size() - 5);
+  return stem.empty() || stem == "." || stem == ".." ? "Untitled" : stem;
+}
+
+std::string described(const RecoveredDrawing& recovered) {
+  const std::size_t count = recovered.drawing.document.stroke_count();
+  return fmt::format("{}: {}, {} line{}{}, {}",
+                     recovered.name.empty() ? "Untitled" : recovered.name,
+                     time_text(recovered.changed_at_s), count, count == 1 ? "" : "s",
+                     recovered.has_changes ? "" : ", all of it saved",
+                     recovered.path.empty() ? "never saved" : "saved as " + recovered.path);
+}
+
+/// Under a name that nothing has yet. Returns it.
+Result<std::string> write_new(const std::string& folder, const RecoveredDrawing& recovered) {
+  const std::string stem = folder + '/' + stem_of(recovered) + " (recovered";
+  for (int number = 1; number <= kMostNames; ++number) {
+    const std::string path = stem + (number == 1 ? ").felt" : fmt::format(" {}).felt", number));
+    if (::access(path.c_str(), F_OK) == 0) continue;
+    return write_felt(path, recovered.drawing).map([&path] { return path; });
+  }
+  return fail(ErrorCode::kIo, stem + ").felt: there are too many of this name");
+}
+
+void recover(const RecoverArguments& args, Console& console) {
+  const std::vector<AbandonedStore> stores =
+      find_abandoned(args.from.empty() ? working_roots() : args.from);
+  if (!args.list) {
+    std::error_code error;
+    fs::create_directories(args.folder, error);
+    if (error) return console.error(args.folder + ": cannot be made: " + error.message());
+  }
+  int found = 0;
+  for (const AbandonedStore& store : stores) {
+    const Result<RecoveredDrawing> recovered = recover_store(store.folder);
+    if (!recovered) {
+      console.error(recovered.error().message);
+      continue;
+    }
+    for (const std::string& problem : recovered->problems) {
+      console.notice(store.folder + ": " + problem);
+    }
+    if (!recovered->has_changes && recovered->drawing.document.stroke_count() == 0) continue;
+    ++found;
+    fmt::print("{}\n", described(*recovered));
+    if (args.list) continue;
+    const Result<std::string> path = write_new(args.folder, *recovered);
+    if (!path) {
+      console.error(path.error().message);
+    } else {
+      fmt::print("  -> {}\n", *path);
+    }
+  }
+  if (found == 0) {
+    fmt::print("Nothing to recover: no drawing was left behind.\n");
+  } else if (args.list) {
+    fmt::print("To bring them back: feltline recover -o FOLDER\n");
+  }
+}
+
+}  // namespace
+
+void add_recover_command(CLI::App& app, Console& console) {
+  CLI::App* command = app.add_subcommand(
+      "recover", "Bring back drawings that a crash, a kill or a power cut left behind");
+  const auto args = std::make_shared<RecoverArguments>();
+  command->add_flag("--list", args->list, "Say what there is, and write nothing");
+  command->add_option("-o,--output", args->folder,
+                      "Write each into this folder, as 'NAME (recovered).felt'");
+  command->add_option("--from", args->from,
+                      "Look in these folders instead of where feltline-desktop keeps its work");
+  command->footer(
+      examples("feltline recover --list\n"
+               "feltline recover -o rescued\n"
+               "feltline recover --from /media/old/home/me/.local/state/feltline/working -o .") +
+      "\n\nNothing is deleted and no file is written over: feltline-desktop goes on offering what\n"
+      "was not saved, until it is saved there or discarded.");
+  command->callback([args, &console] {
+    if (!args->list && args->folder.empty()) args->list = true;
+    recover(*args, console);
+  });
+}
+
+}  // namespace felt::cli

@@ -1,0 +1,39 @@
+# Drawings that a killed program left behind come back without a window.
+kill_loop=$2
+. "$(dirname "$0")/helpers.sh"
+
+export XDG_STATE_HOME=$PWD/state XDG_CACHE_HOME=$PWD/cache XDG_RUNTIME_DIR=$PWD/run TMPDIR=$PWD
+run 0 "$feltline" recover --list
+has out "Nothing to recover"
+run 0 "$kill_loop" --leave "$PWD/state/feltline/working"
+for _ in 1 2; do
+  run 0 "$feltline" recover --list
+  has out "Killed: "
+  has out "saved as"
+done
+run 0 "$feltline" recover
+has out "feltline recover -o FOLDER"
+run 0 "$feltline" recover -o "rescued here"
+has out "rescued here/Killed (recovered).felt"
+is_empty err
+run 0 "$feltline" info "rescued here/Killed (recovered).felt"
+run 0 "$feltline" recover -o "rescued here"
+same "rescued here/Killed (recovered).felt" "rescued here/Killed (recovered 2).felt"
+run 0 "$feltline" recover --list --from nowhere
+has out "Nothing to recover"
+echo >file
+run 1 "$feltline" recover -o file/below
+has err "file/below"
+# Damage costs what was damaged, and is said.
+store=$(dirname "$(find state -name store.db)")
+printf 'xxxxxxxxxxxxxxxx' | dd of="$store/store.db" bs=1 conv=notrunc status=none
+run 1 "$feltline" recover --list
+has err "$store"
+rm -f "$store/store.db"
+run 0 "$feltline" recover --list
+has out "Nothing to recover"
+[ ! -e "$store" ] || fail "what holds no drawing stays: $store"
+run 2 "$feltline" recover nonsense
+run 0 "$feltline" recover --help
+has out "feltline recover --list"
+finish
