@@ -26,7 +26,8 @@ run 1 "$feltline" recover -o file/below
 has err "file/below"
 # Damage costs what was damaged, and is said.
 store=$(dirname "$(find state -name store.db)")
-printf 'xxxxxxxxxxxxxxxx' | dd of="$store/store.db" bs=1 conv=notrunc status=none
+printf "xxxxxxxxxxxxxxxx" | dd of="$store/store.db" bs=1 conv=notrunc status=none
+rm "$store/store.db-wal"
 run 1 "$feltline" recover --list
 has err "$store"
 rm -f "$store/store.db"
