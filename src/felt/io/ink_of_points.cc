@@ -4,15 +4,18 @@
 #include <cmath>
 #include <utility>
 
+#include "felt/io/line_steps.h"
+
 namespace felt {
 namespace {
 
-/// Along a drawn line the fit looks at least this often, so that it follows the line between the
-/// points, and sees its corners.
-constexpr double kStepMm = 0.25;
+/// How often the fit looks at a drawn line: near its points, and at least, in between.
+constexpr double kFirstStepMm = 0.15, kMostStepMm = 1.0;
 /// Points put between others in one file; beyond that pieces of a line stay straight segments, so
 /// that a file of few bytes and long lines cannot keep us busy.
-constexpr std::size_t kMostInserted = 10'000'000;
+constexpr std::size_t kMostInserted = 4'000'000;
+/// A longer run is fitted in parts that meet in corners, so that memory stays bounded.
+constexpr std::size_t kLongestRun = 100'000;
 /// Past that, shorter pieces than this are left to the fit as they are.
 constexpr double kLeastRuledMm = 1.0;
 
@@ -58,6 +61,8 @@ class InkOfPoints::Pieces {
       const Cubic line = straight(data_.points[last - 3], run.points.front());
       std::copy(line.p.begin(), line.p.end(), data_.points.end() - 4);
     }
+    // Two runs meet where the first one ended, within the tolerance of where the second begins.
+    if (!empty() && !after_straight_) run.points.front() = data_.points.back();
     const double offset = segments();
     begin_part(run.points.front(), run.widths.front().width_mm);
     data_.points.insert(data_.points.end(), run.points.begin() + 1, run.points.end());
@@ -152,7 +157,13 @@ Result<StrokeData> InkOfPoints::of_line(std::span<const WidePoint> line) {
     const WidePoint &from = line_[i - 1], &to = line_[i];
     const double length = distance(from.position, to.position);
     const bool ruled = length > (inserted_ < kMostInserted ? kRuledMm : kLeastRuledMm);
+    if (!ruled && run_.size() < kLongestRun) {
+      add_between(from, to);
+      continue;
+    }
     if (!ruled) {
+      if (Result<void> done = end_run(); !done) return tl::unexpected(done.error());
+      run_.assign(1, from);
       add_between(from, to);
       continue;
     }
@@ -167,15 +178,13 @@ Result<StrokeData> InkOfPoints::of_line(std::span<const WidePoint> line) {
 
 // Continues the run to `to` in steps that the fit cannot overlook.
 void InkOfPoints::add_between(const WidePoint& from, const WidePoint& to) {
-  const double length = distance(from.position, to.position);
-  const int steps = static_cast<int>(std::ceil(length / kStepMm));
   if (inserted_ < kMostInserted) {
-    for (int k = 1; k < steps; ++k) {
-      const double t = static_cast<double>(k) / steps;
+    line_steps(distance(from.position, to.position), kFirstStepMm, kMostStepMm, steps_);
+    for (const double t : steps_) {
       run_.push_back(
           {lerp(from.position, to.position, t), from.width_mm + t * (to.width_mm - from.width_mm)});
-      ++inserted_;
     }
+    inserted_ += steps_.size();
   }
   run_.push_back(to);
 }

@@ -19,8 +19,8 @@ struct WidePoint {
   friend constexpr bool operator==(const WidePoint&, const WidePoint&) noexcept = default;
 };
 
-/// How far the curve may be from the straight lines between the points of a drawn line, at the
-/// points and in between.
+/// How far the curve may be from the points of a drawn line, and from those that the fit looks at on
+/// the straight lines between them, at most 1 mm apart. In between it stays within twice that.
 inline constexpr double kDrawnLineToleranceMm = 0.05;
 /// How far the width profile may be from the widths of a drawn line.
 inline constexpr double kDrawnWidthToleranceMm = 0.02;
@@ -57,6 +57,7 @@ class InkOfPoints {
   InkFitter ruler_;
   std::size_t inserted_ = 0;           // points put between others so far
   std::vector<WidePoint> line_, run_;  // buffers of of_line()
+  std::vector<double> steps_;
 };
 
 }  // namespace felt

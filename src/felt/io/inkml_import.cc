@@ -227,7 +227,11 @@ class InkmlReader {
     }
     const std::string text = xml_text_of(node);
     InkmlTraceReader reader(text, format.channels.size());
-    while (reader.next()) add_point(reader.values(), columns);
+    const bool has_model = !felt_.empty() && node.attribute((felt_ + "points").c_str());
+    while (reader.next()) {
+      add_point(reader.values(), columns);
+      if (points_.samples.size() >= limits::kMaxStrokePoints && !has_model) cut(node, context);
+    }
     if (!reader.problem().empty()) {
       notice(node, reader.problem() + "; only the points before it were taken");
     }
@@ -318,6 +322,20 @@ class InkmlReader {
     }
     c.to_mm = then(*transform, scaling(scale_x, scale_y));
     c.mm_per_width *= std::sqrt(std::fabs(determinant(*transform)));
+  }
+
+  // A trace that is too long becomes several strokes; the next begins where this one ends.
+  void cut(const pugi::xml_node& node, const Context& context) {
+    notice(node, "has more points than a stroke takes (" +
+                     std::to_string(limits::kMaxStrokePoints) + "); it became several strokes");
+    const InkSample last = points_.samples.back();
+    const std::vector<WidePoint> width(points_.line.end() - (points_.line.empty() ? 0 : 1),
+                                       points_.line.end());
+    add_stroke(node, context);
+    points_.clear();
+    points_.samples.push_back(last);
+    points_.line = width;
+    points_.has_force = last.pressure.has_value();
   }
 
   void add_stroke(const pugi::xml_node& node, const Context& context) {

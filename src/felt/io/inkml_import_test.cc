@@ -281,12 +281,13 @@ TEST(InkmlImport, WhatIsNotKnownIsNamed) {
                      "<trace/>\n<trace>? ?</trace>"));
   EXPECT_THAT(
       texts(d.report),
-      ElementsAre("line 2: wobble 'w' is unknown and was left out",
-                  "line 3: x:y is of another program and was left out",
-                  "line 4: trace refers to 'http://far/#x' in another document, which is not read",
-                  "line 4: trace has 'x,5 0' where a value must be, in point 2; only the points before "
-                  "it were taken",
-                  "line 5: trace has no points and was left out (and 1 more like it)"));
+      ElementsAre(
+          "line 2: wobble 'w' is unknown and was left out",
+          "line 3: x:y is of another program and was left out",
+          "line 4: trace refers to 'http://far/#x' in another document, which is not read",
+          "line 4: trace has 'x,5 0' where a value must be, in point 2; only the points before "
+          "it were taken",
+          "line 5: trace has no points and was left out (and 1 more like it)"));
 }
 
 TEST(InkmlImport, ChannelsAtTheirLimit) {

@@ -55,34 +55,38 @@ class QuickdrawReader {
   }
 
  private:
+  /// Where a drawing lies in its cell.
+  struct Placing {
+    Point origin{0.0, 0.0};
+    double scale = kQuickdrawMmPerUnit;
+  };
+
   // Simplified drawings lie in their square; others are moved and scaled into it, as the data set
   // does it for the simplified ones.
-  static void place(QuickdrawRecord& record, Point corner) {
+  static Placing placing_of(const QuickdrawRecord& record) {
     Rect box;
     for (const auto& stroke : record.strokes) {
       for (const InkSample& s : stroke) box.extend(s.position);
     }
-    Point origin{0.0, 0.0};
-    double scale = kQuickdrawMmPerUnit;
+    Placing placing;
     if (box.x0 < 0.0 || box.y0 < 0.0 || box.x1 > kSquare || box.y1 > kSquare) {
-      origin = {box.x0, box.y0};
+      placing.origin = {box.x0, box.y0};
       const double side = std::max(box.width(), box.height());
-      scale *= side > 0.0 ? kSquare / side : 1.0;
+      placing.scale *= side > 0.0 ? kSquare / side : 1.0;
     }
-    for (auto& stroke : record.strokes) {
-      for (InkSample& s : stroke) {
-        s.position = corner + Vec{kInset, kInset} + scale * (s.position - origin);
-      }
-    }
+    return placing;
   }
 
   void add_layer(int index, Point corner) {
     QuickdrawRecord& record = records_[static_cast<std::size_t>(index)];
-    for (std::vector<InkSample>& stroke : record.strokes) restore_simplified(stroke);
-    place(record, corner);
+    const Placing placing = placing_of(record);
     SketchLayer layer;
     layer.name = record.word.empty() ? "Drawing " + std::to_string(index + 1) : record.word;
-    for (const std::vector<InkSample>& samples : record.strokes) {
+    for (std::vector<InkSample>& samples : record.strokes) {
+      restore_simplified(samples);
+      for (InkSample& s : samples) {
+        s.position = corner + Vec{kInset, kInset} + placing.scale * (s.position - placing.origin);
+      }
       Result<StrokeData> data = ink_.of_samples(samples);
       Result<Stroke> stroke =
           data ? Stroke::create(*std::move(data)) : tl::unexpected(data.error());
@@ -92,6 +96,7 @@ class QuickdrawReader {
         continue;
       }
       layer.strokes.push_back({"s" + std::to_string(++stroke_count_), *std::move(stroke)});
+      std::vector<InkSample>().swap(samples);
     }
     record = {};
     drawing_.layers.push_back(std::move(layer));

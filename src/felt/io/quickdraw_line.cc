@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "felt/io/line_steps.h"
 #include "felt/io/ndjson_fields.h"
 #include "felt/io/ndjson_object.h"
 
@@ -105,7 +106,7 @@ bool looks_like_quickdraw(std::string_view line) noexcept {
 }
 
 void restore_simplified(std::vector<InkSample>& stroke) {
-  constexpr double kSide = 255.0;
+  constexpr double kSide = 255.0, kFirstStep = 1.0, kMostStep = 8.0;
   const auto is_simplified = [](const InkSample& s) {
     return !s.time_ns && s.position.x >= 0.0 && s.position.x <= kSide && s.position.y >= 0.0 &&
            s.position.y <= kSide;
@@ -115,12 +116,11 @@ void restore_simplified(std::vector<InkSample>& stroke) {
     return;
   }
   std::vector<InkSample> full;
+  std::vector<double> steps;
   for (const InkSample& sample : stroke) {
     const Point from = full.empty() ? sample.position : full.back().position;
-    const int steps = static_cast<int>(std::ceil(distance(from, sample.position)));
-    for (int k = 1; k < steps; ++k) {
-      full.push_back({lerp(from, sample.position, static_cast<double>(k) / steps), {}, {}});
-    }
+    line_steps(distance(from, sample.position), kFirstStep, kMostStep, steps);
+    for (const double t : steps) full.push_back({lerp(from, sample.position, t), {}, {}});
     full.push_back(sample);
   }
   stroke = std::move(full);

@@ -25,10 +25,10 @@ struct QuickdrawRecord {
 /// nor "segments". Cheap; QuickdrawParser decides.
 bool looks_like_quickdraw(std::string_view line) noexcept;
 
-/// Puts back what the simplified variant left out of a stroke: its lines were sampled at every unit
-/// before only the points that a line needs were kept. So the fit sees the lines, not a few points
-/// far apart. Strokes with times, outside of 0..255 or of more than kMaxSimplifiedPoints are no
-/// such strokes and stay as they are.
+/// Puts back what the simplified variant left out of a stroke: only the points that its lines need
+/// were kept. Points on these lines, dense near their ends, show the fit the lines instead of a few
+/// points far apart. Strokes with times, outside of 0..255 or of more than kMaxSimplifiedPoints are
+/// no such strokes and stay as they are.
 void restore_simplified(std::vector<InkSample>& stroke);
 inline constexpr std::size_t kMaxSimplifiedPoints = 1000;
 
