@@ -40,6 +40,17 @@ void for_each_damage(std::string_view whole, const std::function<void(const Dama
     use({"flip " + std::to_string(bit) + " of byte " + std::to_string(at), at, at + 1, true,
          std::move(bytes)});
   });
+  // Pages of a database tell in their first bytes where all else is.
+  constexpr std::size_t kPage = 4096, kHead = 32, kPages = 16;
+  for (std::size_t i = 0; i < std::min(kPages, file.size() / kPage) * kHead; ++i) {
+    const std::size_t at = i / kHead * kPage + i % kHead;
+    for (const unsigned bit : {0u, 3u, 7u}) {
+      std::string bytes = file;
+      bytes[at] = static_cast<char>(static_cast<unsigned char>(bytes[at]) ^ (1u << bit));
+      use({"flip " + std::to_string(bit) + " of byte " + std::to_string(at), at, at + 1, true,
+           std::move(bytes)});
+    }
+  }
   spread((file.size() + kSector - 1) / kSector, [&](std::size_t sector) {
     const std::size_t at = sector * kSector, size = std::min(kSector, file.size() - at);
     for (const auto& [name, fill] : {std::pair{"zeros", '\0'}, std::pair{"ones", '\xff'}}) {

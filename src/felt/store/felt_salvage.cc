@@ -39,6 +39,9 @@ const std::string* blob(const Value& v) noexcept {
   const auto* bytes = std::get_if<ScannedRow::Bytes>(&v);
   return bytes && !bytes->is_text ? &bytes->value : nullptr;
 }
+/// Of strokes whose number another one has; far from all others.
+constexpr std::int64_t kStrayIds = std::int64_t{1} << 40;
+
 bool is_id(std::int64_t n) noexcept {
   return n > 0 && n <= kMaxId;
 }
@@ -70,15 +73,22 @@ class Findings {
   std::size_t others = 0;
 
  private:
+  std::int64_t next_stray_ = kStrayIds;
+
   bool take_stroke(const ScannedRow& row) {
     const auto& v = row.values;
     if (v.size() < 4 || !whole(v[1]) || !whole(v[2]) || !blob(v[3])) return false;
     if (!is_id(*whole(v[1])) || *whole(v[2]) < 0 || *whole(v[2]) > kMaxId) return false;
-    if (strokes.contains(row.id)) return true;
     Result<Stroke> stroke = read_stroke_blob(*blob(v[3]));
     if (!stroke) return false;
-    strokes[row.id] = {std::make_shared<const Stroke>(*std::move(stroke)), *whole(v[1]),
-                       *whole(v[2])};
+    std::int64_t id = row.id;
+    if (const auto there = strokes.find(id); there != strokes.end()) {
+      if (*there->second.stroke == *stroke) return true;
+      // One of the two numbers is damaged, and both strokes are whole: this one gets another.
+      while (strokes.contains(next_stray_)) ++next_stray_;
+      id = next_stray_++;
+    }
+    strokes[id] = {std::make_shared<const Stroke>(*std::move(stroke)), *whole(v[1]), *whole(v[2])};
     return true;
   }
   bool take_layer(const ScannedRow& row) {

@@ -123,18 +123,25 @@ class Scan {
     if (!size || !id || *size == 0 || *size > kMaxStrokeBlobBytes + kMaxColumns * 10) return false;
     row.id = static_cast<std::int64_t>(*id);
     const auto total = static_cast<std::size_t>(*size);
-    budget_ -= std::min(budget_, total);
     const std::size_t most_here = usable_ - 35;
     if (total <= most_here) {
-      return at + total <= page.size() && read_record(page.substr(at, total), row.values);
+      if (at + total > page.size()) return false;
+      spend(total);
+      return read_record(page.substr(at, total), row.values);
     }
     const std::size_t least = (usable_ - 12) * 32 / 255 - 23;
     const std::size_t wished = least + (total - least) % (usable_ - 4);
     const std::size_t here = wished <= most_here ? wished : least;
     if (at + here + 4 > page.size() || total > file_.size()) return false;
     std::string record(page.substr(at, here));
-    return overflow(bytes.number(at + here, 4), total, record) && read_record(record, row.values);
+    const bool is_there = overflow(bytes.number(at + here, 4), total, record);
+    spend(record.size());
+    return is_there && read_record(record, row.values);
   }
+
+  /// What was read, not what a damaged row says of its size: that would end the scan for all
+  /// others.
+  void spend(std::size_t read) noexcept { budget_ -= std::min(budget_, read); }
 
   /// Follows the pages that hold the rest of a row. Their number is bounded by the row's size.
   bool overflow(std::uint64_t next, std::size_t total, std::string& record) const {
