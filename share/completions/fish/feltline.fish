@@ -1,5 +1,5 @@
 # fish completion for feltline
-set -l commands fit render convert info replay demo tools devices bench
+set -l commands fit render convert info replay recover demo tools devices bench
 complete -c feltline -s h -l help -d 'Show help'
 complete -c feltline -s q -l quiet -d 'No progress line'
 complete -c feltline -n "not __fish_seen_subcommand_from $commands" -f -l version -d 'Show the version'
@@ -11,6 +11,7 @@ complete -c feltline -n "not __fish_seen_subcommand_from $commands" -f -a replay
 complete -c feltline -n "not __fish_seen_subcommand_from $commands" -f -a demo -d 'Let the simulated hand draw a picture'
 complete -c feltline -n "not __fish_seen_subcommand_from $commands" -f -a tools -d 'List the tools and their options'
 complete -c feltline -n "not __fish_seen_subcommand_from $commands" -f -a devices -d 'List the pens and hands there are'
+complete -c feltline -n "not __fish_seen_subcommand_from $commands" -f -a recover -d 'Bring back what a crash left behind'
 complete -c feltline -n "not __fish_seen_subcommand_from $commands" -f -a bench -d 'Time the fitting on this machine'
 
 set -l makes_output fit render convert replay
@@ -48,3 +49,5 @@ complete -c feltline -n '__fish_seen_subcommand_from replay' -l overlay -d 'Show
 complete -c feltline -n '__fish_seen_subcommand_from replay' -l material -x -a 'paper blackboard felt glass' -d 'What is drawn on'
 complete -c feltline -n '__fish_seen_subcommand_from replay' -l set -x -d 'Set an option, TOOL.OPTION=VALUE'
 complete -c feltline -n '__fish_seen_subcommand_from replay' -l mm-per-unit -x -d 'Size of one unit of raw strokes'
+complete -c feltline -n '__fish_seen_subcommand_from recover' -l list -d 'Say what there is'
+complete -c feltline -n '__fish_seen_subcommand_from recover' -s o -l output -x -a '(__fish_complete_directories)' -d 'Folder to write into'
