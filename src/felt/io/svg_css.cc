@@ -76,15 +76,17 @@ std::string_view local_name(std::string_view name) noexcept {
   return colon == std::string_view::npos ? name : name.substr(colon + 1);
 }
 
-pugi::xml_node element_before(pugi::xml_node node) {
+pugi::xml_node element_before(pugi::xml_node node, std::int64_t& steps_left) {
   do {
+    --steps_left;
     node = node.previous_sibling();
   } while (node && node.type() != pugi::node_element);
   return node;
 }
 
-pugi::xml_node element_after(pugi::xml_node node) {
+pugi::xml_node element_after(pugi::xml_node node, std::int64_t& steps_left) {
   do {
+    --steps_left;
     node = node.next_sibling();
   } while (node && node.type() != pugi::node_element);
   return node;
@@ -296,8 +298,8 @@ bool SvgStyleSheet::is_like(const Compound& c, const pugi::xml_node& node) {
     const pugi::xml_attribute actual = node.attribute(std::string(a.name).c_str());
     if (!actual || !attribute_is(actual.value(), a.relation, a.value)) return false;
   }
-  if (c.first_child && element_before(node)) return false;
-  if (c.last_child && element_after(node)) return false;
+  if (c.first_child && element_before(node, steps_left_)) return false;
+  if (c.last_child && element_after(node, steps_left_)) return false;
   return !c.root || node.parent().type() == pugi::node_document;
 }
 
@@ -320,7 +322,7 @@ bool SvgStyleSheet::matches(const Rule& rule, pugi::xml_node node) {
     const bool once = combinator == '>' || combinator == '+';
     pugi::xml_node other = at.node;
     do {
-      other = up ? other.parent() : element_before(other);
+      other = up ? other.parent() : element_before(other, steps_left_);
       if (!other || other.type() != pugi::node_element) break;
       if (--steps_left_ < 0) return false;
       open.push_back({at.compound - 1, other});

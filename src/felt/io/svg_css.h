@@ -69,7 +69,7 @@ class SvgStyleSheet {
   class Parser;
 
   bool matches(const Rule& rule, pugi::xml_node node);
-  static bool is_like(const Compound& compound, const pugi::xml_node& node);
+  bool is_like(const Compound& compound, const pugi::xml_node& node);
 
   std::deque<std::string> texts_;  ///< what the views look at
   std::vector<Rule> rules_;

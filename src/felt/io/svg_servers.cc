@@ -10,6 +10,8 @@ namespace felt {
 namespace {
 
 constexpr int kMostLinks = 16;
+/// Among which the first stop has to be: every shape may ask again.
+constexpr int kMostChildren = 100;
 
 Rgba stop_color(SvgDocument& document, const pugi::xml_node& stop, Rgba current) {
   SvgDeclared declared;
@@ -39,7 +41,9 @@ SvgServerColor svg_server_color(SvgDocument& document, std::string_view id, Rgba
     }
     if (name != "linearGradient" && name != "radialGradient") return result;
     result.paints = result.is_gradient = true;
+    int children = 0;
     for (const pugi::xml_node child : node.children()) {
+      if (++children > kMostChildren) break;
       if (document.svg_name(child, true) != "stop") continue;
       result.color = stop_color(document, child, current);
       return result;

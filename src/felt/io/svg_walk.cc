@@ -30,6 +30,12 @@ constexpr std::array<std::string_view, 9> kAnimations{
     "animate", "animateColor", "animateMotion", "animateTransform", "discard",
     "handler", "script",       "set",           "listener"};
 
+/// What a node or attribute counts against the bytes that a use may repeat.
+constexpr std::int64_t kNodeBytes = 16;
+/// Children that are looked at: of a switch, and of a shape, where one may be an animation.
+constexpr int kMostChoices = 1000;
+constexpr int kMostOfShape = 50;
+
 template <class List>
 bool is_one_of(std::string_view name, const List& list) noexcept {
   return std::find(list.begin(), list.end(), name) != list.end();
@@ -87,7 +93,12 @@ Result<void> SvgWalker::walk() {
       continue;
     }
     top.next = top.only_one ? pugi::xml_node() : node.next_sibling();
-    if (node.type() != pugi::node_element || !within_budget(node, top.repeats)) continue;
+    if (node.type() != pugi::node_element) {
+      // Text between elements takes time too where a use repeats it.
+      if (top.repeats && (repeat_bytes_left_ -= kNodeBytes) < 0) top.next = pugi::xml_node();
+      continue;
+    }
+    if (!within_budget(node, top.repeats)) continue;
     visit(node, top);
   }
   return {};
@@ -97,7 +108,7 @@ Result<void> SvgWalker::walk() {
 bool SvgWalker::within_budget(const pugi::xml_node& node, bool repeats) {
   if (!repeats) return true;
   for (const pugi::xml_attribute& a : node.attributes()) {
-    repeat_bytes_left_ -= static_cast<std::int64_t>(std::strlen(a.value())) + 16;
+    repeat_bytes_left_ -= static_cast<std::int64_t>(std::strlen(a.value())) + kNodeBytes;
   }
   if (--repeats_left_ >= 0 && repeat_bytes_left_ >= 0) return true;
   notice(node, "was left out: 'use' repeats more than is taken");
@@ -216,7 +227,10 @@ void SvgWalker::enter_layer(Element& e) {
 }
 
 void SvgWalker::visit_switch(Element& e, const Frame& from) {
+  int children = 0;
   for (const pugi::xml_node child : e.node.children()) {
+    if (++children > kMostChoices) return notice(e.node, "has too many choices and was left out");
+    if (from.repeats) repeat_bytes_left_ -= kNodeBytes;
     if (child.type() != pugi::node_element) continue;
     const std::string_view name = document_.svg_name(child, e.state.default_is_svg);
     const bool is_known = is_svg_shape(name) || name == "g" || name == "a" || name == "svg" ||
@@ -337,7 +351,9 @@ bool SvgWalker::is_paper(const Element& e) const {
 }
 
 void SvgWalker::visit_shape(Element& e) {
+  int children = 0;
   for (const pugi::xml_node child : e.node.children()) {
+    if (++children > kMostOfShape) break;
     if (is_one_of(document_.svg_name(child, e.state.default_is_svg), kAnimations)) {
       notice(child, "was left out: nothing moves in ink");
     }
