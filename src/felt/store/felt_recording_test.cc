@@ -10,6 +10,9 @@
 
 #include "felt/session/session.h"
 #include "felt/store/felt_file.h"
+#include "felt/store/recovery.h"
+#include "felt/store/saver_test_desk.h"
+#include "felt/store/working_store.h"
 #include "felt/tools/tool.h"
 
 namespace felt {
@@ -92,6 +95,24 @@ TEST(FeltRecording, IsCarriedUnreadAndOthersAreAdded) {
   EXPECT_TRUE(recordings_of(StoredDrawing()).value().empty());
 }
 
+/// The working store does not hold them: they are where they were.
+TEST(FeltRecording, IsThereAfterARecovery) {
+  const felt::testing::TestFolder folder;
+  ASSERT_TRUE(write_felt(folder.at("a.felt"), drawing_of(draw())));
+  const StoredDrawing drawing = read_felt(folder.at("a.felt")).value();
+  std::string left;
+  {
+    WorkingStore store = WorkingStore::create(folder.at("state"), "a").value();
+    ASSERT_TRUE(store.write_base(drawing));
+    ASSERT_TRUE(store.put_about({"a", folder.at("a.felt"), false, {}}));
+    ASSERT_TRUE(store.commit());
+    left = store.folder();
+  }
+  const RecoveredDrawing recovered = recover_store(left).value();
+  EXPECT_TRUE(recovered.drawing.document == drawing.document);
+  EXPECT_EQ(recordings_of(recovered.drawing).value().size(), 1u);
+}
+
 /// As any program does that knows SQLite, and nothing of us.
 class Queries : public ::testing::Test {
  protected:
@@ -160,7 +181,7 @@ TEST(FeltRecording, WhatIsOutOfOrderOrDamagedIsAnError) {
 
   const std::string bytes = felt_bytes(drawing_of(draw())).value();
   std::mt19937 random(3);
-  for (int run = 0; run < 300; ++run) {
+  for (int run = 0; run < 100; ++run) {
     std::string changed = bytes;
     changed[random() % bytes.size()] ^= static_cast<char>(1 << random() % 8);
     const Result<StoredDrawing> read = parse_felt(changed);

@@ -359,6 +359,13 @@ Result<RecoveredDrawing> recover_store(const std::string& folder) {
   Result<RecoveredDrawing> out = Assembly(*store, std::move(problems)).run();
   if (!out) return tl::unexpected(with_context(out.error(), folder));
   out->changed_at_s = store_changed_at(folder);
+  // Recordings, and what a newer Feltline keeps, never change while one draws: they are still in
+  // the person's file. Without it there is the drawing at least.
+  if (out->drawing.extras.empty() && !out->path.empty()) {
+    if (Result<StoredDrawing> file = read_felt(out->path)) {
+      out->drawing.extras = std::move(file->extras);
+    }
+  }
   return out;
 }
 
