@@ -6,6 +6,7 @@
 #include <cstring>
 #include <random>
 
+#include "felt/store/byte_stream.h"
 #include "felt/store/crc32c.h"
 #include "felt/stroke/random_stroke.h"
 
@@ -79,6 +80,35 @@ TEST(StrokeBlob, HostileBytesAreAnErrorOrAStroke) {
     if (const Result<Stroke> stroke = read_stroke_blob(bytes)) {
       EXPECT_TRUE(check_invariants(stroke->data()));
     }
+  }
+}
+
+/// Counts are looked at before anything is made of them: the bytes for them are not there.
+TEST(StrokeBlob, LimitsAreKeptExactly) {
+  const auto read = [](std::uint64_t segments, std::uint64_t knots) {
+    std::string bytes("\1\0\0\0\0\xff\0", 7);
+    ByteWriter out(bytes);
+    out.count(segments);
+    out.count(knots);
+    out.u32(crc32c(bytes));
+    return read_stroke_blob(bytes).error();
+  };
+  for (const std::size_t less : {1U, 0U}) {
+    EXPECT_THAT(read(kMaxStrokeSegments - less, 2).message, HasSubstr("fewer points"));
+    EXPECT_THAT(read(1, kMaxStrokeKnots - less).message, HasSubstr("fewer points"));
+  }
+  EXPECT_EQ(read(kMaxStrokeSegments + 1, 2).code, ErrorCode::kLimitExceeded);
+  EXPECT_EQ(read(1, kMaxStrokeKnots + 1).code, ErrorCode::kLimitExceeded);
+  EXPECT_EQ(read(~std::uint64_t{0}, 2).code, ErrorCode::kLimitExceeded);
+  EXPECT_THAT(read(0, 2).message, HasSubstr("no segment"));
+  EXPECT_THAT(read(1, 1).message, HasSubstr("no width"));
+  StrokeData data = felt::testing::random_stroke(1).data();
+  for (const std::size_t size : {kMaxMaterialBytes - 1, kMaxMaterialBytes, kMaxMaterialBytes + 1}) {
+    data.material = std::string(size, 'm');
+    const Stroke stroke = Stroke::create(data).value();
+    std::string bytes;
+    EXPECT_EQ(append_stroke_blob(bytes, stroke).has_value(), size <= kMaxMaterialBytes);
+    if (size <= kMaxMaterialBytes) EXPECT_TRUE(read_stroke_blob(bytes).value() == stroke);
   }
 }
 
