@@ -105,8 +105,15 @@ bool FileActions::is_pristine() const {
 
 Drawing FileActions::drawing() const {
   const Session& session = studio_.session();
-  return {session.document(), studio_.page(), std::string(session.sheet().material().id),
-          session.sheet().color(), session.layer()};
+  Drawing drawing;
+  drawing.document = session.document();
+  drawing.page = studio_.page();
+  drawing.material = session.sheet().material().id;
+  drawing.color = session.sheet().color();
+  drawing.layer = session.layer();
+  drawing.extras = extras_;
+  if (looks_.tell) looks_.tell(drawing);
+  return drawing;
 }
 
 // --- Another drawing here
@@ -155,6 +162,8 @@ void FileActions::show_unsaved(Document document, const SheetPage& page, const Q
   as_it_looks.document = std::move(document);
   as_it_looks.page = page;
   as_it_looks.layer = {};
+  as_it_looks.view.reset();
+  as_it_looks.extras = {};
   show(std::move(as_it_looks), {}, name);
 }
 
@@ -171,9 +180,11 @@ void FileActions::show(Drawing drawing, const QString& path, const QString& name
   path_ = path;
   name_ = name;
   seen_on_disk_ = changed_at(path);
+  extras_ = drawing.extras;
   is_showing_ = true;
   studio_.open(std::move(drawing.document), drawing.page);
   is_showing_ = false;
+  if (looks_.show) looks_.show(drawing);
   if (!material.empty()) studio_.apply(SetOption{"sheet.material", material});
   studio_.apply(SetOption{"sheet.color", color_to_text(color)});
   const Layer* in_use = studio_.session().document().layer(layer);
@@ -190,6 +201,7 @@ void FileActions::show(Drawing drawing, const QString& path, const QString& name
 void FileActions::hear_opened() {
   ++revision_;
   if (is_showing_) return;
+  extras_ = {};
   name_.clear();
   seen_on_disk_ = {};
   set_path({});

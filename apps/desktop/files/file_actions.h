@@ -7,7 +7,9 @@
 #include <QStringList>
 #include <QWidget>
 #include <cstdint>
+#include <functional>
 #include <memory>
+#include <utility>
 #include <vector>
 
 #include "desktop/engine/actions.h"
@@ -22,6 +24,12 @@ class QLabel;
 class QMenu;
 
 namespace felt::desktop {
+
+/// What a drawing's file holds besides and others in the window know: its palette, what is seen.
+struct DrawingLooks {
+  std::function<void(Drawing&)> tell = {};        ///< fills them in
+  std::function<void(const Drawing&)> show = {};  ///< shows those that the drawing has
+};
 
 /// Which file a window shows, and all that concerns files: new, open, recent, save, save as,
 /// import, export, copy as a picture, page, print. Adds its actions ("file.open", "edit.copy").
@@ -64,6 +72,8 @@ class FileActions : public QObject {
   void show_unsaved(Document document, const SheetPage& page, const QString& name);
   /// A drawing that was rescued: it has changes and this name, and no file.
   void adopt(Drawing drawing, const QString& name);
+
+  void set_looks(DrawingLooks looks) { looks_ = std::move(looks); }
 
   /// From now on nothing is lost by a crash. A live studio's window does so by itself.
   void keep_journal(const QStringList& roots);
@@ -120,11 +130,13 @@ class FileActions : public QObject {
   FileWorker worker_;
   std::unique_ptr<Journal> journal_;
   std::vector<AbandonedStore> rescued_;  // until what was in them is saved
-  QPointer<QLabel> warning_;  // that it is not kept as it should be
+  QPointer<QLabel> warning_;             // that it is not kept as it should be
   QMenu* recent_menu_;
   QString path_;
-  QString name_;                // of a drawing without a path; "" is "Untitled"
-  QString folder_;              // where it came from
+  QString name_;    // of a drawing without a path; "" is "Untitled"
+  QString folder_;  // where it came from
+  DrawingLooks looks_;
+  FeltExtras extras_;           // what its file holds that is only carried
   QDateTime seen_on_disk_;      // of path_, when it was read or written here
   std::uint64_t revision_ = 0;  // of the drawing
   bool last_save_failed_ = false, is_showing_ = false;

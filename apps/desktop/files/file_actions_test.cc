@@ -10,6 +10,7 @@
 #include "desktop/engine/settings.h"
 #include "desktop/files/settings_keys.h"
 #include "desktop/files/test_desk.h"
+#include "felt/store/felt_recording.h"
 
 namespace felt::desktop {
 namespace {
@@ -36,6 +37,44 @@ TEST(FileActions, WhatIsSavedOpensAsItWas) {
   EXPECT_TRUE(other.files->drawing() == before);
   EXPECT_FALSE(other.studio.is_modified());
   EXPECT_FALSE(other.files->is_pristine());
+}
+
+TEST(FileActions, PaletteViewAndRecordingsTravelWithTheFile) {
+  TestDesk desk;
+  desk.draw(1);
+  Drawing made = desk.files->drawing();
+  FeltRecording recording;
+  recording.device = "a pen";
+  ASSERT_TRUE(add_recording(made, recording));
+  made.palette = {"Leaves", 2, {{{10, 90, 20, 255}, "leaf"}}};
+  made.view = StoredView{{12.0, 34.0}, 7.5, -30.0, true};
+  ASSERT_TRUE(write_felt(desk.at("made.felt").toStdString(), made));
+
+  TestDesk other;
+  Drawing looks;  // of the window
+  other.files->set_looks({.tell =
+                              [&](Drawing& d) {
+                                d.palette = looks.palette;
+                                d.view = looks.view;
+                              },
+                          .show =
+                              [&](const Drawing& d) {
+                                looks.palette = d.palette;
+                                looks.view = d.view;
+                              }});
+  ASSERT_TRUE(other.files->open(desk.at("made.felt")));
+  EXPECT_EQ(looks.view, made.view);
+  looks.view->px_per_mm = 2.0;
+  other.draw(2);
+  ASSERT_TRUE(other.files->save());
+  other.files->finish_writing();
+  const Drawing saved = read_felt(desk.at("made.felt").toStdString()).value();
+  EXPECT_EQ(saved.palette, made.palette);
+  EXPECT_EQ(saved.view->px_per_mm, 2.0);
+  EXPECT_EQ(recordings_of(saved).value().size(), 1u);
+  // Another drawing has none of it.
+  other.files->show_unsaved(Document(), SheetPage(), QStringLiteral("Example"));
+  EXPECT_TRUE(other.files->drawing().extras.empty());
 }
 
 TEST(FileActions, NothingIsLostUnasked) {

@@ -283,6 +283,14 @@ void ColorsPanel::list_palettes(const QString& wanted) {
   const GplPalette own = own_palette();
   if (!own.colors.empty()) sources_.push_back({QString::fromStdString(own.name), {}, own});
   for (PaletteSource& file : palette_files(opened_files())) sources_.push_back(std::move(file));
+  // What is there already is not offered twice.
+  const auto is_of_drawing = [this](const PaletteSource& source) {
+    return source.palette.colors == of_drawing_.colors;
+  };
+  if (!of_drawing_.colors.empty() &&
+      std::none_of(sources_.begin(), sources_.end(), is_of_drawing)) {
+    sources_.push_back({QString::fromStdString(of_drawing_.name), {}, of_drawing_});
+  }
   palettes_->clear();
   int shown = 0;
   for (const PaletteSource& source : sources_) {
@@ -328,6 +336,22 @@ bool ColorsPanel::export_palette(const QString& path) {
   const Result<void> saved = save_palette(path, sources_[shown].palette);
   if (!saved) Q_EMIT studio_.refused(QString::fromStdString(saved.error().message));
   return saved.has_value();
+}
+
+GplPalette ColorsPanel::shown_palette() const {
+  const PaletteSource& source = sources_[static_cast<std::size_t>(palettes_->currentIndex())];
+  GplPalette palette = source.palette;
+  // A name has its limit in the file, and must not end within a letter.
+  QString title = source.title;
+  while (title.toUtf8().size() > static_cast<int>(GplLimits::kMaxNameBytes)) title.chop(1);
+  palette.name = title.toStdString();
+  return palette;
+}
+
+void ColorsPanel::show_drawing_palette(const GplPalette& palette) {
+  of_drawing_ = palette;
+  const QString before = palettes_->currentText();
+  list_palettes(palette.colors.empty() ? before : QString::fromStdString(palette.name));
 }
 
 void ColorsPanel::ask_open() {

@@ -34,6 +34,11 @@ class ColorsPanel : public QWidget {
   bool open_palette(const QString& path);
   /// Writes the palette that is shown. Likewise.
   bool export_palette(const QString& path);
+  /// The palette that is shown, by its name.
+  [[nodiscard]] GplPalette shown_palette() const;
+  /// A drawing brought this one: it is offered and shown until another drawing comes. An empty one
+  /// changes nothing but the offer.
+  void show_drawing_palette(const GplPalette& palette);
   /// Asks for the file.
   void ask_open();
   void ask_export();
@@ -71,6 +76,7 @@ class ColorsPanel : public QWidget {
   QComboBox* palettes_;
   SwatchView* swatches_;
   std::vector<PaletteSource> sources_;  // as in palettes_
+  GplPalette of_drawing_;
 };
 
 /// Adds edit.palette_open, edit.palette_export, edit.palette_keep, edit.palette_drop. Both must

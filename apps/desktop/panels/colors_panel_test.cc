@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <QComboBox>
 #include <QDropEvent>
 #include <QFile>
 #include <QMimeData>
@@ -55,6 +56,22 @@ class ColorsPanelTest : public ::testing::Test {
   Studio studio{still()};
   std::unique_ptr<ColorsPanel> panel;
 };
+
+TEST_F(ColorsPanelTest, ADrawingsPaletteIsOfferedWhileItIsThere) {
+  auto* list = panel->findChild<QComboBox*>();
+  const int usual = list->count();
+  const GplPalette leaves{"Leaves", 0, {{{10, 90, 20, 255}, "leaf"}}};
+  panel->show_drawing_palette(leaves);
+  EXPECT_EQ(list->count(), usual + 1);
+  EXPECT_EQ(list->currentText(), QStringLiteral("Leaves"));
+  EXPECT_EQ(panel->shown_palette(), leaves);
+  panel->show_drawing_palette({});
+  EXPECT_EQ(list->count(), usual);
+  const GplPalette usual_one = panel->shown_palette();
+  panel->show_drawing_palette(usual_one);  // there already
+  EXPECT_EQ(list->count(), usual);
+  EXPECT_EQ(panel->shown_palette(), usual_one);
+}
 
 TEST_F(ColorsPanelTest, TakesANumberInEveryForm) {
   type(QStringLiteral("#1f4e8c"));

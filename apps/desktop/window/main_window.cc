@@ -4,6 +4,7 @@
 #include <QCloseEvent>
 #include <QKeyEvent>
 #include <QMenuBar>
+#include <algorithm>
 
 #include "desktop/canvas/view_actions.h"
 #include "desktop/engine/settings.h"
@@ -34,6 +35,42 @@ constexpr int kLayoutVersion = 1;
 constexpr QSize kFirstSize{1280, 820};
 /// Of the height, in per cent: a tool has more options than a drawing has layers.
 constexpr int kOptionsShare = 64;
+
+StoredView stored_view(const CanvasView& view) {
+  const auto half = [](double px) { return 0.5 * px; };
+  const Point center = view.to_mm({half(view.size().width()), half(view.size().height())});
+  const auto near = [](double mm) {
+    return std::clamp(mm, -StoredView::kMostMm, StoredView::kMostMm);
+  };
+  return {{near(center.x), near(center.y)},
+          view.px_per_mm(),
+          std::clamp(view.angle_deg(), -180.0, 180.0),
+          view.is_mirrored()};
+}
+
+/// The same place in a window of whatever size.
+CanvasView canvas_view(const StoredView& stored, const CanvasView& present) {
+  CanvasView view;
+  view.set_size(present.size());
+  if (stored.mirrored) view.mirror();
+  view.set_angle(stored.angle_deg);
+  view.set_scale(stored.px_per_mm);
+  view.center_on(stored.center);
+  return view;
+}
+
+DrawingLooks looks_of(Canvas& canvas, ColorsPanel& colors) {
+  return {.tell =
+              [&](Drawing& drawing) {
+                drawing.view = stored_view(canvas.view());
+                drawing.palette = colors.shown_palette();
+              },
+          .show =
+              [&](const Drawing& drawing) {
+                if (drawing.view) canvas.set_view(canvas_view(*drawing.view, canvas.view()));
+                colors.show_drawing_palette(drawing.palette);
+              }};
+}
 
 }  // namespace
 
@@ -111,6 +148,7 @@ void MainWindow::make_panels() {
   auto* colors = new ColorsPanel(*studio_);
   add_panel(QStringLiteral("colors"), tr("Colours"), colors);
   add_color_actions(*actions_, *colors);
+  files_->set_looks(looks_of(*canvas_, *colors));
   add_panel(QStringLiteral("history"), tr("History"), new HistoryPanel(*studio_));
   add_panel(QStringLiteral("forces"), tr("Forces"), new ForcePanel(*studio_));
 }
