@@ -19,8 +19,8 @@ struct WidePoint {
   friend constexpr bool operator==(const WidePoint&, const WidePoint&) noexcept = default;
 };
 
-/// How far the curve may be from the points of a drawn line, and from those that the fit looks at on
-/// the straight lines between them, at most 1 mm apart. In between it stays within twice that.
+/// How far the curve may be from the points of a drawn line, and from those that the fit looks at
+/// on the straight lines between them, at most 1 mm apart. In between it stays within twice that.
 inline constexpr double kDrawnLineToleranceMm = 0.05;
 /// How far the width profile may be from the widths of a drawn line.
 inline constexpr double kDrawnWidthToleranceMm = 0.02;
