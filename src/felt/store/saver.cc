@@ -23,7 +23,7 @@ namespace felt {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-constexpr int kPartsATurn = 2;  // of a base: half a MiB, so that edits need not wait for all of it
+constexpr int kPartsATurn = 8;  // of a base: half a MiB, so that edits need not wait for all of it
 
 struct Begin {
   StoredDrawing drawing;

@@ -35,7 +35,7 @@ enum class LiveKind : std::uint8_t {
 /// The drawing on the desk while it is worked on, on disk: one SQLite database in WAL mode, each
 /// commit synchronised (synchronous=FULL), in a folder of its own of mode 0700 that is locked by
 /// its process (FolderLock). It holds
-///   - the drawing as it was once, the *base*, in parts of some 256 KiB;
+///   - the drawing as it was once, the *base*, in parts of some 64 KiB;
 ///   - every edit since, by a serial number that grows by one;
 ///   - `WorkingAbout`;
 ///   - the live chunks: what was drawn and is no edit yet.
