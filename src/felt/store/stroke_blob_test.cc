@@ -108,7 +108,9 @@ TEST(StrokeBlob, LimitsAreKeptExactly) {
     const Stroke stroke = Stroke::create(data).value();
     std::string bytes;
     EXPECT_EQ(append_stroke_blob(bytes, stroke).has_value(), size <= kMaxMaterialBytes);
-    if (size <= kMaxMaterialBytes) EXPECT_TRUE(read_stroke_blob(bytes).value() == stroke);
+    if (size <= kMaxMaterialBytes) {
+      EXPECT_TRUE(read_stroke_blob(bytes).value() == stroke);
+    }
   }
 }
 
