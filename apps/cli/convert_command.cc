@@ -17,6 +17,7 @@ struct ConvertArguments {
   std::string output;
   std::string to;
   std::string layers;
+  bool salvage = false;
   PictureArguments picture;
 };
 
@@ -30,6 +31,8 @@ void add_options(CLI::App& command, ConvertArguments& args, const char* output_h
   command.add_option("--layers", args.layers,
                      "Only these layers, shown: 'visible', 'all', numbers as info tells them\n"
                      "('1,3') or the name of one. Without it all, hidden ones hidden");
+  command.add_flag("--salvage", args.salvage,
+                   "Of a damaged .felt take what can be had, and say what is missing");
   args.picture.add_to(command);
 }
 
@@ -55,11 +58,12 @@ void convert_lines(const Input& input, const ConvertArguments& args, Format form
 
 void convert_whole(const Input& input, const ConvertArguments& args, Format format,
                    const PictureOptions& picture, Console& console) {
-  Result<OpenedDrawing> opened = input.read_drawing({});
+  Result<OpenedDrawing> opened = input.read_drawing({.salvage = args.salvage});
   if (!opened) return console.error(input.name() + ": " + opened.error().message);
   if (!tell_notices(input.name(), opened->report, console)) return;
-  if (opened->drawing.document.stroke_count() == 0) {
-    console.error(input.name() + ": holds no strokes");
+  // A drawing of ours may be empty; of others, a good older file is worth more than nothing.
+  if (opened->drawing.document.stroke_count() == 0 && !opened->is_exact) {
+    return console.error(input.name() + ": holds no strokes");
   }
   const Result<void> done = choose_layers(args.layers, opened->drawing).and_then([&] {
     return write_opened(args.output, *std::move(opened), format, picture);

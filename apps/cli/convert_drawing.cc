@@ -123,6 +123,7 @@ Result<void> write_opened(const std::string& path, OpenedDrawing opened, Format 
   WriteOptions options;
   options.dpi = picture.dpi;
   options.grain = picture.grain;
+  options.no_page = !opened.has_page && !picture.sheet;
   const Result<std::optional<Rect>> area = shown_area(opened, format, picture);
   if (!area) return tl::unexpected(area.error());
   options.area = *area;

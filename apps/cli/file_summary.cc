@@ -8,6 +8,7 @@
 
 #include "felt/formats/format_traits.h"
 #include "felt/io/ndjson_writer.h"
+#include "felt/store/felt_recording.h"
 #include "felt/stroke/color_text.h"
 #include "json_text.h"
 
@@ -82,6 +83,31 @@ std::string layers_json(const OpenedDrawing& opened) {
   return json_array(layers);
 }
 
+/// What was kept of how it was drawn; none where that is damaged, which replay tells.
+std::vector<RecordingInfo> recordings(const OpenedDrawing& opened) {
+  return recordings_of(opened.drawing).value_or(std::vector<RecordingInfo>());
+}
+
+std::string recordings_text(const OpenedDrawing& opened) {
+  std::string text;
+  int place = 0;
+  for (const RecordingInfo& r : recordings(opened)) {
+    text += fmt::format("{:16}{} samples, {} events, {} s, of '{}'\n",
+                        fmt::format("recording {}", ++place), r.samples, r.events,
+                        number(r.duration_s), r.device);
+  }
+  return text;
+}
+
+std::string recordings_json(const OpenedDrawing& opened) {
+  std::vector<std::string> all;
+  for (const RecordingInfo& r : recordings(opened)) {
+    all.push_back(fmt::format(R"({{"device":{},"samples":{},"events":{},"duration_s":{}}})",
+                              json_string(r.device), r.samples, r.events, number(r.duration_s)));
+  }
+  return json_array(all);
+}
+
 std::string page_json(const OpenedDrawing& opened) {
   const SheetPage& page = opened.drawing.page;
   if (!opened.has_page) return "null";
@@ -139,7 +165,7 @@ std::string summary_text(const FileSummary& summary) {
   text += fmt::format("{:16}{}\n", "format", traits_of(summary.format).title);
   if (!summary.opened) return text;
   text += fmt::format("{:16}{}\n", "page", page_text(*summary.opened));
-  return text + layers_text(*summary.opened);
+  return text + layers_text(*summary.opened) + recordings_text(*summary.opened);
 }
 
 std::string summary_json(const FileSummary& summary) {
@@ -151,6 +177,7 @@ std::string summary_json(const FileSummary& summary) {
   if (summary.opened) {
     text += R"(,"page":)" + page_json(*summary.opened);
     text += R"(,"layers":)" + layers_json(*summary.opened);
+    text += R"(,"recordings":)" + recordings_json(*summary.opened);
     text += R"(,"notices":)" + notices_json(*summary.opened);
   }
   return text + "}\n";

@@ -87,8 +87,8 @@ bool summarize_whole(const Input& input, Console& console, FileSummary& summary)
     for (const StrokeId id : layer.strokes) summary.add(*document.find(id));
   }
   summary.is_sketch = true;
+  if (summary.strokes == 0 && !opened->is_exact) console.error(input.name() + ": holds no strokes");
   summary.opened = *std::move(opened);
-  if (summary.strokes == 0) console.error(input.name() + ": holds no strokes");
   return true;
 }
 

@@ -87,7 +87,7 @@ ReadBytes Input::reader() const {
   };
 }
 
-Result<OpenedDrawing> Input::read_drawing(const ImportOptions& options) const {
+Result<OpenedDrawing> Input::read_drawing(const ReadOptions& options) const {
   const std::size_t most = format_ == FileFormat::kFelt ? kMaxFeltBytes : kMaxDrawingBytes;
   std::string bytes = head_;
   if (size_bytes_ > 0) bytes.reserve(std::min(static_cast<std::size_t>(size_bytes_), most) + 1);
@@ -103,7 +103,13 @@ Result<OpenedDrawing> Input::read_drawing(const ImportOptions& options) const {
     more = *got;
     bytes.resize(have + more);
   }
-  return parse_drawing(bytes, name_, ReadOptions{.import = options});
+  Result<OpenedDrawing> drawing = parse_drawing(bytes, name_, options);
+  if (drawing || format_ != FileFormat::kFelt || options.salvage ||
+      drawing.error().code != ErrorCode::kInvalidData) {
+    return drawing;
+  }
+  return fail(drawing.error().code,
+              drawing.error().message + "; `feltline convert --salvage` takes what can be had");
 }
 
 Input::Input(Input&& other) noexcept

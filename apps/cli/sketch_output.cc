@@ -108,7 +108,7 @@ Result<std::string> bytes_of(const Sketch& sketch, Format format, const PictureO
     if (!page) return tl::unexpected(page.error());
     drawing.page = *page;
   }
-  return drawing_bytes(drawing, format);
+  return drawing_bytes(drawing, format, WriteOptions{.no_page = !picture.sheet});
 }
 
 Result<std::string> pdf_of(const Sketch& sketch, const PictureOptions& picture) {

@@ -19,13 +19,14 @@ same copy.felt a.felt
 run 0 "$feltline" convert a.ndjson -o - --to felt --page A5-landscape
 same out a.felt
 
-# .svg: ours is read back exactly, others are not read.
+# .svg: ours is read back exactly; of others what ink can show, and what it cannot is said.
 run 0 "$feltline" convert a.ndjson -o a.svg
 run 0 "$feltline" convert a.svg -o c.ndjson
 same c.ndjson a.ndjson
-echo '<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 1 1"><circle r="1"/></svg>' >other.svg
+echo '<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 1 1"><text>a</text></svg>' >other.svg
 run 1 "$feltline" convert other.svg -o d.ndjson
-has err "feltline: other.svg: is an SVG of another program"
+has err "feltline: other.svg: line 1: text"
+has err "feltline: other.svg: holds no strokes"
 [ ! -e d.ndjson ] || fail "a sketch of nothing"
 
 # What is drawn of each is the same picture.
@@ -36,7 +37,7 @@ done
 
 # info tells the same figures of each, and of a drawing its sheet and layers.
 run 0 "$feltline" info a.felt --json
-has out ',"format":"felt","page":{"width_mm":210,"height_mm":148,"paper":"#ffffff"},"layers":[{"name":"Ink","visible":true,"locked":false,"strokes":20}],"notices":[]}'
+has out ',"format":"felt","page":{"width_mm":210,"height_mm":148,"paper":"#ffffff"},"layers":[{"name":"Ink","visible":true,"locked":false,"strokes":20}],"recordings":[],"notices":[]}'
 sed 's/,"format".*//' out >felt.info
 run 0 "$feltline" info a.ndjson --json
 sed 's/,"format".*//' out >ndjson.info

@@ -23,7 +23,15 @@ check desktop-file-validate $entry
 check appstreamcli validate --no-net --explain $metainfo
 for file in $mime $metainfo share/icons/*.svg; do check xmllint --noout "$file"; done
 
-want $entry "MimeType=application/x-feltline;"
+# Every format that the door reads can be opened with the program; these types alone are not known
+# to every system.
+while read -r type; do
+  grep -qE "^MimeType=(.*;)?${type//+/\\+};" $entry || complain "$entry: no MimeType $type"
+done < <(grep -E '^constexpr Texts k(Felt|Svg|Inkml|Xopp|Ndjson)Types' \
+  src/felt/formats/format_traits.cc | grep -oE '"[^"]+"' | tr -d '"')
+for type in application/inkml+xml application/x-xopp application/x-ndjson; do
+  want $mime "<mime-type type=\"$type\">"
+done
 want $entry "Icon=$id"
 want $metainfo "<launchable type=\"desktop-id\">$id.desktop</launchable>"
 want $mime '<glob pattern="*.felt"/>'

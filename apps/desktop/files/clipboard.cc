@@ -3,15 +3,16 @@
 #include <QByteArray>
 #include <QHash>
 #include <QImage>
+#include <QStringList>
 #include <QVariant>
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
 #include "desktop/files/sheet_picture.h"
-#include "felt/io/ndjson_parser.h"
+#include "felt/document/visible_strokes.h"
+#include "felt/formats/drawing_reader.h"
 #include "felt/io/ndjson_writer.h"
-#include "felt/io/svg_reader.h"
 #include "felt/io/svg_writer.h"
 #include "felt/render/page.h"
 #include "felt/render/view.h"
@@ -22,7 +23,6 @@ namespace {
 constexpr double kDpi = 300.0;
 constexpr double kMostPixels = 16e6;
 constexpr double kMarginMm = 1.0;
-constexpr std::size_t kBatchBytes = std::size_t{64} << 10;
 const QString kSvgMime = QStringLiteral("image/svg+xml");
 const QString kImageMime = QStringLiteral("application/x-qt-image");  // Qt's name for any picture
 
@@ -47,25 +47,28 @@ QImage picture_of(const Sketch& sketch) {
   return sheet_picture(sketch, area, std::min(kDpi / kMmPerInch, fits), {255, 255, 255, 0});
 }
 
-Result<Sketch> sketch_of(const QByteArray& bytes) {
-  LineReader lines(read_text({bytes.constData(), static_cast<std::size_t>(bytes.size())}));
-  LineBatch batch;
-  NdjsonParser parser;
-  Sketch sketch;
-  for (;;) {
-    const Result<bool> more = lines.fill(batch, kBatchBytes);
-    if (!more) return tl::unexpected(more.error());
-    if (!*more) return sketch;
-    for (std::size_t i = 0; i < batch.size(); ++i) {
-      SketchRecord record;
-      const Result<NdjsonKind> kind = parser.sketch_stroke(batch.line(i), record);
-      if (!kind) return tl::unexpected(kind.error());
-      if (*kind == NdjsonKind::kHeader) continue;
-      Result<Stroke> stroke = Stroke::create(std::move(record.data));
-      if (!stroke) return tl::unexpected(stroke.error());
-      sketch.push_back({std::move(record.id), *std::move(stroke)});
-    }
-  }
+/// A drawing of any format that text may hold.
+Result<PastedStrokes> strokes_in(const QByteArray& bytes) {
+  return parse_drawing({bytes.constData(), static_cast<std::size_t>(bytes.size())}, {})
+      .map([](const OpenedDrawing& opened) {
+        return PastedStrokes{visible_strokes(opened.drawing.document), opened.report};
+      });
+}
+
+/// The types that programs put vector drawings and ink on the clipboard with.
+const QStringList& drawing_types() {
+  static const QStringList types{kSvgMime, QStringLiteral("image/x-inkscape-svg"),
+                                 QStringLiteral("application/inkml+xml"),
+                                 QStringLiteral("text/inkml+xml")};
+  return types;
+}
+
+/// Text that is a drawing: an SVG copied from an editor or a page's source.
+bool is_drawing_text(const QByteArray& text) {
+  const auto format = format_of_bytes(
+      {text.constData(), std::min<std::size_t>(std::size_t(text.size()), kFormatHeadBytes)});
+  return format == FileFormat::kSvg || format == FileFormat::kInkml ||
+         format == FileFormat::kNdjson;
 }
 
 /// Strokes that become SVG and pixels when another program asks for them: most copies are pasted
@@ -122,13 +125,14 @@ std::unique_ptr<QMimeData> png_mime(const Sketch& sketch) {
   return data;
 }
 
-Result<Sketch> strokes_of(const QMimeData& data) {
+Result<PastedStrokes> strokes_of(const QMimeData& data) {
   const QString own = QString::fromLatin1(kStrokesMime);
-  if (data.hasFormat(own)) return sketch_of(data.data(own));
-  if (!data.hasFormat(kSvgMime)) return Sketch();
-  const QByteArray svg = data.data(kSvgMime);
-  return parse_svg({svg.constData(), static_cast<std::size_t>(svg.size())})
-      .map([](SvgDrawing drawing) { return std::move(drawing.sketch); });
+  if (data.hasFormat(own)) return strokes_in(data.data(own));
+  for (const QString& type : drawing_types()) {
+    if (data.hasFormat(type)) return strokes_in(data.data(type));
+  }
+  const QByteArray text = data.hasText() ? data.text().toUtf8() : QByteArray();
+  return is_drawing_text(text) ? strokes_in(text) : PastedStrokes();
 }
 
 }  // namespace felt::desktop

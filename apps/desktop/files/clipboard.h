@@ -5,6 +5,7 @@
 
 #include "felt/base/result.h"
 #include "felt/geometry/rect.h"
+#include "felt/io/import.h"
 #include "felt/stroke/sketch.h"
 
 namespace felt::desktop {
@@ -19,9 +20,13 @@ std::unique_ptr<QMimeData> strokes_mime(Sketch sketch);
 std::unique_ptr<QMimeData> svg_mime(const Sketch& sketch);
 std::unique_ptr<QMimeData> png_mime(const Sketch& sketch);
 
-/// The strokes that a clipboard carries: our own type, else an SVG of ours. Empty where it has
-/// neither; error where it is damaged.
-Result<Sketch> strokes_of(const QMimeData& data);
+/// What a clipboard carries: our own strokes, else SVG, InkML or lines of JSON of any program, by
+/// their types or as text. Nothing where it has none of them; error where it is damaged.
+struct PastedStrokes {
+  Sketch sketch;
+  ImportReport report;
+};
+Result<PastedStrokes> strokes_of(const QMimeData& data);
 
 /// What the ink covers, with a margin of a millimetre.
 Rect ink_area(const Sketch& sketch);

@@ -103,19 +103,20 @@ void ClipboardActions::cut() {
 
 void ClipboardActions::paste() {
   const QMimeData* data = QGuiApplication::clipboard()->mimeData();
-  const Result<Sketch> sketch = data ? strokes_of(*data) : Sketch();
-  if (!sketch) {
+  const Result<PastedStrokes> pasted = data ? strokes_of(*data) : PastedStrokes();
+  if (!pasted) {
     dialogs_.show_error(window_, tr("The clipboard cannot be pasted"),
-                        QString::fromStdString(sketch.error().message));
+                        QString::fromStdString(pasted.error().message));
     return;
   }
-  if (sketch->empty()) {
+  if (pasted->sketch.empty()) {
     Q_EMIT studio_.refused(tr("The clipboard holds no strokes."));
     return;
   }
   const bool is_ours = fingerprint(*data) == copied_;
   const int beside = is_ours ? ++pastes_ : 0;
-  studio_.import(QStringLiteral("clipboard"), moved(*sketch, kBesideMm * beside));
+  studio_.import(QStringLiteral("clipboard"), moved(pasted->sketch, kBesideMm * beside));
+  Q_EMIT taken(tr("the clipboard"), pasted->report);
 }
 
 }  // namespace felt::desktop

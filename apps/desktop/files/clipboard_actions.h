@@ -7,6 +7,7 @@
 #include "desktop/engine/actions.h"
 #include "desktop/engine/studio.h"
 #include "desktop/files/file_dialogs.h"
+#include "felt/io/import.h"
 #include "felt/stroke/sketch.h"
 
 namespace felt::desktop {
@@ -19,6 +20,10 @@ class ClipboardActions : public QObject {
 
  public:
   ClipboardActions(Studio& studio, Actions& actions, FileDialogs& dialogs, QWidget* window);
+
+ Q_SIGNALS:
+  /// Strokes were pasted; what of the clipboard could not be taken.
+  void taken(const QString& name, const felt::ImportReport& report);
 
  private:
   [[nodiscard]] Sketch chosen() const;

@@ -25,12 +25,37 @@ TEST(Clipboard, StrokesComeBackExactlyByBothRoutes) {
   const Sketch sketch = visible_strokes(desk.document());
   const auto own = strokes_mime(sketch);
   EXPECT_TRUE(own->hasImage());
-  EXPECT_EQ(strokes_in(strokes_of(*own).value()), strokes_in(sketch));
-  EXPECT_EQ(strokes_in(strokes_of(*svg_mime(sketch)).value()), strokes_in(sketch));
-  EXPECT_TRUE(strokes_of(*png_mime(sketch)).value().empty());
+  EXPECT_EQ(strokes_in(strokes_of(*own).value().sketch), strokes_in(sketch));
+  EXPECT_EQ(strokes_in(strokes_of(*svg_mime(sketch)).value().sketch), strokes_in(sketch));
+  EXPECT_TRUE(strokes_of(*png_mime(sketch)).value().sketch.empty());
   QMimeData bad;
   bad.setData(QString::fromLatin1(kStrokesMime), "{nonsense}\n");
   EXPECT_FALSE(strokes_of(bad));
+}
+
+TEST(Clipboard, DrawingsOfOtherProgramsArePastedByTypeAndAsText) {
+  const char* svg =
+      "<svg xmlns='http://www.w3.org/2000/svg' width='100mm' viewBox='0 0 100 100'>"
+      "<path d='M10 10L50 40' stroke='red' fill='none'/><text>no ink</text></svg>";
+  QMimeData typed, text, prose;
+  typed.setData(QStringLiteral("image/svg+xml"), svg);
+  text.setText(QString::fromUtf8(svg));
+  prose.setText(QStringLiteral("Dear all,"));
+  for (const QMimeData* data : {&typed, &text}) {
+    const auto pasted = strokes_of(*data);
+    ASSERT_TRUE(pasted) << pasted.error().message;
+    EXPECT_EQ(pasted->sketch.size(), 1u);
+    EXPECT_FALSE(pasted->report.empty());
+  }
+  EXPECT_TRUE(strokes_of(prose).value().sketch.empty());
+  TestDesk desk;
+  QSignalSpy taken(desk.files, &FileActions::taken);
+  auto* copy = new QMimeData;
+  copy->setText(QString::fromUtf8(svg));
+  QGuiApplication::clipboard()->setMimeData(copy);
+  desk.actions.find(QStringLiteral("edit.paste"))->trigger();
+  EXPECT_EQ(desk.document().stroke_count(), 1u);
+  ASSERT_EQ(taken.count(), 1);
 }
 
 TEST(Clipboard, TheLargestDrawingStillGivesAPicture) {

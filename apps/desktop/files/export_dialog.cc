@@ -13,11 +13,14 @@
 #include <QVBoxLayout>
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "desktop/engine/settings.h"
+#include "desktop/files/format_texts.h"
 #include "desktop/files/settings_keys.h"
 #include "desktop/files/sheet_picture.h"
 #include "felt/document/visible_strokes.h"
+#include "felt/formats/format_traits.h"
 #include "felt/render/view.h"
 
 namespace felt::desktop {
@@ -28,17 +31,14 @@ constexpr int kCheck = 8;  // squares that stand for "transparent"
 // A preview that took longer would be in the way: the strokes that are drawn last are seen best.
 constexpr std::size_t kMostPreviewStrokes = 5000;
 
-struct FormatRow {
-  DrawingFormat format;
-  const char* label;
-  const char* key;
-};
-constexpr FormatRow kFormats[] = {
-    {DrawingFormat::kSvg, QT_TRANSLATE_NOOP("felt::desktop::ExportDialog", "SVG drawing"), "svg"},
-    {DrawingFormat::kPdf, QT_TRANSLATE_NOOP("felt::desktop::ExportDialog", "PDF page"), "pdf"},
-    {DrawingFormat::kPng, QT_TRANSLATE_NOOP("felt::desktop::ExportDialog", "PNG picture"), "png"},
-    {DrawingFormat::kSketch, QT_TRANSLATE_NOOP("felt::desktop::ExportDialog", "Strokes (ndjson)"),
-     "ndjson"}};
+/// What can be exported: all that is written but our own, which is saved.
+std::vector<const FormatTraits*> export_formats() {
+  std::vector<const FormatTraits*> rows;
+  for (const FormatTraits& row : format_table()) {
+    if (row.writes && row.format != FileFormat::kFelt) rows.push_back(&row);
+  }
+  return rows;
+}
 
 /// The picture on squares where it is transparent.
 QPixmap on_squares(const QImage& picture, double ratio) {
@@ -69,10 +69,14 @@ ExportDialog::ExportDialog(const Drawing& drawing, QWidget* parent)
       background_(new QCheckBox(tr("With the &paper’s colour"), this)),
       picture_(new QLabel(this)),
       size_(new QLabel(this)),
+      kept_(new QLabel(this)),
       form_(new QFormLayout) {
   setWindowTitle(tr("Export"));
   Settings& settings = Settings::the();
-  for (const FormatRow& row : kFormats) format_->addItem(tr(row.label), QLatin1String(row.key));
+  for (const FormatTraits* row : export_formats()) {
+    format_->addItem(format_title(row->format),
+                     QString::fromLatin1(row->name.data(), qsizetype(row->name.size())));
+  }
   format_->setCurrentIndex(
       std::max(0, format_->findData(settings.text(files_keys::kExportFormat))));
   area_->addItems({tr("The page"), tr("The ink only")});
@@ -86,7 +90,9 @@ ExportDialog::ExportDialog(const Drawing& drawing, QWidget* parent)
   picture_->setAlignment(Qt::AlignCenter);
   picture_->setAccessibleName(tr("Preview"));
   size_->setWordWrap(true);
+  kept_->setWordWrap(true);
   form_->addRow(tr("&Format:"), format_);
+  form_->addRow(tr("Keeps:"), kept_);
   form_->addRow(tr("&Show:"), area_);
   form_->addRow(tr("&Resolution:"), dpi_);
   form_->addRow(QString(), background_);
@@ -114,8 +120,8 @@ ExportDialog::ExportDialog(const Drawing& drawing, QWidget* parent)
 }
 
 ExportOptions ExportDialog::options() const {
-  return {kFormats[format_->currentIndex()].format, dpi_->value(), background_->isChecked(),
-          area_->currentIndex() == 1};
+  return {export_formats()[static_cast<std::size_t>(format_->currentIndex())]->format,
+          dpi_->value(), background_->isChecked(), area_->currentIndex() == 1};
 }
 
 void ExportDialog::accept() {
@@ -129,11 +135,14 @@ void ExportDialog::accept() {
 
 void ExportDialog::show_result() {
   const ExportOptions chosen = options();
-  const bool is_picture = chosen.format != DrawingFormat::kSketch;
-  const bool is_png = chosen.format == DrawingFormat::kPng;
+  const bool is_picture = traits_of(chosen.format).picture;
+  kept_->setText(format_kept(chosen.format));
+  format_->setAccessibleDescription(kept_->text());
+  const bool is_png = chosen.format == FileFormat::kPng;
   dpi_->setEnabled(is_png);
   area_->setEnabled(is_picture);
-  background_->setEnabled(is_picture && page_.paper.a > 0);
+  background_->setEnabled(traits_of(chosen.format).page || is_png);
+  if (page_.paper.a == 0) background_->setEnabled(false);
   const Rect area = export_area(sketch_, page_, chosen);
   const Rgba paper = chosen.background ? page_.paper : Rgba{255, 255, 255, 0};
   const double ratio = devicePixelRatioF();
@@ -149,7 +158,7 @@ void ExportDialog::show_result() {
                                     .arg(locale.toString(std::ceil(area.width() * scale), 'f', 0),
                                          locale.toString(std::ceil(area.height() * scale), 'f', 0));
   }
-  if (!is_picture) text = tr("All strokes, exactly");
+  if (!is_picture && !traits_of(chosen.format).page) text = tr("All strokes, exactly");
   size_->setText(text);
 }
 

@@ -34,6 +34,7 @@ class ExportDialog : public QDialog {
   QCheckBox* background_;
   QLabel* picture_;
   QLabel* size_;
+  QLabel* kept_;
   QFormLayout* form_;
 };
 

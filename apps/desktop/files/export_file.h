@@ -8,7 +8,7 @@ namespace felt::desktop {
 
 /// What an exported picture shows.
 struct ExportOptions {
-  DrawingFormat format = DrawingFormat::kSvg;
+  FileFormat format = FileFormat::kSvg;
   double dpi = 300.0;      ///< of a .png
   bool background = true;  ///< the paper, where it has a colour
   bool ink_only = false;   ///< cut to the ink and a margin; else the page
@@ -17,7 +17,8 @@ struct ExportOptions {
 /// The part of the sheet that is shown.
 Rect export_area(const Sketch& sketch, const SheetPage& page, const ExportOptions& options);
 
-/// Writes the visible strokes. Error: names the file and the reason. Any thread.
+/// Writes what is seen, and hidden layers as such where the format has layers. Error: names the
+/// file and the reason. Any thread.
 Result<void> export_drawing(const QString& path, const Drawing& drawing,
                             const ExportOptions& options);
 

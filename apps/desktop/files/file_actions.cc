@@ -14,6 +14,7 @@
 
 #include "desktop/engine/settings.h"
 #include "desktop/files/clipboard_actions.h"
+#include "desktop/files/format_texts.h"
 #include "desktop/files/output_actions.h"
 #include "desktop/files/settings_keys.h"
 #include "felt/document/visible_strokes.h"
@@ -40,10 +41,11 @@ QDateTime changed_at(const QString& path) {
   return info.exists() ? info.lastModified() : QDateTime();
 }
 
-QString open_filters() {
-  return FileActions::tr("Drawings (*.felt *.svg *.ndjson *.jsonl)") + QStringLiteral(";;") +
-         FileActions::tr("Feltline drawings (*.felt)") + QStringLiteral(";;") +
-         FileActions::tr("All files (*)");
+/// A drawing that Save may write to again: of our format, by content and by name.
+bool is_own_file(const OpenedDrawing& opened, const QString& path) {
+  // One that was damaged is not written over: what is lost of it may still be had some day.
+  return opened.is_exact && opened.format == FileFormat::kFelt &&
+         format_of_path(path.toStdString()) == FileFormat::kFelt;
 }
 
 }  // namespace
@@ -56,7 +58,8 @@ FileActions::FileActions(Studio& studio, Actions& actions, QWidget* window,
       dialogs_(dialogs ? std::move(dialogs) : std::make_unique<FileDialogs>()),
       recent_menu_(new QMenu(tr("Open &recent"), window)) {
   add_file_actions(actions);
-  new ClipboardActions(studio, actions, *dialogs_, window);
+  auto* clipboard = new ClipboardActions(studio, actions, *dialogs_, window);
+  connect(clipboard, &ClipboardActions::taken, this, &FileActions::taken);
   new OutputActions(*this, studio, actions, window);
   connect(recent_menu_, &QMenu::aboutToShow, this, &FileActions::fill_recent_menu);
   fill_recent_menu();
@@ -133,27 +136,41 @@ void FileActions::ask_open() {
   if (!path.isEmpty()) open(path);
 }
 
-bool FileActions::open(const QString& given) {
-  const QString path = QFileInfo(given).absoluteFilePath();
-  if (!may_replace()) return false;
-  Result<Drawing> drawing = fail(ErrorCode::kIo, "");
-  worker_.start([&drawing, path] {
-    drawing = read_drawing(path);
+/// Reads a file beside the window. Of a damaged drawing of ours what can be had is offered.
+Result<OpenedDrawing> FileActions::read(const QString& path) {
+  Result<OpenedDrawing> opened = fail(ErrorCode::kIo, ""), rescued = opened;
+  worker_.start([&, path] {
+    opened = open_drawing(path);
+    if (!opened && opened.error().code == ErrorCode::kInvalidData) {
+      rescued = open_drawing(path, true);
+    }
     return FileWorker::Answer();
   });
   QApplication::setOverrideCursor(Qt::WaitCursor);
   worker_.wait();
   QApplication::restoreOverrideCursor();
-  if (!drawing) {
+  if (opened || !rescued) return opened;
+  const auto strokes = int(rescued->drawing.document.stroke_count());
+  const bool wanted = strokes > 0 && dialogs_->ask_salvage(window_, QFileInfo(path).fileName(),
+                                                           text_of(opened.error()), strokes);
+  return wanted ? rescued : opened;
+}
+
+bool FileActions::open(const QString& given) {
+  const QString path = QFileInfo(given).absoluteFilePath();
+  if (!may_replace()) return false;
+  Result<OpenedDrawing> opened = read(path);
+  if (!opened) {
     dialogs_->show_error(window_, tr("“%1” cannot be opened").arg(QFileInfo(path).fileName()),
-                         text_of(drawing.error()));
+                         text_of(opened.error()));
     return false;
   }
-  const bool is_felt = drawing_format(path).value() == DrawingFormat::kFelt;
+  const bool is_own = is_own_file(*opened, path);
   folder_ = QFileInfo(path).path();
-  show(*std::move(drawing), is_felt ? path : QString(),
-       is_felt ? QString() : QFileInfo(path).completeBaseName());
+  show(std::move(opened->drawing), is_own ? path : QString(),
+       is_own ? QString() : QFileInfo(path).completeBaseName());
   remember(path);
+  Q_EMIT taken(QFileInfo(path).fileName(), opened->report);
   return true;
 }
 
@@ -211,22 +228,16 @@ void FileActions::hear_opened() {
 
 bool FileActions::import(const QString& given) {
   const QString path = QFileInfo(given).absoluteFilePath();
-  Result<Sketch> sketch = fail(ErrorCode::kIo, "");
-  worker_.start([&sketch, path] {
-    sketch = read_drawing(path).map(
-        [](const Drawing& drawing) { return visible_strokes(drawing.document); });
-    return FileWorker::Answer();
-  });
-  QApplication::setOverrideCursor(Qt::WaitCursor);
-  worker_.wait();
-  QApplication::restoreOverrideCursor();
-  if (!sketch) {
+  Result<OpenedDrawing> opened = read(path);
+  if (!opened) {
     dialogs_->show_error(window_, tr("“%1” cannot be imported").arg(QFileInfo(path).fileName()),
-                         text_of(sketch.error()));
+                         text_of(opened.error()));
     return false;
   }
   Settings::the().set(files_keys::kLastFolder, QFileInfo(path).path());
-  return studio_.import(path, *sketch);
+  if (!studio_.import(path, visible_strokes(opened->drawing.document))) return false;
+  Q_EMIT taken(QFileInfo(path).fileName(), opened->report);
+  return true;
 }
 
 void FileActions::ask_import() {
@@ -281,9 +292,9 @@ bool FileActions::save_as() {
       path_.isEmpty() ? QDir(folder()).filePath(display_name() + QStringLiteral(".felt")) : path_;
   const QString chosen =
       dialogs_->save_name(window_, tr("Save the drawing"), suggested,
-                          tr("Feltline drawings (*.felt)"), QStringLiteral("felt"));
+                          save_filter(FileFormat::kFelt), QStringLiteral("felt"));
   if (chosen.isEmpty()) return false;
-  return begin_save(with_suffix(QFileInfo(chosen).absoluteFilePath(), DrawingFormat::kFelt));
+  return begin_save(with_suffix(QFileInfo(chosen).absoluteFilePath(), FileFormat::kFelt));
 }
 
 bool FileActions::begin_save(const QString& path) {

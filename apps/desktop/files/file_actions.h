@@ -37,7 +37,8 @@ struct DrawingLooks {
 ///
 /// Files are written beside the window (FileWorker), from a copy: the pen never waits. A drawing
 /// counts as saved when its bytes are on the disk. `path()` is always a .felt file; what is opened
-/// from another format has no path yet, for that file could not hold all of it.
+/// from another format, or from a drawing that is called otherwise, has no path yet, so that Save
+/// never writes over it. What could not be taken of a file is told by `taken`.
 class FileActions : public QObject {
   Q_OBJECT
 
@@ -98,6 +99,8 @@ class FileActions : public QObject {
   void saved(bool done);
   /// Another drawing is here: opened, new or rescued; after Studio::opened.
   void drawing_changed();
+  /// A file was opened, imported or pasted from; its report may be empty. `name` is for people.
+  void taken(const QString& name, const felt::ImportReport& report);
   /// Another window for that file, "" for an empty drawing.
   void wants_window(const QString& path);
 
@@ -112,6 +115,7 @@ class FileActions : public QObject {
   void ask_import();
   bool begin_save(const QString& path);
   void end_save(const QString& path, std::uint64_t revision, const Result<void>& done);
+  Result<OpenedDrawing> read(const QString& path);
   void show(Drawing drawing, const QString& path, const QString& name);
   void hear_opened();
   void set_path(const QString& path);

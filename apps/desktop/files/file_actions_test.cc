@@ -3,14 +3,19 @@
 #include <gtest/gtest.h>
 
 #include <QAction>
+#include <QDropEvent>
 #include <QFile>
 #include <QMenu>
+#include <QMimeData>
 #include <QTest>
+#include <QUrl>
 
 #include "desktop/engine/settings.h"
 #include "desktop/files/settings_keys.h"
 #include "desktop/files/test_desk.h"
 #include "felt/store/felt_recording.h"
+#include "felt/base/atomic_file.h"
+#include "felt/base/read_file.h"
 
 namespace felt::desktop {
 namespace {
@@ -208,6 +213,68 @@ TEST(FileActions, DroppedFilesOpenOrAreAdded) {
   EXPECT_EQ(other.files->path(), desk.at("a.felt"));
   EXPECT_TRUE(other.studio.apply(UndoEvent{}));
   EXPECT_EQ(other.document().stroke_count(), 3u);
+}
+
+/// Notes of Xournal++ as that program writes them, not packed.
+const char* const kNotes =
+    "<?xml version=\"1.0\" standalone=\"no\"?>\n<xournal creator=\"t\" fileversion=\"4\">\n"
+    "<page width=\"595\" height=\"842\">\n<background type=\"solid\" color=\"#ffffffff\" "
+    "style=\"plain\"/>\n<layer>\n<stroke tool=\"pen\" color=\"#0000ffff\" width=\"2 1.5 2.5\">"
+    "10 10 60 20 90 70</stroke>\n<text font=\"Sans\" size=\"12\" x=\"5\" y=\"5\" "
+    "color=\"#000000ff\">no ink</text>\n</layer>\n</page>\n</xournal>\n";
+
+TEST(FileActions, NotesOfAnotherProgramAreDroppedDrawnOnSavedAndOpenedAgain) {
+  TestDesk desk;
+  QSignalSpy taken(desk.files, &FileActions::taken);
+  ASSERT_TRUE(write_file(desk.at("notes.xopp").toStdString(), kNotes));
+  QMimeData data;
+  data.setUrls({QUrl::fromLocalFile(desk.at("notes.xopp"))});
+  QDragEnterEvent enter(QPoint(5, 5), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+  QApplication::sendEvent(&desk.window, &enter);
+  EXPECT_TRUE(enter.isAccepted());
+  QDropEvent drop(QPointF(5, 5), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+  QApplication::sendEvent(&desk.window, &drop);
+  QApplication::processEvents();
+  ASSERT_EQ(taken.count(), 1);
+  EXPECT_EQ(desk.person->errors, QStringList());
+  EXPECT_EQ(desk.document().stroke_count(), 1u);
+  EXPECT_EQ(desk.files->path(), QString());
+  EXPECT_EQ(desk.files->display_name(), QStringLiteral("notes"));
+  const auto report = qvariant_cast<felt::ImportReport>(taken.at(0).at(1));
+  ASSERT_EQ(report.notices().size(), 1u);
+  EXPECT_EQ(report.notices()[0].line, 6);
+  desk.draw(3, 1);
+  // Save asks for a name, since notes could not hold all of it; the file stays as it was.
+  desk.person->next = desk.at("notes");
+  ASSERT_TRUE(desk.files->save());
+  desk.files->finish_writing();
+  EXPECT_EQ(desk.person->suggested, desk.at("notes.felt"));
+  EXPECT_EQ(desk.files->path(), desk.at("notes.felt"));
+  EXPECT_EQ(read_file(desk.at("notes.xopp").toStdString(), 1 << 20).value(), kNotes);
+  const Document before = desk.document();
+  TestDesk again;
+  ASSERT_TRUE(again.files->open(desk.at("notes.felt")));
+  EXPECT_EQ(again.document(), before);
+  EXPECT_EQ(again.files->path(), desk.at("notes.felt"));
+}
+
+TEST(FileActions, WhatADamagedDrawingStillHoldsIsOfferedAndTheFileLeftAlone) {
+  TestDesk desk;
+  desk.draw(1, 300);
+  const QString path = desk.at("a.felt");
+  ASSERT_TRUE(write_drawing(path, desk.files->drawing()));
+  std::string bytes = read_file(path.toStdString(), 1 << 24).value();
+  bytes.resize(bytes.size() - bytes.size() / 4);
+  ASSERT_TRUE(write_file(path.toStdString(), bytes));
+  TestDesk other;
+  EXPECT_FALSE(other.files->open(path));  // refused by the person
+  EXPECT_EQ(other.person->errors.size(), 1);
+  other.person->salvage = true;
+  ASSERT_TRUE(other.files->open(path));
+  EXPECT_GT(other.document().stroke_count(), 0u);
+  EXPECT_EQ(int(other.document().stroke_count()), other.person->salvageable);
+  EXPECT_EQ(other.files->path(), QString());
+  EXPECT_EQ(read_file(path.toStdString(), 1 << 24).value(), bytes);
 }
 
 TEST(FileActions, RecentFilesAreRememberedWhileTheyAreThere) {

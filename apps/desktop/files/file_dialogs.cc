@@ -9,8 +9,8 @@
 namespace felt::desktop {
 namespace {
 
-QString tr(const char* text) {
-  return QCoreApplication::translate("felt::desktop::FileDialogs", text);
+QString tr(const char* text, const char* comment = nullptr, int n = -1) {
+  return QCoreApplication::translate("felt::desktop::FileDialogs", text, comment, n);
 }
 
 }  // namespace
@@ -58,6 +58,20 @@ bool FileDialogs::ask_overwrite(QWidget* window, const QString& name) {
   box.setEscapeButton(QMessageBox::Cancel);
   box.exec();
   return box.clickedButton() == replace;
+}
+
+bool FileDialogs::ask_salvage(QWidget* window, const QString& name, const QString& why,
+                              int strokes) {
+  QMessageBox box(QMessageBox::Warning, tr("Damaged drawing"), tr("“%1” is damaged.").arg(name),
+                  QMessageBox::Cancel, window);
+  box.setInformativeText(
+      tr("%n stroke(s) of it can be shown, as a new drawing; the file stays as it is.", nullptr,
+         strokes));
+  box.setDetailedText(why);
+  const QPushButton* rescue = box.addButton(tr("&Show what is left"), QMessageBox::AcceptRole);
+  box.setEscapeButton(QMessageBox::Cancel);
+  box.exec();
+  return box.clickedButton() == rescue;
 }
 
 void FileDialogs::show_error(QWidget* window, const QString& what, const QString& why) {

@@ -25,6 +25,8 @@ class FileDialogs {
   virtual Unsaved ask_unsaved(QWidget* window, const QString& name);
   /// The file was changed by others since it was read. True: write over it.
   virtual bool ask_overwrite(QWidget* window, const QString& name);
+  /// A drawing is damaged, but so many strokes of it can be had. True: show them.
+  virtual bool ask_salvage(QWidget* window, const QString& name, const QString& why, int strokes);
   /// Stays until it is closed; the program goes on.
   virtual void show_error(QWidget* window, const QString& what, const QString& why);
 };

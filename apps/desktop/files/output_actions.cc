@@ -11,6 +11,7 @@
 
 #include "desktop/files/export_dialog.h"
 #include "desktop/files/file_actions.h"
+#include "desktop/files/format_texts.h"
 #include "desktop/files/page_dialog.h"
 #include "felt/document/visible_strokes.h"
 #include "felt/render/view.h"
@@ -95,7 +96,7 @@ OutputActions::OutputActions(FileActions& files, Studio& studio, Actions& action
     : QObject(window), files_(files), studio_(studio), window_(window) {
   actions.add(QStringLiteral("file.export"), tr("&Export…"),
               {QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_E)},
-              tr("Write the drawing as SVG, PDF or PNG for other programs"),
+              tr("Write the drawing as SVG, PDF, PNG or ink for other programs"),
               [this] { ask_export(); });
   actions.add(QStringLiteral("file.page_setup"), tr("Pa&ge setup…"), {},
               tr("Size, orientation and colour of the sheet"), [this] { ask_page(); });
@@ -111,9 +112,9 @@ void OutputActions::ask_export() {
   const ExportOptions options = dialog.options();
   const QString suffix = suffix_of(options.format);
   const QString base = QFileInfo(files_.display_name()).completeBaseName();
-  const QString chosen = files_.dialogs().save_name(
-      window_, tr("Export"), QDir(files_.folder()).filePath(base + suffix),
-      tr("%1 files (*%2)").arg(suffix.mid(1).toUpper(), suffix), suffix.mid(1));
+  const QString chosen = files_.dialogs().save_name(window_, tr("Export"),
+                                                    QDir(files_.folder()).filePath(base + suffix),
+                                                    save_filter(options.format), suffix.mid(1));
   if (!chosen.isEmpty()) export_to(with_suffix(chosen, options.format), options);
 }
 

@@ -11,6 +11,7 @@
 #include <QTest>
 
 #include "desktop/files/export_dialog.h"
+#include "desktop/files/format_texts.h"
 #include "desktop/files/output_actions.h"
 #include "desktop/files/page_dialog.h"
 #include "desktop/files/sheet_picture.h"
@@ -25,20 +26,20 @@ TEST(Export, EveryFormatIsWritten) {
   TestDesk desk;
   desk.draw(1, 4);
   const Drawing drawing = desk.files->drawing();
-  ASSERT_TRUE(export_drawing(desk.at("a.svg"), drawing, {.format = DrawingFormat::kSvg}));
+  ASSERT_TRUE(export_drawing(desk.at("a.svg"), drawing, {.format = FileFormat::kSvg}));
   EXPECT_EQ(read_drawing(desk.at("a.svg")).value().document.stroke_count(), 4u);
-  ASSERT_TRUE(export_drawing(desk.at("a.pdf"), drawing, {.format = DrawingFormat::kPdf}));
+  ASSERT_TRUE(export_drawing(desk.at("a.pdf"), drawing, {.format = FileFormat::kPdf}));
   EXPECT_EQ(read_file(desk.at("a.pdf").toStdString(), 1 << 24).value().substr(0, 8), "%PDF-1.4");
   ASSERT_TRUE(
-      export_drawing(desk.at("a.png"), drawing, {.format = DrawingFormat::kPng, .dpi = 254.0}));
+      export_drawing(desk.at("a.png"), drawing, {.format = FileFormat::kPng, .dpi = 254.0}));
   EXPECT_EQ(QImageReader(desk.at("a.png")).size(), QSize(2970, 2100));
   ASSERT_TRUE(export_drawing(
       desk.at("b.png"), drawing,
-      {.format = DrawingFormat::kPng, .dpi = 254.0, .background = false, .ink_only = true}));
+      {.format = FileFormat::kPng, .dpi = 254.0, .background = false, .ink_only = true}));
   const QImage ink(desk.at("b.png"));
   EXPECT_LT(ink.width(), 2970);
   EXPECT_EQ(ink.pixelColor(0, 0).alpha(), 0);
-  EXPECT_FALSE(export_drawing(desk.at("no/a.pdf"), drawing, {.format = DrawingFormat::kPdf}));
+  EXPECT_FALSE(export_drawing(desk.at("no/a.pdf"), drawing, {.format = FileFormat::kPdf}));
 }
 
 TEST(Export, TheDialogSaysWhatComesOut) {
@@ -52,12 +53,14 @@ TEST(Export, TheDialogSaysWhatComesOut) {
     }
     return false;
   };
-  combos[0]->setCurrentIndex(2);
+  combos[0]->setCurrentIndex(combos[0]->findData(QStringLiteral("png")));
+  EXPECT_TRUE(shows(format_kept(FileFormat::kPng)));
   dialog.findChild<QDoubleSpinBox*>()->setValue(254.0);
   EXPECT_TRUE(shows(QStringLiteral("pixels")));
-  EXPECT_EQ(dialog.options().format, DrawingFormat::kPng);
+  EXPECT_EQ(dialog.options().format, FileFormat::kPng);
   EXPECT_EQ(dialog.options().dpi, 254.0);
-  combos[0]->setCurrentIndex(1);
+  combos[0]->setCurrentIndex(combos[0]->findData(QStringLiteral("pdf")));
+  EXPECT_TRUE(shows(format_kept(FileFormat::kPdf)));
   EXPECT_FALSE(shows(QStringLiteral("pixels")));
   EXPECT_FALSE(dialog.findChild<QDoubleSpinBox*>()->isEnabled());
   dialog.findChild<QCheckBox*>()->setChecked(false);

@@ -28,6 +28,11 @@ class ScriptedDialogs : public FileDialogs {
     asked.push_back(name);
     return overwrite;
   }
+  bool ask_salvage(QWidget*, const QString& name, const QString&, int strokes) override {
+    asked.push_back(name);
+    salvageable = strokes;
+    return salvage;
+  }
   void show_error(QWidget*, const QString& what, const QString& why) override {
     errors.push_back(what + QStringLiteral(": ") + why);
   }
@@ -36,6 +41,8 @@ class ScriptedDialogs : public FileDialogs {
   QString suggested;  ///< the last one that save_name was given
   Unsaved unsaved = Unsaved::kCancel;
   bool overwrite = false;
+  bool salvage = false;
+  int salvageable = 0;  ///< strokes that the last question told of
   QStringList asked;
   QStringList errors;
 };

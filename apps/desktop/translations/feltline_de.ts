@@ -1539,6 +1539,10 @@
         <source>The clipboard holds no strokes.</source>
         <translation>Die Zwischenablage enthält keine Linien.</translation>
     </message>
+    <message>
+        <source>the clipboard</source>
+        <translation>der Zwischenablage</translation>
+    </message>
 </context>
 <context>
     <name>felt::desktop::ColorsPanel</name>
@@ -1681,22 +1685,6 @@
 <context>
     <name>felt::desktop::ExportDialog</name>
     <message>
-        <source>SVG drawing</source>
-        <translation>SVG-Zeichnung</translation>
-    </message>
-    <message>
-        <source>PDF page</source>
-        <translation>PDF-Seite</translation>
-    </message>
-    <message>
-        <source>PNG picture</source>
-        <translation>PNG-Bild</translation>
-    </message>
-    <message>
-        <source>Strokes (ndjson)</source>
-        <translation>Linien (ndjson)</translation>
-    </message>
-    <message>
         <source>With the &amp;paper’s colour</source>
         <translation>Mit der Farbe des &amp;Papiers</translation>
     </message>
@@ -1752,6 +1740,10 @@
         <source>All strokes, exactly</source>
         <translation>Alle Linien, genau</translation>
     </message>
+    <message>
+        <source>Keeps:</source>
+        <translation>Bewahrt:</translation>
+    </message>
 </context>
 <context>
     <name>felt::desktop::FeelPanel</name>
@@ -1798,18 +1790,6 @@
 </context>
 <context>
     <name>felt::desktop::FileActions</name>
-    <message>
-        <source>Drawings (*.felt *.svg *.ndjson *.jsonl)</source>
-        <translation>Zeichnungen (*.felt *.svg *.ndjson *.jsonl)</translation>
-    </message>
-    <message>
-        <source>Feltline drawings (*.felt)</source>
-        <translation>Feltline-Zeichnungen (*.felt)</translation>
-    </message>
-    <message>
-        <source>All files (*)</source>
-        <translation>Alle Dateien (*)</translation>
-    </message>
     <message>
         <source>Open &amp;recent</source>
         <translation>&amp;Zuletzt geöffnet</translation>
@@ -1967,6 +1947,25 @@ Ihre Zeichnung ist noch da: speichern Sie sie anderswo.</translation>
         <source>Feltline</source>
         <translation>Feltline</translation>
     </message>
+    <message>
+        <source>Damaged drawing</source>
+        <translation>Beschädigte Zeichnung</translation>
+    </message>
+    <message>
+        <source>“%1” is damaged.</source>
+        <translation>„%1“ ist beschädigt.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n stroke(s) of it can be shown, as a new drawing; the file stays as it is.</source>
+        <translation>
+            <numerusform>%n Strich davon kann als neue Zeichnung gezeigt werden; die Datei bleibt, wie sie ist.</numerusform>
+            <numerusform>%n Striche davon können als neue Zeichnung gezeigt werden; die Datei bleibt, wie sie ist.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>&amp;Show what is left</source>
+        <translation>Übriges &amp;zeigen</translation>
+    </message>
 </context>
 <context>
     <name>felt::desktop::ForceGraph</name>
@@ -2076,6 +2075,73 @@ Ihre Zeichnung ist noch da: speichern Sie sie anderswo.</translation>
     <message>
         <source>Asked: %L1 N, at most %L2 N of late. The table has each force.</source>
         <translation>Verlangt: %L1 N, zuletzt höchstens %L2 N. Die Tabelle nennt jede Kraft.</translation>
+    </message>
+</context>
+<context>
+    <name>felt::desktop::Formats</name>
+    <message>
+        <source>Feltline drawing</source>
+        <translation>Feltline-Zeichnung</translation>
+    </message>
+    <message>
+        <source>Everything, exactly.</source>
+        <translation>Alles, genau.</translation>
+    </message>
+    <message>
+        <source>SVG drawing</source>
+        <translation>SVG-Zeichnung</translation>
+    </message>
+    <message>
+        <source>The picture, for browsers, Inkscape and all that show SVG; Feltline reads all of it back exactly.</source>
+        <translation>Das Bild, für Browser, Inkscape und alles, was SVG zeigt; Feltline liest alles genau wieder ein.</translation>
+    </message>
+    <message>
+        <source>InkML ink</source>
+        <translation>InkML-Tinte</translation>
+    </message>
+    <message>
+        <source>Lines and their pressure for programs that know ink; Feltline reads all of it back exactly.</source>
+        <translation>Linien und ihr Druck für Programme, die Tinte kennen; Feltline liest alles genau wieder ein.</translation>
+    </message>
+    <message>
+        <source>Xournal++ notes</source>
+        <translation>Xournal++-Notizen</translation>
+    </message>
+    <message>
+        <source>Lines with their widths, in layers, for notes in Xournal++; curves become many short lines.</source>
+        <translation>Linien mit ihren Breiten, in Ebenen, für Notizen in Xournal++; aus Kurven werden viele kurze Linien.</translation>
+    </message>
+    <message>
+        <source>Strokes as lines of JSON</source>
+        <translation>Striche als JSON-Zeilen</translation>
+    </message>
+    <message>
+        <source>Every line that is seen, exactly, for programs and scripts; no layers and no sheet.</source>
+        <translation>Jede sichtbare Linie, genau, für Programme und Skripte; keine Ebenen und kein Blatt.</translation>
+    </message>
+    <message>
+        <source>PDF page</source>
+        <translation>PDF-Seite</translation>
+    </message>
+    <message>
+        <source>A page to read and print, sharp at any size; it cannot be opened again.</source>
+        <translation>Eine Seite zum Lesen und Drucken, scharf in jeder Größe; sie kann nicht wieder geöffnet werden.</translation>
+    </message>
+    <message>
+        <source>PNG picture</source>
+        <translation>PNG-Bild</translation>
+    </message>
+    <message>
+        <source>A picture of pixels at the resolution you choose; it cannot be opened again.</source>
+        <translation>Ein Bild aus Pixeln in der gewählten Auflösung; es kann nicht wieder geöffnet werden.</translation>
+    </message>
+    <message>
+        <source>All drawings</source>
+        <translation>Alle Zeichnungen</translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation>Alle Dateien (*)</translation>
     </message>
 </context>
 <context>
@@ -2442,6 +2508,44 @@ Doppelklick benennt um, Ziehen verschiebt</translation>
     </message>
 </context>
 <context>
+    <name>felt::desktop::NoticeBar</name>
+    <message>
+        <source>&amp;Details</source>
+        <translation>&amp;Einzelheiten</translation>
+    </message>
+    <message>
+        <source>What was left out or changed, and where</source>
+        <translation>Was weggelassen oder geändert wurde, und wo</translation>
+    </message>
+    <message>
+        <source>Close this message</source>
+        <translation>Diese Meldung schließen</translation>
+    </message>
+    <message>
+        <source>Line</source>
+        <translation>Zeile</translation>
+    </message>
+    <message>
+        <source>Element</source>
+        <translation>Element</translation>
+    </message>
+    <message>
+        <source>What became of it</source>
+        <translation>Was daraus wurde</translation>
+    </message>
+    <message>
+        <source>How often</source>
+        <translation>Wie oft</translation>
+    </message>
+    <message numerus="yes">
+        <source>Not everything in “%1” could be taken as it is: %n thing(s) were left out or changed. The file itself is as it was.</source>
+        <translation>
+            <numerusform>Nicht alles in „%1“ ließ sich übernehmen, wie es ist: %n Ding wurde weggelassen oder geändert. Die Datei selbst ist unverändert.</numerusform>
+            <numerusform>Nicht alles in „%1“ ließ sich übernehmen, wie es ist: %n Dinge wurden weggelassen oder geändert. Die Datei selbst ist unverändert.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>felt::desktop::OptionRow</name>
     <message>
         <source>Reset %1</source>
@@ -2482,10 +2586,6 @@ Doppelklick benennt um, Ziehen verschiebt</translation>
         <translation>&amp;Exportieren …</translation>
     </message>
     <message>
-        <source>Write the drawing as SVG, PDF or PNG for other programs</source>
-        <translation>Die Zeichnung als SVG, PDF oder PNG für andere Programme schreiben</translation>
-    </message>
-    <message>
         <source>Pa&amp;ge setup…</source>
         <translation>&amp;Blatt einrichten …</translation>
     </message>
@@ -2514,10 +2614,6 @@ Doppelklick benennt um, Ziehen verschiebt</translation>
         <translation>Exportieren</translation>
     </message>
     <message>
-        <source>%1 files (*%2)</source>
-        <translation>%1-Dateien (*%2)</translation>
-    </message>
-    <message>
         <source>“%1” was not exported</source>
         <translation>„%1“ wurde nicht exportiert</translation>
     </message>
@@ -2528,6 +2624,10 @@ Doppelklick benennt um, Ziehen verschiebt</translation>
     <message>
         <source>Print preview</source>
         <translation>Druckvorschau</translation>
+    </message>
+    <message>
+        <source>Write the drawing as SVG, PDF, PNG or ink for other programs</source>
+        <translation>Die Zeichnung als SVG, PDF, PNG oder Tinte für andere Programme schreiben</translation>
     </message>
 </context>
 <context>

@@ -1539,6 +1539,10 @@
         <source>The clipboard holds no strokes.</source>
         <translation>Het klembord bevat geen lijnen.</translation>
     </message>
+    <message>
+        <source>the clipboard</source>
+        <translation>het klembord</translation>
+    </message>
 </context>
 <context>
     <name>felt::desktop::ColorsPanel</name>
@@ -1681,22 +1685,6 @@
 <context>
     <name>felt::desktop::ExportDialog</name>
     <message>
-        <source>SVG drawing</source>
-        <translation>SVG-tekening</translation>
-    </message>
-    <message>
-        <source>PDF page</source>
-        <translation>PDF-pagina</translation>
-    </message>
-    <message>
-        <source>PNG picture</source>
-        <translation>PNG-afbeelding</translation>
-    </message>
-    <message>
-        <source>Strokes (ndjson)</source>
-        <translation>Lijnen (ndjson)</translation>
-    </message>
-    <message>
         <source>With the &amp;paper’s colour</source>
         <translation>Met de kleur van het &amp;papier</translation>
     </message>
@@ -1752,6 +1740,10 @@
         <source>All strokes, exactly</source>
         <translation>Alle lijnen, exact</translation>
     </message>
+    <message>
+        <source>Keeps:</source>
+        <translation>Bewaart:</translation>
+    </message>
 </context>
 <context>
     <name>felt::desktop::FeelPanel</name>
@@ -1798,18 +1790,6 @@
 </context>
 <context>
     <name>felt::desktop::FileActions</name>
-    <message>
-        <source>Drawings (*.felt *.svg *.ndjson *.jsonl)</source>
-        <translation>Tekeningen (*.felt *.svg *.ndjson *.jsonl)</translation>
-    </message>
-    <message>
-        <source>Feltline drawings (*.felt)</source>
-        <translation>Feltline-tekeningen (*.felt)</translation>
-    </message>
-    <message>
-        <source>All files (*)</source>
-        <translation>Alle bestanden (*)</translation>
-    </message>
     <message>
         <source>Open &amp;recent</source>
         <translation>&amp;Recent geopend</translation>
@@ -1967,6 +1947,25 @@ Je tekening is er nog: sla haar ergens anders op.</translation>
         <source>Feltline</source>
         <translation>Feltline</translation>
     </message>
+    <message>
+        <source>Damaged drawing</source>
+        <translation>Beschadigde tekening</translation>
+    </message>
+    <message>
+        <source>“%1” is damaged.</source>
+        <translation>“%1” is beschadigd.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n stroke(s) of it can be shown, as a new drawing; the file stays as it is.</source>
+        <translation>
+            <numerusform>%n lijn ervan kan als nieuwe tekening worden getoond; het bestand blijft zoals het is.</numerusform>
+            <numerusform>%n lijnen ervan kunnen als nieuwe tekening worden getoond; het bestand blijft zoals het is.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>&amp;Show what is left</source>
+        <translation>&amp;Tonen wat er over is</translation>
+    </message>
 </context>
 <context>
     <name>felt::desktop::ForceGraph</name>
@@ -2076,6 +2075,73 @@ Je tekening is er nog: sla haar ergens anders op.</translation>
     <message>
         <source>Asked: %L1 N, at most %L2 N of late. The table has each force.</source>
         <translation>Gevraagd: %L1 N, onlangs hoogstens %L2 N. De tabel toont elke kracht.</translation>
+    </message>
+</context>
+<context>
+    <name>felt::desktop::Formats</name>
+    <message>
+        <source>Feltline drawing</source>
+        <translation>Feltline-tekening</translation>
+    </message>
+    <message>
+        <source>Everything, exactly.</source>
+        <translation>Alles, exact.</translation>
+    </message>
+    <message>
+        <source>SVG drawing</source>
+        <translation>SVG-tekening</translation>
+    </message>
+    <message>
+        <source>The picture, for browsers, Inkscape and all that show SVG; Feltline reads all of it back exactly.</source>
+        <translation>Het beeld, voor browsers, Inkscape en alles wat SVG toont; Feltline leest alles exact terug.</translation>
+    </message>
+    <message>
+        <source>InkML ink</source>
+        <translation>InkML-inkt</translation>
+    </message>
+    <message>
+        <source>Lines and their pressure for programs that know ink; Feltline reads all of it back exactly.</source>
+        <translation>Lijnen en hun druk voor programma’s die inkt kennen; Feltline leest alles exact terug.</translation>
+    </message>
+    <message>
+        <source>Xournal++ notes</source>
+        <translation>Xournal++-notities</translation>
+    </message>
+    <message>
+        <source>Lines with their widths, in layers, for notes in Xournal++; curves become many short lines.</source>
+        <translation>Lijnen met hun breedtes, in lagen, voor notities in Xournal++; krommen worden veel korte lijnen.</translation>
+    </message>
+    <message>
+        <source>Strokes as lines of JSON</source>
+        <translation>Lijnen als JSON-regels</translation>
+    </message>
+    <message>
+        <source>Every line that is seen, exactly, for programs and scripts; no layers and no sheet.</source>
+        <translation>Elke zichtbare lijn, exact, voor programma’s en scripts; geen lagen en geen blad.</translation>
+    </message>
+    <message>
+        <source>PDF page</source>
+        <translation>PDF-pagina</translation>
+    </message>
+    <message>
+        <source>A page to read and print, sharp at any size; it cannot be opened again.</source>
+        <translation>Een pagina om te lezen en af te drukken, scherp op elke grootte; ze kan niet opnieuw worden geopend.</translation>
+    </message>
+    <message>
+        <source>PNG picture</source>
+        <translation>PNG-afbeelding</translation>
+    </message>
+    <message>
+        <source>A picture of pixels at the resolution you choose; it cannot be opened again.</source>
+        <translation>Een beeld van pixels in de gekozen resolutie; het kan niet opnieuw worden geopend.</translation>
+    </message>
+    <message>
+        <source>All drawings</source>
+        <translation>Alle tekeningen</translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation>Alle bestanden (*)</translation>
     </message>
 </context>
 <context>
@@ -2442,6 +2508,44 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen</translation>
     </message>
 </context>
 <context>
+    <name>felt::desktop::NoticeBar</name>
+    <message>
+        <source>&amp;Details</source>
+        <translation>&amp;Details</translation>
+    </message>
+    <message>
+        <source>What was left out or changed, and where</source>
+        <translation>Wat is weggelaten of veranderd, en waar</translation>
+    </message>
+    <message>
+        <source>Close this message</source>
+        <translation>Deze melding sluiten</translation>
+    </message>
+    <message>
+        <source>Line</source>
+        <translation>Regel</translation>
+    </message>
+    <message>
+        <source>Element</source>
+        <translation>Element</translation>
+    </message>
+    <message>
+        <source>What became of it</source>
+        <translation>Wat ervan werd</translation>
+    </message>
+    <message>
+        <source>How often</source>
+        <translation>Hoe vaak</translation>
+    </message>
+    <message numerus="yes">
+        <source>Not everything in “%1” could be taken as it is: %n thing(s) were left out or changed. The file itself is as it was.</source>
+        <translation>
+            <numerusform>Niet alles in “%1” kon worden overgenomen zoals het is: %n ding is weggelaten of veranderd. Het bestand zelf is onveranderd.</numerusform>
+            <numerusform>Niet alles in “%1” kon worden overgenomen zoals het is: %n dingen zijn weggelaten of veranderd. Het bestand zelf is onveranderd.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>felt::desktop::OptionRow</name>
     <message>
         <source>Reset %1</source>
@@ -2482,10 +2586,6 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen</translation>
         <translation>&amp;Exporteren…</translation>
     </message>
     <message>
-        <source>Write the drawing as SVG, PDF or PNG for other programs</source>
-        <translation>De tekening als SVG, PDF of PNG voor andere programma&apos;s schrijven</translation>
-    </message>
-    <message>
         <source>Pa&amp;ge setup…</source>
         <translation>Vel &amp;instellen…</translation>
     </message>
@@ -2514,10 +2614,6 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen</translation>
         <translation>Exporteren</translation>
     </message>
     <message>
-        <source>%1 files (*%2)</source>
-        <translation>%1-bestanden (*%2)</translation>
-    </message>
-    <message>
         <source>“%1” was not exported</source>
         <translation>‘%1’ is niet geëxporteerd</translation>
     </message>
@@ -2528,6 +2624,10 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen</translation>
     <message>
         <source>Print preview</source>
         <translation>Afdrukvoorbeeld</translation>
+    </message>
+    <message>
+        <source>Write the drawing as SVG, PDF, PNG or ink for other programs</source>
+        <translation>De tekening als SVG, PDF, PNG of inkt voor andere programma’s schrijven</translation>
     </message>
 </context>
 <context>

@@ -4,6 +4,7 @@
 #include <QCloseEvent>
 #include <QKeyEvent>
 #include <QMenuBar>
+#include <QVBoxLayout>
 #include <algorithm>
 
 #include "desktop/canvas/view_actions.h"
@@ -11,6 +12,7 @@
 #include "desktop/feel/feel_actions.h"
 #include "desktop/feel/feel_panel.h"
 #include "desktop/feel/force_panel.h"
+#include "desktop/files/notice_bar.h"
 #include "desktop/help/help_actions.h"
 #include "desktop/panels/colors_panel.h"
 #include "desktop/panels/edit_actions.h"
@@ -81,7 +83,7 @@ MainWindow::MainWindow(StudioOptions options, QWidget* parent)
       actions_(new Actions(this)),
       files_(new FileActions(*studio_, *actions_, this)) {
   setObjectName(QStringLiteral("main"));
-  setCentralWidget(canvas_);
+  setCentralWidget(sheet_with_notices());
   auto* pens = new PenInput(*canvas_);
   add_edit_actions(*actions_, *studio_);
   add_tool_actions(*actions_, *studio_);
@@ -118,6 +120,19 @@ MainWindow::MainWindow(StudioOptions options, QWidget* parent)
   restoreState(Settings::the().value(window_keys::kLayout).toByteArray(), kLayoutVersion);
   qApp->installEventFilter(this);
   canvas_->setFocus();
+}
+
+/// The sheet, and above it what could not be taken of a file.
+QWidget* MainWindow::sheet_with_notices() {
+  auto* middle = new QWidget(this);
+  auto* column = new QVBoxLayout(middle);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(0);
+  auto* notices = new NoticeBar(middle);
+  column->addWidget(notices);
+  column->addWidget(canvas_, 1);
+  connect(files_, &FileActions::taken, notices, &NoticeBar::show_report);
+  return middle;
 }
 
 QDockWidget* MainWindow::add_panel(const QString& name, const QString& title, QWidget* panel) {

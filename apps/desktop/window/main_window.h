@@ -44,6 +44,7 @@ class MainWindow : public QMainWindow {
 
  private:
   QDockWidget* add_panel(const QString& name, const QString& title, QWidget* panel);
+  QWidget* sheet_with_notices();
   void make_panels();
   void place_panels();
   void add_window_actions();

@@ -1,12 +1,14 @@
 # fish completion for feltline
-set -l commands fit render convert info replay recover demo tools devices bench
+set -l commands fit render convert info formats replay recover demo tools devices bench
 complete -c feltline -s h -l help -d 'Show help'
-complete -c feltline -s q -l quiet -d 'No progress line'
+complete -c feltline -s q -l quiet -d 'Neither progress nor notices'
+complete -c feltline -l strict -d 'What cannot be taken of a file is an error'
 complete -c feltline -n "not __fish_seen_subcommand_from $commands" -f -l version -d 'Show the version'
 complete -c feltline -n "not __fish_seen_subcommand_from $commands" -f -a fit -d 'Turn raw pen strokes into a sketch'
 complete -c feltline -n "not __fish_seen_subcommand_from $commands" -f -a render -d 'Make a picture of a sketch'
 complete -c feltline -n "not __fish_seen_subcommand_from $commands" -f -a convert -d 'Write a sketch in another format'
 complete -c feltline -n "not __fish_seen_subcommand_from $commands" -f -a info -d 'Say what is in a file'
+complete -c feltline -n "not __fish_seen_subcommand_from $commands" -f -a formats -d 'List the formats and what each keeps'
 complete -c feltline -n "not __fish_seen_subcommand_from $commands" -f -a replay -d 'Play events or pen strokes through a simulated pen'
 complete -c feltline -n "not __fish_seen_subcommand_from $commands" -f -a demo -d 'Let the simulated hand draw a picture'
 complete -c feltline -n "not __fish_seen_subcommand_from $commands" -f -a tools -d 'List the tools and their options'
@@ -16,8 +18,10 @@ complete -c feltline -n "not __fish_seen_subcommand_from $commands" -f -a bench 
 
 set -l makes_output fit render convert replay
 complete -c feltline -n "__fish_seen_subcommand_from $makes_output" -s o -l output -r -d 'Where it goes'
-complete -c feltline -n "__fish_seen_subcommand_from $makes_output" -l to -x -a 'ndjson felt svg pdf png' -d 'Format of the output'
+complete -c feltline -n "__fish_seen_subcommand_from $makes_output" -l to -x -a 'felt svg inkml xopp ndjson pdf png' -d 'Format of the output'
 complete -c feltline -n "__fish_seen_subcommand_from $makes_output" -l dpi -x -d 'Resolution of a .png'
+complete -c feltline -n '__fish_seen_subcommand_from render convert' -l layers -x -a 'visible all' -d 'Only these layers'
+complete -c feltline -n '__fish_seen_subcommand_from render convert' -l salvage -d 'Of a damaged .felt take what can be had'
 complete -c feltline -n "__fish_seen_subcommand_from $makes_output" -l page -x -a 'fit A3 A4 A5 A4-landscape' -d 'What to show'
 complete -c feltline -n "__fish_seen_subcommand_from $makes_output" -l paper -x -a 'white transparent' -d 'Colour behind the ink in a .png'
 complete -c feltline -n "__fish_seen_subcommand_from $makes_output" -l surface -x -a 'paper blackboard felt glass' -d 'Grain in the dry ink of a .png'
@@ -30,7 +34,7 @@ complete -c feltline -n '__fish_seen_subcommand_from fit' -l scheme -x -a 'feltl
 complete -c feltline -n '__fish_seen_subcommand_from fit' -l shared-samples -x -d 'Samples that segments share'
 complete -c feltline -n '__fish_seen_subcommand_from fit' -l stats -x -a json -d 'Print cost and closeness'
 complete -c feltline -n '__fish_seen_subcommand_from fit' -s j -l jobs -x -d 'Threads, 0 for all cores'
-complete -c feltline -n '__fish_seen_subcommand_from info tools devices' -l json -d 'One line of JSON'
+complete -c feltline -n '__fish_seen_subcommand_from info formats tools devices' -l json -d 'One line of JSON'
 
 complete -c feltline -n '__fish_seen_subcommand_from replay demo' -l device -x -a 'worst touch touch-x premium falcon omega inverse3 mouse tablet' -d 'The simulated pen'
 complete -c feltline -n '__fish_seen_subcommand_from replay demo' -l hand -x -a 'light soft typical firm' -d 'Who holds it'

@@ -12,6 +12,7 @@
 #include "felt/io/quickdraw_import.h"
 #include "felt/io/svg_import.h"
 #include "felt/io/xopp_import.h"
+#include "felt/store/felt_salvage.h"
 
 namespace felt {
 namespace {
@@ -57,7 +58,29 @@ Result<ImportedDrawing> import_foreign(std::string_view bytes, FileFormat format
     case FileFormat::kPng:
       break;
   }
-  return fail(ErrorCode::kUnsupported, "is not read yet");
+  return fail(ErrorCode::kUnsupported, "is not read this way");
+}
+
+/// A .felt file; where it is damaged and that is wanted, what can be had of it.
+Result<OpenedDrawing> read_own(std::string_view bytes, bool salvage) {
+  OpenedDrawing result;
+  result.format = FileFormat::kFelt;
+  result.has_page = true;
+  Result<StoredDrawing> drawing = parse_felt(bytes);
+  result.is_exact = drawing.has_value();
+  if (drawing) {
+    result.drawing = *std::move(drawing);
+    return result;
+  }
+  if (!salvage || drawing.error().code != ErrorCode::kInvalidData) {
+    return tl::unexpected(drawing.error());
+  }
+  Result<Salvaged> salvaged = salvage_felt_bytes(bytes);
+  if (!salvaged) return tl::unexpected(salvaged.error());
+  if (salvaged->problems.empty()) result.report.add(0, "the file", drawing.error().message);
+  for (std::string& problem : salvaged->problems) result.report.add(0, {}, std::move(problem));
+  result.drawing = std::move(salvaged->drawing);
+  return result;
 }
 
 /// Our own mark in the first bytes of a format that holds everything.
@@ -100,9 +123,9 @@ Result<OpenedDrawing> parse_drawing(std::string_view bytes, const std::string& p
   if (!format) return tl::unexpected(format.error());
   OpenedDrawing result;
   if (*format == FileFormat::kFelt) {
-    Result<StoredDrawing> drawing = parse_felt(bytes);
-    if (!drawing) return tl::unexpected(drawing.error());
-    result = {*std::move(drawing), {}, *format, true, true};
+    Result<OpenedDrawing> drawing = read_own(bytes, options.salvage);
+    if (!drawing) return drawing;
+    result = *std::move(drawing);
   } else {
     if (bytes.size() > kMaxDrawingBytes) {
       return fail(ErrorCode::kLimitExceeded, "is larger than 1 GiB");

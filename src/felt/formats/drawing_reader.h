@@ -17,7 +17,7 @@ inline constexpr std::size_t kMaxDrawingBytes = std::size_t{1} << 30;
 /// A drawing that was read, and what to tell about it.
 struct OpenedDrawing {
   StoredDrawing drawing;
-  ImportReport report;    ///< what could not be taken as it was; empty for .felt
+  ImportReport report;    ///< what could not be taken as it was; empty for a sound .felt
   FileFormat format{};    ///< by its content
   bool has_page = false;  ///< the file says which sheet; else it is the default one
   /// The drawing is all that the file holds, number for number: it was written by Feltline in a
@@ -30,6 +30,8 @@ struct ReadOptions {
   ImportOptions import{};
   /// Refuses pipes and devices, which may never end: where a person waits before a window.
   bool files_only = false;
+  /// Of a damaged .felt file takes what can be had (felt_salvage.h); the report says what is not.
+  bool salvage = false;
 };
 
 /// Reads a whole drawing of any format (docs/formats/README.md) that is read. "-" is stdin. What

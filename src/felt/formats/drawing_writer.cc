@@ -25,11 +25,18 @@ Result<std::string> png_bytes(const StoredDrawing& drawing, const WriteOptions& 
   return encode_png(*image, options.dpi);
 }
 
+/// All layers, on a sheet of the colour that was asked for.
+LayeredSketch sheet_with(const StoredDrawing& drawing, const WriteOptions& options) {
+  LayeredSketch sketch = layered_sketch(drawing);
+  sketch.page->paper = options.paper.value_or(drawing.page.paper);
+  if (options.no_page) sketch.page.reset();
+  return sketch;
+}
+
 /// The page says what is shown, unless another part was asked for.
 Result<std::string> svg_bytes(const StoredDrawing& drawing, const WriteOptions& options) {
-  LayeredSketch sketch = layered_sketch(drawing);
+  LayeredSketch sketch = sheet_with(drawing, options);
   const Rgba paper = options.paper.value_or(drawing.page.paper);
-  sketch.page->paper = paper;
   if (options.area) sketch.page.reset();
   return svg_text(sketch, SvgOptions{.sheet = options.area, .paper = paper});
 }
@@ -52,11 +59,11 @@ Result<std::string> drawing_bytes(const StoredDrawing& drawing, FileFormat forma
     case FileFormat::kPng:
       return png_bytes(drawing, options);
     case FileFormat::kInkml:
-      return inkml_text(layered_sketch(drawing));
+      return inkml_text(sheet_with(drawing, options));
     case FileFormat::kXopp:
-      return xopp_bytes(layered_sketch(drawing));
+      return xopp_bytes(sheet_with(drawing, options));
   }
-  return fail(ErrorCode::kInvalidArgument, "no such format");
+  return fail(ErrorCode::kInvalidArgument, "there is no such format");
 }
 
 Result<void> write_drawing(const std::string& path, const StoredDrawing& drawing, FileFormat format,

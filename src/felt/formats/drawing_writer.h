@@ -17,6 +17,9 @@ struct WriteOptions {
   std::optional<Rect> area{};
   /// Behind the ink, in place of the page's colour; alpha 0 leaves it out.
   std::optional<Rgba> paper{};
+  /// Nobody chose the page: a format that can do without says none (.svg, .inkml), or one that
+  /// holds the ink (.xopp).
+  bool no_page = false;
   double dpi = 300.0;  ///< of a .png
   Grain grain{};       ///< of a .png
 };

@@ -47,6 +47,7 @@ constexpr std::array kTable = {
                  .writes = true,
                  .layers = true,
                  .page = true,
+                 .lossless = true,
                  .picture = true,
                  .widths = "exact",
                  .taken = "centre lines of shapes and paths, PowerStroke widths, edges of fills",

@@ -20,6 +20,7 @@ TEST(FormatTraits, EveryRowIsWholeAndNoEndingComesTwice) {
     EXPECT_FALSE(row.title.empty());
     EXPECT_FALSE(row.widths.empty());
     EXPECT_EQ(row.kept.back(), '.') << row.name;
+    EXPECT_TRUE(row.reads || row.writes) << row.name;
     EXPECT_TRUE(!row.lossless || (row.layers && row.page && row.reads && row.writes)) << row.name;
     for (const std::string_view ending : row.endings) EXPECT_TRUE(seen.insert(ending).second);
     for (const std::string_view type : row.media_types) EXPECT_TRUE(seen.insert(type).second);

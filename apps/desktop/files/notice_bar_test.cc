@@ -1,0 +1,72 @@
+#include "desktop/files/notice_bar.h"
+
+#include <gtest/gtest.h>
+
+#include <QLabel>
+#include <QSet>
+#include <QToolButton>
+#include <QTreeWidget>
+
+#include "desktop/files/format_texts.h"
+#include "felt/formats/format_traits.h"
+
+namespace felt::desktop {
+namespace {
+
+ImportReport report_of_two() {
+  ImportReport report;
+  report.add(12, "text 'title'", "is no ink and was left out");
+  report.add(20, "text 'name'", "is no ink and was left out");
+  report.add(0, "the image", "was left out");
+  return report;
+}
+
+TEST(NoticeBar, TellsHowMuchAndOnDemandWhere) {
+  NoticeBar bar;
+  EXPECT_TRUE(bar.isHidden());
+  bar.show_report(QStringLiteral("notes.xopp"), report_of_two());
+  EXPECT_FALSE(bar.isHidden());
+  EXPECT_TRUE(bar.accessibleName().contains(QStringLiteral("notes.xopp")));
+  EXPECT_TRUE(bar.accessibleName().contains(QStringLiteral("3 thing")));
+  auto* list = bar.findChild<QTreeWidget*>();
+  EXPECT_TRUE(list->isHidden());
+  bar.findChild<QToolButton*>()->click();
+  EXPECT_FALSE(list->isHidden());
+  ASSERT_EQ(list->topLevelItemCount(), 2);
+  EXPECT_EQ(list->topLevelItem(0)->text(0), QStringLiteral("12"));
+  EXPECT_EQ(list->topLevelItem(0)->text(1), QStringLiteral("text 'title'"));
+  EXPECT_EQ(list->topLevelItem(0)->text(3), QStringLiteral("2"));
+  EXPECT_EQ(list->topLevelItem(1)->text(0), QString());
+}
+
+TEST(NoticeBar, AFileWithoutNoticesAndTheCrossPutItAway) {
+  NoticeBar bar;
+  bar.show_report(QStringLiteral("a"), report_of_two());
+  bar.show_report(QStringLiteral("b"), ImportReport());
+  EXPECT_TRUE(bar.isHidden());
+  bar.show_report(QStringLiteral("a"), report_of_two());
+  bar.findChildren<QToolButton*>().back()->click();
+  EXPECT_TRUE(bar.isHidden());
+}
+
+TEST(FormatTexts, TranslatorsSeeEveryWordOfTheTable) {
+  QSet<QString> words;
+  for (const char* word : format_words()) words.insert(QString::fromUtf8(word));
+  for (const FormatTraits& row : format_table()) {
+    EXPECT_TRUE(words.contains(QString::fromStdString(std::string(row.title)))) << row.title;
+    EXPECT_TRUE(words.contains(QString::fromStdString(std::string(row.kept)))) << row.kept;
+  }
+}
+
+TEST(FormatTexts, DialogsShowEveryFormatThatIsReadAndAllTogetherFirst) {
+  const QStringList filters = open_filters().split(QStringLiteral(";;"));
+  EXPECT_TRUE(filters.front().startsWith(QStringLiteral("All drawings (*.felt *.svg *.svgz")));
+  EXPECT_EQ(filters.back(), QStringLiteral("All files (*)"));
+  qsizetype reads = 0;
+  for (const FormatTraits& row : format_table()) reads += row.reads ? 1 : 0;
+  EXPECT_EQ(filters.size(), reads + 2);
+  EXPECT_EQ(save_filter(FileFormat::kPng), QStringLiteral("PNG picture (*.png)"));
+}
+
+}  // namespace
+}  // namespace felt::desktop
