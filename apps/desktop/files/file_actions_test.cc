@@ -242,7 +242,7 @@ TEST(FileActions, NotesOfAnotherProgramAreDroppedDrawnOnSavedAndOpenedAgain) {
   EXPECT_EQ(desk.files->display_name(), QStringLiteral("notes"));
   const auto report = qvariant_cast<felt::ImportReport>(taken.at(0).at(1));
   ASSERT_EQ(report.notices().size(), 1u);
-  EXPECT_EQ(report.notices()[0].line, 6);
+  EXPECT_EQ(report.notices()[0].line, 7);
   desk.draw(3, 1);
   // Save asks for a name, since notes could not hold all of it; the file stays as it was.
   desk.person->next = desk.at("notes");
