@@ -3,7 +3,7 @@ option(FELT_TESTS "Build the tests" ${PROJECT_IS_TOP_LEVEL})
 option(FELT_BENCHMARKS "Build the benchmarks" OFF)
 option(FELT_FUZZERS "Build the libFuzzer targets (clang only)" OFF)
 option(FELT_WERROR "Warnings are errors" OFF)
-set(FELT_SANITIZE "" CACHE STRING "Sanitizers: address,undefined | thread | realtime | (empty)")
+set(FELT_SANITIZE "" CACHE STRING "Sanitizers: [fuzzer-no-link,]address,undefined | thread | realtime | (empty)")
 
 set(CMAKE_CXX_STANDARD 20)
 set(CMAKE_CXX_STANDARD_REQUIRED ON)
@@ -19,7 +19,8 @@ endif()
 # -O3 in release: the fitter's inner loops are written to be vectorised.
 set(CMAKE_CXX_FLAGS_RELEASE "-O3 -DNDEBUG")
 set(FELT_DEBUG_INFO "-g" CACHE STRING "Debug information of RelWithDebInfo: -g or -g1")
-set(CMAKE_CXX_FLAGS_RELWITHDEBINFO "-O2 ${FELT_DEBUG_INFO}")
+set(FELT_OPTIMISATION "-O2" CACHE STRING "Optimisation of RelWithDebInfo")
+set(CMAKE_CXX_FLAGS_RELWITHDEBINFO "${FELT_OPTIMISATION} ${FELT_DEBUG_INFO}")
 
 find_program(FELT_CCACHE ccache)
 if(FELT_CCACHE AND PROJECT_IS_TOP_LEVEL)
@@ -40,7 +41,7 @@ target_compile_options(felt_flags INTERFACE
   # g++ 12 warns at -O3 about "literal" + std::string, in its own header: gcc.gnu.org/PR105651.
   $<$<AND:$<CXX_COMPILER_ID:GNU>,$<VERSION_LESS:$<CXX_COMPILER_VERSION>,13>>:-Wno-restrict>)
 # Sanitizers confuse g++ 12's bounds analysis, so there a warning stays one.
-if(FELT_WERROR AND NOT FELT_SANITIZE)
+if(FELT_WERROR AND NOT (FELT_SANITIZE AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU"))
   target_compile_options(felt_flags INTERFACE -Werror)
 endif()
 target_include_directories(felt_flags INTERFACE ${PROJECT_SOURCE_DIR}/src)
