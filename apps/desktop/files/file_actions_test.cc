@@ -13,9 +13,9 @@
 #include "desktop/engine/settings.h"
 #include "desktop/files/settings_keys.h"
 #include "desktop/files/test_desk.h"
-#include "felt/store/felt_recording.h"
 #include "felt/base/atomic_file.h"
 #include "felt/base/read_file.h"
+#include "felt/store/felt_recording.h"
 
 namespace felt::desktop {
 namespace {

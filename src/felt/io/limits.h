@@ -47,7 +47,8 @@ inline constexpr int kMaxXmlDepth = 256;
 /// Most XML elements in a file.
 inline constexpr std::size_t kMaxXmlElements = 2'000'000;
 
-/// Points of a stroke of a foreign format; more of them become several strokes, one after the other.
+/// Points of a stroke of a foreign format; more of them become several strokes, one after the
+/// other.
 inline constexpr std::size_t kMaxStrokePoints = 500'000;
 
 }  // namespace felt::limits

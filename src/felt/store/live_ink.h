@@ -75,7 +75,7 @@ class LiveInk {
   std::deque<Event> air_;         // the last told samples above the sheet
   std::deque<PenSample> untold_;  // the overhang
   std::int64_t told_ns_ = INT64_MIN, last_contact_ns_ = INT64_MIN, kept_ns_ = INT64_MIN;
-  Contact contact_;               // after the last told sample
+  Contact contact_;  // after the last told sample
   bool open_ = false, clear_ = false;
   std::string context_, events_;  // not taken yet
   std::vector<LiveChunk> chunks_;

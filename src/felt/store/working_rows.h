@@ -31,7 +31,8 @@ inline constexpr std::array kWorkingTables = {
     "CREATE TABLE live(sequence INTEGER PRIMARY KEY, kind INTEGER NOT NULL, "
     "length INTEGER NOT NULL, crc INTEGER NOT NULL, bytes BLOB NOT NULL)"};
 
-inline constexpr std::size_t kBasePartBytes = std::size_t{64} << 10;  ///< as a rule; a damaged page costs eight
+inline constexpr std::size_t kBasePartBytes = std::size_t{64}
+                                              << 10;  ///< as a rule; a damaged page costs eight
 inline constexpr std::size_t kLeastTextBytes = 4;
 
 constexpr std::int64_t base_row(std::uint64_t generation, std::uint64_t part) noexcept {
