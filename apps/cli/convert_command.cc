@@ -2,6 +2,7 @@
 
 #include "commands.h"
 #include "convert_drawing.h"
+#include "felt/formats/file_format.h"
 #include "felt/formats/format_traits.h"
 #include "input.h"
 #include "sketch_input.h"
@@ -76,7 +77,9 @@ void convert(const ConvertArguments& args, Format format, Console& console) {
   if (!picture) throw UsageError(picture.error().message);
   const Result<Input> input = Input::open(args.input);
   if (!input) return console.error(input_name(args.input) + ": " + input.error().message);
-  if (input->is_lines()) return convert_lines(*input, args, format, *picture, console);
+  // What is compressed as a whole is not streamed.
+  const bool is_stream = input->is_lines() && !is_compressed_name(args.output);
+  if (is_stream) return convert_lines(*input, args, format, *picture, console);
   convert_whole(*input, args, format, *picture, console);
 }
 

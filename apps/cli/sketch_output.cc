@@ -3,6 +3,7 @@
 #include <functional>
 
 #include "felt/formats/drawing_writer.h"
+#include "felt/formats/file_format.h"
 #include "felt/formats/layered_drawing.h"
 #include "felt/io/ndjson_writer.h"
 #include "felt/io/pdf_writer.h"
@@ -159,6 +160,10 @@ Result<void> encode(const SketchStroke& stroke, std::int64_t number, Format form
 
 Result<std::unique_ptr<SketchOutput>> open_sketch_output(const std::string& path, Format format,
                                                          const PictureOptions& picture) {
+  if (is_compressed_name(path)) {
+    return fail(ErrorCode::kUnsupported,
+                path + ": compressed SVG is written by convert and render; here it is .svg");
+  }
   if (format == Format::kSvg) return open_svg_output(path, picture);
   Result<Output> output = Output::create(path);
   if (!output) return tl::unexpected(output.error());

@@ -12,6 +12,7 @@
 #include "felt/formats/format_traits.h"
 #include "felt/formats/random_drawing.h"
 #include "felt/io/ndjson_writer.h"
+#include "felt/io/unpack.h"
 
 namespace felt {
 namespace {
@@ -137,6 +138,17 @@ TEST_F(Door, WritesWholeOrNotAtAllAndSaysWhere) {
   const auto huge = write_drawing(at("a.png"), drawing, FileFormat::kPng, {.dpi = 48000.0});
   ASSERT_FALSE(huge);
   EXPECT_THAT(huge.error().message, StartsWith(at("a.png")));
+}
+
+TEST_F(Door, AnSvgzIsReallyCompressed) {
+  const StoredDrawing drawing = random_drawing(3);
+  ASSERT_TRUE(write_drawing(at("a.SVGZ"), drawing, FileFormat::kSvg));
+  std::ifstream file(at("a.SVGZ"), std::ios::binary);
+  const std::string bytes{std::istreambuf_iterator<char>(file), {}};
+  EXPECT_TRUE(is_gzip(bytes));
+  const auto back = read_drawing(at("a.SVGZ"));
+  ASSERT_TRUE(back) << message(back);
+  EXPECT_EQ(back->drawing.document, drawing.document);
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include "felt/io/pdf_writer.h"
 #include "felt/io/png.h"
 #include "felt/io/svg_writer.h"
+#include "felt/io/unpack.h"
 #include "felt/io/xopp_writer.h"
 #include "felt/render/page.h"
 
@@ -71,7 +72,7 @@ Result<void> write_drawing(const std::string& path, const StoredDrawing& drawing
   if (format == FileFormat::kFelt && path != "-") return write_felt(path, drawing);
   const Result<std::string> bytes = drawing_bytes(drawing, format, options);
   if (!bytes) return tl::unexpected(with_context(bytes.error(), path == "-" ? "stdout" : path));
-  return write_file(path, *bytes);
+  return write_file(path, is_compressed_name(path) ? gzip(*bytes) : *bytes);
 }
 
 }  // namespace felt

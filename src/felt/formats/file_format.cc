@@ -90,6 +90,10 @@ Result<FileFormat> format_of_path(const std::string& path) {
   return fail(ErrorCode::kUnsupported, path + ": no format has this ending; there are" + known);
 }
 
+bool is_compressed_name(const std::string& path) {
+  return ends_with(path, ".svgz");
+}
+
 std::optional<FileFormat> format_of_bytes(std::string_view head) {
   const auto begins = [&head](std::string_view mark) {
     return head.substr(0, mark.size()) == mark;

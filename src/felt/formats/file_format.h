@@ -23,6 +23,9 @@ enum class FileFormat {
 /// names the path and lists those there are.
 Result<FileFormat> format_of_path(const std::string& path);
 
+/// Whether a file of this name is compressed as a whole by gzip: .svgz, in either case.
+bool is_compressed_name(const std::string& path);
+
 /// How many bytes of a file format_of_bytes wants to see.
 inline constexpr std::size_t kFormatHeadBytes = 4096;
 
