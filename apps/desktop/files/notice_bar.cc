@@ -31,8 +31,7 @@ NoticeBar::NoticeBar(QWidget* parent)
       list_(new QTreeWidget(this)) {
   setFrameShape(QFrame::StyledPanel);
   setAutoFillBackground(true);
-  setBackgroundRole(QPalette::ToolTipBase);
-  text_->setForegroundRole(QPalette::ToolTipText);
+  setBackgroundRole(QPalette::AlternateBase);
   text_->setWordWrap(true);
   text_->setTextFormat(Qt::PlainText);
   auto* icon = new QLabel(this);
@@ -42,7 +41,7 @@ NoticeBar::NoticeBar(QWidget* parent)
   details_->setToolTip(tr("What was left out or changed, and where"));
   connect(details_, &QToolButton::toggled, this, &NoticeBar::show_details);
   auto* close = new QToolButton(this);
-  close->setIcon(style()->standardIcon(QStyle::SP_DialogCloseButton));
+  close->setText(QStringLiteral("✕"));  // in the colour of the theme, which the style's icon is not
   close->setAutoRaise(true);
   close->setToolTip(tr("Close this message"));
   close->setAccessibleName(tr("Close this message"));
@@ -82,10 +81,9 @@ void NoticeBar::show_report(const QString& name, const ImportReport& report) {
     item->setToolTip(2, text_of(notice_text(notice)));
     item->setText(3, locale.toString(qlonglong(notice.count)));
   }
-  text_->setText(tr("Not everything in “%1” could be taken as it is: %n thing(s) were left out or "
-                    "changed. The file itself is as it was.",
-                    nullptr, count)
-                     .arg(name));
+  text_->setText(tr("Not everything in “%1” could be taken as it is. Left out or changed: %2. "
+                    "The file itself is as it was.")
+                     .arg(name, locale.toString(count)));
   show();
   QAccessibleEvent alert(this, QAccessible::Alert);
   setAccessibleName(text_->text());

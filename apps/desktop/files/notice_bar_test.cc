@@ -27,7 +27,7 @@ TEST(NoticeBar, TellsHowMuchAndOnDemandWhere) {
   bar.show_report(QStringLiteral("notes.xopp"), report_of_two());
   EXPECT_FALSE(bar.isHidden());
   EXPECT_TRUE(bar.accessibleName().contains(QStringLiteral("notes.xopp")));
-  EXPECT_TRUE(bar.accessibleName().contains(QStringLiteral("3 thing")));
+  EXPECT_TRUE(bar.accessibleName().contains(QStringLiteral("changed: 3.")));
   auto* list = bar.findChild<QTreeWidget*>();
   EXPECT_TRUE(list->isHidden());
   bar.findChild<QToolButton*>()->click();

@@ -2537,12 +2537,9 @@ Doppelklick benennt um, Ziehen verschiebt</translation>
         <source>How often</source>
         <translation>Wie oft</translation>
     </message>
-    <message numerus="yes">
-        <source>Not everything in “%1” could be taken as it is: %n thing(s) were left out or changed. The file itself is as it was.</source>
-        <translation>
-            <numerusform>Nicht alles in „%1“ ließ sich übernehmen, wie es ist: %n Ding wurde weggelassen oder geändert. Die Datei selbst ist unverändert.</numerusform>
-            <numerusform>Nicht alles in „%1“ ließ sich übernehmen, wie es ist: %n Dinge wurden weggelassen oder geändert. Die Datei selbst ist unverändert.</numerusform>
-        </translation>
+    <message>
+        <source>Not everything in “%1” could be taken as it is. Left out or changed: %2. The file itself is as it was.</source>
+        <translation>Nicht alles in „%1“ ließ sich übernehmen, wie es ist. Weggelassen oder geändert: %2. Die Datei selbst ist unverändert.</translation>
     </message>
 </context>
 <context>

@@ -2537,12 +2537,9 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen</translation>
         <source>How often</source>
         <translation>Hoe vaak</translation>
     </message>
-    <message numerus="yes">
-        <source>Not everything in “%1” could be taken as it is: %n thing(s) were left out or changed. The file itself is as it was.</source>
-        <translation>
-            <numerusform>Niet alles in “%1” kon worden overgenomen zoals het is: %n ding is weggelaten of veranderd. Het bestand zelf is onveranderd.</numerusform>
-            <numerusform>Niet alles in “%1” kon worden overgenomen zoals het is: %n dingen zijn weggelaten of veranderd. Het bestand zelf is onveranderd.</numerusform>
-        </translation>
+    <message>
+        <source>Not everything in “%1” could be taken as it is. Left out or changed: %2. The file itself is as it was.</source>
+        <translation>Niet alles in “%1” kon worden overgenomen zoals het is. Weggelaten of veranderd: %2. Het bestand zelf is onveranderd.</translation>
     </message>
 </context>
 <context>
