@@ -125,9 +125,10 @@ TEST(InkOfPoints, UnusablePointsAreLeftOut) {
   InkOfPoints ink(InkFitOptions{});
   EXPECT_FALSE(ink.of_line({}));
   EXPECT_FALSE(ink.of_samples({}));
-  const std::vector<WidePoint> far = {{{NAN, 0}, 1}, {{2e9, 0}, 1}, {{0, 0}, NAN}};
+  const std::vector<WidePoint> far = {
+      {{std::nan(""), 0}, 1}, {{2e9, 0}, 1}, {{0, 0}, std::nan("")}};
   EXPECT_FALSE(ink.of_line(far));
-  const std::vector<WidePoint> some = {{{NAN, 0}, 1}, {{1, 0}, 1}, {{2, 0}, -5}};
+  const std::vector<WidePoint> some = {{{std::nan(""), 0}, 1}, {{1, 0}, 1}, {{2, 0}, -5}};
   const StrokeData data = ink.of_line(some).value();
   EXPECT_TRUE(check_invariants(data));
   EXPECT_NEAR(data.widths.back().width_mm, kMinWidthMm, 1e-12);
