@@ -92,9 +92,9 @@ std::string recordings_text(const OpenedDrawing& opened) {
   std::string text;
   int place = 0;
   for (const RecordingInfo& r : recordings(opened)) {
-    text += fmt::format("{:16}{} samples, {} events, {} s, of '{}'\n",
-                        fmt::format("recording {}", ++place), r.samples, r.events,
-                        number(r.duration_s), r.device);
+    text += fmt::format("{:16}{} samples, {} events, {:.3f} s, of '{}'\n",
+                        fmt::format("recording {}", ++place), r.samples, r.events, r.duration_s,
+                        r.device);
   }
   return text;
 }

@@ -180,10 +180,13 @@ Result<void> Database::check_pages() const {
   if (!check) return tl::unexpected(check.error());
   const Result<bool> row = check->step();
   if (!row) return tl::unexpected(row.error());
-  if (!*row || check->text(0) != "ok") {
-    return fail(ErrorCode::kInvalidData, *row ? std::string(check->text(0)) : "no answer");
-  }
-  return {};
+  if (!*row) return fail(ErrorCode::kInvalidData, "no answer");
+  const std::string_view answer = check->text(0);
+  if (answer == "ok") return {};
+  // A heading comes first, on a line of its own: "*** in database main ***".
+  const std::size_t heading = answer.rfind("***\n");
+  return fail(ErrorCode::kInvalidData,
+              std::string(heading == answer.npos ? answer : answer.substr(heading + 4)));
 }
 
 /// What sqlite.org/security.html asks for where files come from others.
