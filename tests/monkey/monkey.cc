@@ -38,27 +38,7 @@ void Monkey::start() {
   QTimer::singleShot(0, this, &Monkey::step);
 }
 
-void Monkey::step() {
-  // An event may open a dialog, whose loop comes here again: that is another event then.
-  if (!failure_.empty() || done_ >= options_.events) {
-    if (QWidget* modal = QApplication::activeModalWidget()) {
-      modal->close();
-      QTimer::singleShot(0, this, &Monkey::step);
-      return;
-    }
-    if (failure_.empty()) check_deeply();
-    Q_EMIT finished();
-    return;
-  }
-  ++done_;
-  // Before the act: a dialog that it opens runs a loop, in which the next one comes. A timer that
-  // repeats would not, while its own event is being handled.
-  QTimer::singleShot(0, this, &Monkey::step);
-  struct Choice {
-    double weight;
-    Act act;
-    const char* name;
-  };
+const Monkey::Choice& Monkey::choose() {
   static constexpr std::array<Choice, 13> kChoices = {{
       {20, &Monkey::stroke, "stroke"},
       {8, &Monkey::pen_event, "pen event"},
@@ -77,21 +57,39 @@ void Monkey::step() {
   double total = 0.0;
   for (const Choice& choice : kChoices) total += choice.weight;
   double at = dice_.between(0.0, total);
-  const Choice* chosen = kChoices.data();
   for (const Choice& choice : kChoices) {
-    chosen = &choice;
-    if ((at -= choice.weight) < 0.0) break;
+    if ((at -= choice.weight) < 0.0) return choice;
   }
-  doing_ = chosen->name;
+  return kChoices.back();
+}
+
+void Monkey::step() {
+  // An event may open a dialog, whose loop comes here again: that is another event then.
+  if (!failure_.empty() || done_ >= options_.events) {
+    if (QWidget* modal = QApplication::activeModalWidget()) {
+      modal->close();
+      QTimer::singleShot(0, this, &Monkey::step);
+      return;
+    }
+    if (failure_.empty()) check_deeply();
+    Q_EMIT finished();
+    return;
+  }
+  ++done_;
+  // Before the act: a dialog that it opens runs a loop, in which the next one comes. A timer that
+  // repeats would not, while its own event is being handled.
+  QTimer::singleShot(0, this, &Monkey::step);
+  const Choice& chosen = choose();
+  doing_ = chosen.name;
   if (options_.verbose)
-    std::fprintf(stderr, "%llu %s\n", static_cast<unsigned long long>(done_), chosen->name);
+    std::fprintf(stderr, "%llu %s\n", static_cast<unsigned long long>(done_), chosen.name);
   const double start_ms = cpu_ms();
   const std::uint64_t start = done_;
   if (QApplication::activeModalWidget() && ++steps_in_dialog_ > 25) {
     doing_ = "close dialog";
     close_dialog();
   } else {
-    (this->*chosen->act)();
+    (this->*chosen.act)();
   }
   ++counts_[doing_];
   // Others that ran inside, in a dialog's loop, have been judged by themselves.

@@ -47,7 +47,14 @@ class Monkey : public QObject {
 
  private:
   using Act = void (Monkey::*)();
+  /// One thing to do, and how often among the others.
+  struct Choice {
+    double weight;
+    Act act;
+    const char* name;
+  };
 
+  const Choice& choose();
   void step();
   void check();
   void check_deeply();
