@@ -1,4 +1,4 @@
-// What a .felt file costs: bytes, opening, saving (README.md).
+// What a .felt file costs: bytes, opening, saving; and a commit into the working store (README.md).
 #include <zlib.h>
 
 #include <algorithm>
@@ -7,6 +7,7 @@
 #include <ctime>
 #include <filesystem>
 #include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -14,6 +15,7 @@
 #include "felt/document/visible_strokes.h"
 #include "felt/io/svg_writer.h"
 #include "felt/store/felt_file.h"
+#include "felt/store/working_store.h"
 #include "ink.h"
 
 namespace felt::bench {
@@ -69,6 +71,52 @@ void row(const Arguments& args, const char* what, double value, const char* unit
   std::fflush(stdout);
 }
 
+double wall_ms() {
+  timespec now{};
+  clock_gettime(CLOCK_MONOTONIC, &now);
+  return 1e3 * static_cast<double>(now.tv_sec) + 1e-6 * static_cast<double>(now.tv_nsec);
+}
+
+double at_share(std::vector<double> all, double share) {
+  std::sort(all.begin(), all.end());
+  return all[static_cast<std::size_t>(share * static_cast<double>(all.size() - 1))];
+}
+
+/// One more stroke a commit, into the working store of a large drawing.
+void run_commits(const Arguments& args, const StoredDrawing& drawing) {
+  constexpr int kCommits = 500;
+  const std::filesystem::path root =
+      std::filesystem::temp_directory_path() / "feltline-bench-working";
+  std::filesystem::create_directories(root);
+  Result<WorkingStore> store = WorkingStore::create(root.string(), "bench");
+  FELT_CHECK(store);
+  const double start = wall_ms();
+  FELT_CHECK(store->write_base(drawing) && store->commit());
+  row(args, "working store, first base", wall_ms() - start, "ms wall");
+  Document document = drawing.document;
+  const Layer& layer = document.layers().back();
+  const Stroke ink = *document.find(layer.strokes.front());
+  std::vector<double> wall, cpu;
+  for (int i = 0; i < kCommits; ++i) {
+    Edit edit{"Draw",
+              {{document.new_id(),
+                nullptr,
+                std::make_shared<const Stroke>(ink),
+                {},
+                {layer.id, layer.strokes.size()}}}};
+    FELT_CHECK(document.apply(edit));
+    const double wall_start = wall_ms(), cpu_start = cpu_ms();
+    FELT_CHECK(store->add_edit(edit) && store->commit());
+    wall.push_back(wall_ms() - wall_start);
+    cpu.push_back(cpu_ms() - cpu_start);
+  }
+  row(args, "commit one more stroke, p50", at_share(wall, 0.5), "ms wall");
+  row(args, "commit one more stroke, p99", at_share(wall, 0.99), "ms wall");
+  row(args, "commit one more stroke, CPU p50", 1e3 * at_share(cpu, 0.5), "us CPU");
+  FELT_CHECK(std::move(*store).remove());
+  std::filesystem::remove_all(root);
+}
+
 void run(const Arguments& args) {
   StoredDrawing drawing;
   drawing.document = Ink(args.strokes).document();
@@ -90,6 +138,7 @@ void run(const Arguments& args) {
       median_ms(args.rounds, [&] { FELT_CHECK(write_felt(path, drawing)); }), "ms CPU");
   row(args, "open, a file", median_ms(args.rounds, [&] { FELT_CHECK(read_felt(path)); }), "ms CPU");
   std::filesystem::remove(path);
+  run_commits(args, drawing);
 }
 
 }  // namespace
