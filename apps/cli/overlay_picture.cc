@@ -112,7 +112,7 @@ class OverlayPen {
     polyline(points, pen);
   }
   void circle(Vec center, double radius, const PlotPen& pen) {
-    const int steps = std::clamp(static_cast<int>(3.0 * radius), 16, 240);
+    const int steps = static_cast<int>(std::clamp(3.0 * radius, 16.0, 240.0));
     std::vector<Vec> points;
     for (int i = 0; i <= steps; ++i) {
       const double angle = 2.0 * std::numbers::pi * i / steps;

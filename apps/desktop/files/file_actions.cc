@@ -66,6 +66,9 @@ FileActions::FileActions(Studio& studio, Actions& actions, QWidget* window,
   connect(&studio, &Studio::edited, this, [this] { ++revision_; });
   connect(&studio, &Studio::opened, this, &FileActions::hear_opened);
   connect(&studio, &Studio::page_changed, this, [this] { ++revision_; });
+  connect(&studio, &Studio::option_changed, this, [this](const QString& id) {
+    if (id.startsWith(QLatin1String("sheet."))) ++revision_;  // the file has it
+  });
   if (studio.loop()) {
     keep_journal(recovery_roots());
     offer_once();
@@ -159,7 +162,11 @@ Result<OpenedDrawing> FileActions::read(const QString& path) {
 bool FileActions::open(const QString& given) {
   const QString path = QFileInfo(given).absoluteFilePath();
   if (!may_replace()) return false;
+  const std::uint64_t asked_about = revision_;
   Result<OpenedDrawing> opened = read(path);
+  // A pen draws on while a file is read.
+  studio_.finish_gesture();
+  if (revision_ != asked_about && !may_replace()) return false;
   if (!opened) {
     dialogs_->show_error(window_, tr("“%1” cannot be opened").arg(QFileInfo(path).fileName()),
                          text_of(opened.error()));
@@ -280,7 +287,7 @@ bool FileActions::eventFilter(QObject* object, QEvent* event) {
 bool FileActions::save() {
   if (path_.isEmpty()) return save_as();
   const QDateTime now = changed_at(path_);
-  if (seen_on_disk_.isValid() && now.isValid() && now != seen_on_disk_ && !worker_.is_busy() &&
+  if (seen_on_disk_.isValid() && now.isValid() && now != seen_on_disk_ && saves_in_work_ == 0 &&
       !dialogs_->ask_overwrite(window_, display_name())) {
     return false;
   }
@@ -299,6 +306,7 @@ bool FileActions::save_as() {
 
 bool FileActions::begin_save(const QString& path) {
   auto copy = std::make_shared<Drawing>(drawing());
+  ++saves_in_work_;
   worker_.start([this, path, revision = revision_, copy]() mutable -> FileWorker::Answer {
     Result<void> done = write_drawing(path, *copy);
     copy.reset();
@@ -308,6 +316,7 @@ bool FileActions::begin_save(const QString& path) {
 }
 
 void FileActions::end_save(const QString& path, std::uint64_t revision, const Result<void>& done) {
+  --saves_in_work_;
   last_save_failed_ = !done;
   if (!done) {
     dialogs_->show_error(

@@ -143,6 +143,7 @@ class FileActions : public QObject {
   FeltExtras extras_;           // what its file holds that is only carried
   QDateTime seen_on_disk_;      // of path_, when it was read or written here
   std::uint64_t revision_ = 0;  // of the drawing
+  int saves_in_work_ = 0;
   bool last_save_failed_ = false, is_showing_ = false;
 };
 

@@ -18,11 +18,11 @@ constexpr const char* kWords[] = {
     QT_TRANSLATE_NOOP("felt::desktop::Formats", "SVG drawing"),
     QT_TRANSLATE_NOOP("felt::desktop::Formats",
                       "The picture, for browsers, Inkscape and all that show SVG; Feltline reads "
-                      "all of it back exactly."),
+                      "lines, layers and page back exactly."),
     QT_TRANSLATE_NOOP("felt::desktop::Formats", "InkML ink"),
     QT_TRANSLATE_NOOP("felt::desktop::Formats",
-                      "Lines and their pressure for programs that know ink; Feltline reads all of "
-                      "it back exactly."),
+                      "Lines and their pressure for programs that know ink; Feltline reads lines, "
+                      "layers and page back exactly."),
     QT_TRANSLATE_NOOP("felt::desktop::Formats", "Xournal++ notes"),
     QT_TRANSLATE_NOOP("felt::desktop::Formats",
                       "Lines with their widths, in layers, for notes in Xournal++; curves become "

@@ -19,10 +19,12 @@ std::optional<SavedDrawing> saved_of(const RecoveredDrawing& recovered) {
 /// Whether it could go without a loss.
 bool is_worthless(const RecoveryOffer& offer) {
   const RecoveredDrawing& recovered = offer.recovered;
-  if (recovered.has_changes) return false;
+  // What is damaged may have lost the very word that it was not saved.
+  if (recovered.has_changes || !recovered.problems.empty()) return false;
   if (recovered.drawing.document.stroke_count() == 0) return true;
-  // It was saved, and the file is still there to prove it. An example has no file, and is no loss.
-  return offer.saved.has_value() || recovered.path.empty();
+  if (recovered.path.empty()) return true;  // an example, which is no loss
+  // It was saved, and the file has it still. A file that is older now was put back by somebody.
+  return offer.saved && offer.saved->drawing.document == recovered.drawing.document;
 }
 
 }  // namespace

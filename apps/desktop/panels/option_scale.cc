@@ -30,7 +30,7 @@ OptionScale::OptionScale(const OptionSpec& spec)
     kind_ = Kind::kSquare;
   }
   const double finest = min_ > 0.0 ? min_ : (max_ - min_) / 100.0;
-  decimals_ = std::clamp(static_cast<int>(std::ceil(-std::log10(finest) - 1e-9)), 1, 3);
+  decimals_ = static_cast<int>(std::clamp(std::ceil(-std::log10(finest) - 1e-9), 1.0, 3.0));
 }
 
 int OptionScale::place_of(double value) const {

@@ -2092,16 +2092,16 @@ Ihre Zeichnung ist noch da: speichern Sie sie anderswo.</translation>
         <translation>SVG-Zeichnung</translation>
     </message>
     <message>
-        <source>The picture, for browsers, Inkscape and all that show SVG; Feltline reads all of it back exactly.</source>
-        <translation>Das Bild, für Browser, Inkscape und alles, was SVG zeigt; Feltline liest alles genau wieder ein.</translation>
+        <source>The picture, for browsers, Inkscape and all that show SVG; Feltline reads lines, layers and page back exactly.</source>
+        <translation>Das Bild, für Browser, Inkscape und alles, was SVG zeigt; Feltline liest Linien, Ebenen und Seite genau wieder ein.</translation>
     </message>
     <message>
         <source>InkML ink</source>
         <translation>InkML-Tinte</translation>
     </message>
     <message>
-        <source>Lines and their pressure for programs that know ink; Feltline reads all of it back exactly.</source>
-        <translation>Linien und ihr Druck für Programme, die Tinte kennen; Feltline liest alles genau wieder ein.</translation>
+        <source>Lines and their pressure for programs that know ink; Feltline reads lines, layers and page back exactly.</source>
+        <translation>Linien und ihr Druck für Programme, die Tinte kennen; Feltline liest Linien, Ebenen und Seite genau wieder ein.</translation>
     </message>
     <message>
         <source>Xournal++ notes</source>

@@ -2092,16 +2092,16 @@ Je tekening is er nog: sla haar ergens anders op.</translation>
         <translation>SVG-tekening</translation>
     </message>
     <message>
-        <source>The picture, for browsers, Inkscape and all that show SVG; Feltline reads all of it back exactly.</source>
-        <translation>Het beeld, voor browsers, Inkscape en alles wat SVG toont; Feltline leest alles exact terug.</translation>
+        <source>The picture, for browsers, Inkscape and all that show SVG; Feltline reads lines, layers and page back exactly.</source>
+        <translation>Het beeld, voor browsers, Inkscape en alles wat SVG toont; Feltline leest lijnen, lagen en pagina exact terug.</translation>
     </message>
     <message>
         <source>InkML ink</source>
         <translation>InkML-inkt</translation>
     </message>
     <message>
-        <source>Lines and their pressure for programs that know ink; Feltline reads all of it back exactly.</source>
-        <translation>Lijnen en hun druk voor programma’s die inkt kennen; Feltline leest alles exact terug.</translation>
+        <source>Lines and their pressure for programs that know ink; Feltline reads lines, layers and page back exactly.</source>
+        <translation>Lijnen en hun druk voor programma’s die inkt kennen; Feltline leest lijnen, lagen en pagina exact terug.</translation>
     </message>
     <message>
         <source>Xournal++ notes</source>

@@ -205,6 +205,15 @@ Result<void> AtomicFile::check_in_place(std::string_view expected) {
     if (!previous_.empty()) ::unlink(previous_.c_str());
     return {};
   }
+  // Somebody else's file in our place is newer than the one that we could put back.
+  struct stat ours {
+  }, there{};
+  const bool is_ours = ::fstat(fd_, &ours) == 0 && ::stat(target_.c_str(), &there) == 0 &&
+                       ours.st_ino == there.st_ino && ours.st_dev == there.st_dev;
+  if (!is_ours && errno == 0) {
+    if (!previous_.empty()) ::unlink(previous_.c_str());
+    return fail(ErrorCode::kIo, shown_name_ + ": was replaced by another program just now");
+  }
   std::string message = shown_name_ + ": the disk does not keep what is written to it";
   if (errno != 0) message += std::string(": ") + std::strerror(errno);
   const bool is_back = !previous_.empty() && ::rename(previous_.c_str(), target_.c_str()) == 0 &&

@@ -53,8 +53,10 @@ std::string_view root_element(std::string_view text) noexcept {
     skip_space(text);
     if (text.empty() || text.front() != '<') return {};
     if (text.substr(0, 2) == "<?") {
+      text.remove_prefix(2);
       if (!skip_past(text, "?>")) return {};
     } else if (text.substr(0, 4) == "<!--") {
+      text.remove_prefix(4);
       if (!skip_past(text, "-->")) return {};
     } else if (text.substr(0, 2) == "<!") {
       if (!skip_document_type(text)) return {};

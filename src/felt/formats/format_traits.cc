@@ -52,7 +52,7 @@ constexpr std::array kTable = {
                  .widths = "exact",
                  .taken = "centre lines of shapes and paths, PowerStroke widths, edges of fills",
                  .kept = "The picture, for browsers, Inkscape and all that show SVG; Feltline "
-                         "reads all of it back exactly."},
+                         "reads lines, layers and page back exactly."},
     FormatTraits{.format = FileFormat::kInkml,
                  .name = "inkml",
                  .title = "InkML ink",
@@ -65,8 +65,8 @@ constexpr std::array kTable = {
                  .lossless = true,
                  .widths = "exact; pressure for others",
                  .taken = "ink of any device and of Office: X, Y, F, T, OTx, OTy, W",
-                 .kept = "Lines and their pressure for programs that know ink; Feltline reads all "
-                         "of it back exactly."},
+                 .kept = "Lines and their pressure for programs that know ink; Feltline reads "
+                         "lines, layers and page back exactly."},
     FormatTraits{.format = FileFormat::kXopp,
                  .name = "xopp",
                  .title = "Xournal++ notes",

@@ -13,8 +13,9 @@
 namespace felt {
 namespace {
 
-/// Ids that every format and language can hold as a number.
-constexpr std::uint64_t kMostId = std::uint64_t{1} << 53;
+/// Largest id that a name may ask for: far below the largest that a file can hold (2^53), so that
+/// new strokes get ids that can be saved.
+constexpr std::uint64_t kMostId = std::uint64_t{1} << 40;
 
 /// 12 of "s12"; 0 of anything else.
 std::uint64_t id_of_name(std::string_view name) noexcept {

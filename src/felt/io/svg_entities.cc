@@ -19,7 +19,7 @@ std::size_t find_doctype(std::string_view text) noexcept {
     if (rest.substr(0, kDoctype.size()) == kDoctype) return at;
     const bool is_comment = rest.substr(0, 4) == "<!--", is_instruction = rest.substr(0, 2) == "<?";
     if (!is_comment && !is_instruction) return std::string_view::npos;
-    at = text.find(is_comment ? "-->" : "?>", at);
+    at = text.find(is_comment ? "-->" : "?>", at + (is_comment ? 4 : 2));
   }
   return at;
 }
@@ -51,9 +51,9 @@ class Definitions {
   std::size_t read() {
     while (at_ < text_.size() && text_[at_] != ']') {
       if (text_.substr(at_, 4) == "<!--") {
-        skip_past("-->");
+        skip("<!--", "-->");
       } else if (text_.substr(at_, 2) == "<?") {
-        skip_past("?>");
+        skip("<?", "?>");
       } else if (text_[at_] == '<') {
         definition();
       } else {
@@ -69,8 +69,9 @@ class Definitions {
   }
 
  private:
-  void skip_past(std::string_view end) {
-    const std::size_t found = text_.find(end, at_);
+  /// What begins with `start` here and ends with `end`; the two share no character ("<!-->").
+  void skip(std::string_view start, std::string_view end) {
+    const std::size_t found = text_.find(end, at_ + start.size());
     at_ = found == std::string_view::npos ? text_.size() : found + end.size();
   }
 

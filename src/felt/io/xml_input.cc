@@ -86,11 +86,11 @@ class TagCounter {
   Result<void> run() {
     for (at_ = text_.find('<'); at_ != std::string_view::npos; at_ = text_.find('<', at_)) {
       if (starts("<!--")) {
-        skip_past("-->");
+        skip("<!--", "-->");
       } else if (starts("<![CDATA[")) {
-        skip_past("]]>");
+        skip("<![CDATA[", "]]>");
       } else if (starts("<?")) {
-        skip_past("?>");
+        skip("<?", "?>");
       } else if (starts("<!")) {
         if (auto ok = document_type(); !ok) return ok;
       } else if (auto ok = tag(); !ok) {
@@ -104,8 +104,9 @@ class TagCounter {
   [[nodiscard]] bool starts(std::string_view word) const {
     return text_.substr(at_, word.size()) == word;
   }
-  void skip_past(std::string_view end) {
-    const std::size_t found = text_.find(end, at_);
+  /// What begins with `start` here and ends with `end`; the two share no character ("<!-->").
+  void skip(std::string_view start, std::string_view end) {
+    const std::size_t found = text_.find(end, at_ + start.size());
     at_ = found == std::string_view::npos ? text_.size() : found + end.size();
   }
   [[nodiscard]] std::string here() const {

@@ -48,6 +48,10 @@ bool is_name(std::string_view text) noexcept {
 }
 
 Result<void> check_drawing(const StoredDrawing& d) {
+  if (d.document.new_id().value - 1 > static_cast<std::uint64_t>(kMaxId) ||
+      d.document.new_layer_id().value - 1 > static_cast<std::uint64_t>(kMaxId)) {
+    return fail(ErrorCode::kLimitExceeded, "has used up the numbers of strokes or layers");
+  }
   if (!is_side(d.page.width_mm) || !is_side(d.page.height_mm)) {
     return bad("the sheet is not 10 to 5000 mm on a side");
   }

@@ -88,7 +88,7 @@ Result<FolderLock> FolderLock::take(const std::string& folder) {
   if (::flock(lock.fd_, LOCK_EX | LOCK_NB) != 0) {
     if (errno == EWOULDBLOCK) return in_use();
     const std::string who = read_all(lock.fd_);
-    if (who != who_we_are() && lives(who)) return in_use();
+    if (lives(who)) return in_use();  // this process, too
   }
   if (!is_at(lock.fd_, path)) return in_use();
   const std::string who = who_we_are();

@@ -305,7 +305,13 @@ void Saver::Work::take(Begin& begin) {
   has_begun = true;
   ++drawing_number;
   // The last one is saved, or nobody wants it; yet it goes only when this one is whole.
-  if (store) old.push_back(*std::exchange(store, {}));
+  // What never came to be whole is worth nothing as long as an older one is there, and a try every
+  // few seconds must not fill the disk with such.
+  if (store && store->base_in_work() && !old.empty()) {
+    static_cast<void>(std::move(*std::exchange(store, {})).remove());
+  } else if (store) {
+    old.push_back(*std::exchange(store, {}));
+  }
   next_try = {};
   why.clear();
   root = 0;
@@ -433,7 +439,10 @@ Result<void> Saver::Work::make_store(std::size_t place) {
       process + '.' + std::to_string(drawing_number) + '.' + std::to_string(++store_number);
   Result<WorkingStore> made = WorkingStore::create(options.roots[place], name, options.vfs);
   if (!made) return tl::unexpected(made.error());
-  if (auto ok = made->begin_base(std::make_shared<const StoredDrawing>(drawing)); !ok) return ok;
+  if (auto ok = made->begin_base(std::make_shared<const StoredDrawing>(drawing)); !ok) {
+    static_cast<void>(std::move(*made).remove());
+    return ok;
+  }
   store = *std::move(made);
   edits.clear();
   changes = {false, live.chunks()};
@@ -482,10 +491,9 @@ void Saver::Work::let_go() {
 }
 
 void Saver::Work::finish() {
-  while (store && store->base_in_work()) {
-    turn();
-  }
-  if (!about.modified || !has_begun) {
+  const bool stays = has_begun && about.modified;
+  while (stays && store && store->base_in_work()) turn();
+  if (!stays) {
     let_go();
     if (store) static_cast<void>(std::move(*store).remove());
   }
