@@ -73,5 +73,18 @@ TEST(LayeredDrawing, WhatNoDrawingCanHaveIsMadeToFit) {
   EXPECT_EQ(drawing.page.paper, (Rgba{1, 2, 3, 4}));
 }
 
+TEST(LayeredDrawing, ANameCannotUseUpTheNumbers) {
+  LayeredSketch sketch;
+  sketch.layers.push_back(
+      {"Ink",
+       true,
+       false,
+       {named("s9007199254740991"), named("s1099511627775", 2), named("x", 3)}});
+  const StoredDrawing drawing = stored_drawing(std::move(sketch));
+  const auto bytes = felt_bytes(drawing);
+  ASSERT_TRUE(bytes) << bytes.error().message;
+  EXPECT_EQ(parse_felt(*bytes).value(), drawing);
+}
+
 }  // namespace
 }  // namespace felt

@@ -55,6 +55,15 @@ TEST(XmlInput, TheRealLimitsHold) {
   EXPECT_THAT(error_of(many(limits::kMaxXmlElements + 1)), HasSubstr("more than 2000000 elements"));
 }
 
+TEST(XmlInput, WhatIsNoWholeCommentHidesNothing) {
+  // "<!-->" begins a comment and does not end it, so the elements below are elements.
+  for (const char* start : {"<!--><![CDATA[ -->", "<!--> <!-- -->", "<?><![CDATA[ ?>"}) {
+    const std::string text = std::string("<a>") + start + "<b><c><d/></c></b><!-- ]]> --></a>";
+    EXPECT_THAT(error_of(text, {.depth = 3}), HasSubstr("nested deeper than 3")) << text;
+    EXPECT_THAT(error_of(text, {.elements = 3}), HasSubstr("more than 3 elements")) << text;
+  }
+}
+
 TEST(XmlInput, TextThatLooksLikeTagsIsNotCounted) {
   EXPECT_EQ(error_of("<a t='<b><c>'><!-- <d><e> --><![CDATA[<f><g>]]><?p <h> ?></a>",
                      {.elements = 1, .depth = 1}),

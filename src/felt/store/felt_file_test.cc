@@ -213,5 +213,13 @@ TEST_F(FeltFileTest, AKilledSaveLeavesTheOldFileOrTheNew) {
   }
 }
 
+TEST_F(FeltFileTest, WhatCouldNotBeReadAgainIsNotWritten) {
+  StoredDrawing drawing;
+  drawing.document.reserve_ids({(std::uint64_t{1} << 53) + 1}, {1});
+  const auto bytes = felt_bytes(drawing);
+  ASSERT_FALSE(bytes);
+  EXPECT_THAT(bytes.error().message, ::testing::HasSubstr("used up the numbers"));
+}
+
 }  // namespace
 }  // namespace felt
