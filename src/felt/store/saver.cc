@@ -307,11 +307,9 @@ void Saver::Work::take(Begin& begin) {
   // The last one is saved, or nobody wants it; yet it goes only when this one is whole.
   // What never came to be whole is worth nothing as long as an older one is there, and a try every
   // few seconds must not fill the disk with such.
-  if (store && store->base_in_work() && !old.empty()) {
-    static_cast<void>(std::move(*std::exchange(store, {})).remove());
-  } else if (store) {
-    old.push_back(*std::exchange(store, {}));
-  }
+  const bool is_whole = store && !store->base_in_work();
+  if (store && (is_whole || old.empty())) old.push_back(*std::exchange(store, {}));
+  if (store) static_cast<void>(std::move(*std::exchange(store, {})).remove());
   next_try = {};
   why.clear();
   root = 0;
@@ -439,10 +437,9 @@ Result<void> Saver::Work::make_store(std::size_t place) {
       process + '.' + std::to_string(drawing_number) + '.' + std::to_string(++store_number);
   Result<WorkingStore> made = WorkingStore::create(options.roots[place], name, options.vfs);
   if (!made) return tl::unexpected(made.error());
-  if (auto ok = made->begin_base(std::make_shared<const StoredDrawing>(drawing)); !ok) {
-    static_cast<void>(std::move(*made).remove());
-    return ok;
-  }
+  const auto begun = made->begin_base(std::make_shared<const StoredDrawing>(drawing));
+  if (!begun) static_cast<void>(std::move(*made).remove());
+  if (!begun) return begun;
   store = *std::move(made);
   edits.clear();
   changes = {false, live.chunks()};
