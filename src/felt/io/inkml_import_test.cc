@@ -4,34 +4,27 @@
 
 #include <cmath>
 
+#include "felt/io/import_checks.h"
+
 namespace felt {
 namespace {
 
-using testing::Contains;
-using testing::ElementsAre;
-using testing::HasSubstr;
-using testing::IsEmpty;
+using testing::only_stroke;
+using testing::texts;
+
+using ::testing::Contains;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
 
 std::string ink(const std::string& inside) {
   return "<ink xmlns=\"http://www.w3.org/2003/InkML\">\n" + inside + "</ink>\n";
-}
-
-std::vector<std::string> texts(const ImportReport& report) {
-  std::vector<std::string> all;
-  for (const ImportNotice& n : report.notices()) all.push_back(notice_text(n));
-  return all;
 }
 
 ImportedDrawing read(const std::string& text) {
   Result<ImportedDrawing> drawing = import_inkml(text);
   EXPECT_TRUE(drawing) << (drawing ? "" : drawing.error().message);
   return drawing.value();
-}
-
-const Stroke& only_stroke(const ImportedDrawing& d) {
-  EXPECT_EQ(d.drawing.layers.size(), 1u);
-  EXPECT_EQ(d.drawing.layers[0].strokes.size(), 1u);
-  return d.drawing.layers[0].strokes[0].stroke;
 }
 
 void expect_from_to(const Stroke& s, Point from, Point to) {
@@ -147,7 +140,7 @@ TEST(InkmlImport, BrushesGiveColourAndWidth) {
   EXPECT_EQ(s[4].stroke.color(), (Rgba{0, 0, 255, 255}))
       << "a brush between traces holds from there";
   EXPECT_THAT(texts(d.report),
-              testing::UnorderedElementsAre(
+              ::testing::UnorderedElementsAre(
                   "line 2: brushProperty of form 'rectangle' is round now",
                   "line 2: brush 'c' is a broad nib; its larger side was taken as the width",
                   "line 3: trace has a brushRef to something that is not there"));

@@ -6,14 +6,18 @@
 #include <filesystem>
 
 #include "felt/base/read_file.h"
+#include "felt/io/import_checks.h"
 #include "felt/io/unpack.h"
 
 namespace felt {
 namespace {
 
-using testing::Contains;
-using testing::HasSubstr;
-using testing::IsEmpty;
+using testing::only_stroke;
+using testing::texts;
+
+using ::testing::Contains;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
 
 std::string document(const std::string& inside) {
   return "<?xml version=\"1.0\" standalone=\"no\"?>\n<xournal creator=\"test\" "
@@ -28,22 +32,10 @@ std::string page(const std::string& strokes, const std::string& width = "720") {
                   strokes + "</layer>\n</page>\n");
 }
 
-std::vector<std::string> texts(const ImportReport& report) {
-  std::vector<std::string> all;
-  for (const ImportNotice& n : report.notices()) all.push_back(notice_text(n));
-  return all;
-}
-
 ImportedDrawing read(const std::string& text) {
   Result<ImportedDrawing> drawing = import_xopp(text);
   EXPECT_TRUE(drawing) << (drawing ? "" : drawing.error().message);
   return drawing.value();
-}
-
-const Stroke& only_stroke(const ImportedDrawing& d) {
-  EXPECT_EQ(d.drawing.layers.size(), 1u);
-  EXPECT_EQ(d.drawing.layers[0].strokes.size(), 1u);
-  return d.drawing.layers[0].strokes[0].stroke;
 }
 
 TEST(XoppImport, PointsBecomeMillimetres) {
@@ -121,9 +113,9 @@ TEST(XoppImport, WhatIsNoInkIsNamedWithItsLine) {
                 "<image left=\"0\" top=\"0\">AAAA</image>\n<teximage text=\"x\"/>\n<wobble/>\n"));
   EXPECT_THAT(
       texts(d.report),
-      testing::ElementsAre("line 6: text is text, no ink, and was left out",
-                           "line 7: image is a picture and was left out (and 1 more like it)",
-                           "line 9: wobble is unknown and was left out"));
+      ::testing::ElementsAre("line 6: text is text, no ink, and was left out",
+                             "line 7: image is a picture and was left out (and 1 more like it)",
+                             "line 9: wobble is unknown and was left out"));
 }
 
 TEST(XoppImport, PagesLieBelowEachOther) {
@@ -148,7 +140,7 @@ TEST(XoppImport, PagesLieBelowEachOther) {
   EXPECT_EQ(d.drawing.page->paper, (Rgba{0xff, 0xff, 0x80, 255}));
   EXPECT_THAT(
       texts(d.report),
-      testing::ElementsAre(
+      ::testing::ElementsAre(
           "line 3: background of style 'lined': its lines were left out (and 2 more like it)",
           "line 5: background has another colour than the first page, whose colour the sheet has"));
 }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "felt/io/import_checks.h"
 #include "felt/io/random_layers.h"
 #include "felt/io/unpack.h"
 #include "felt/io/xopp_import.h"
@@ -11,6 +12,8 @@
 
 namespace felt {
 namespace {
+
+using testing::distance_of;
 
 using ::testing::HasSubstr;
 
@@ -25,25 +28,6 @@ LayeredSketch one(Stroke stroke) {
 
 std::string text_of(const LayeredSketch& drawing) {
   return gunzip(xopp_bytes(drawing).value()).value();
-}
-
-double distance_of(const Stroke& a, const Stroke& b) {
-  std::vector<Dab> from, to;
-  flatten(a, 0.002, from);
-  flatten(b, 0.002, to);
-  double largest = 0.0;
-  for (const Dab& dab : from) {
-    double least = distance(dab.center, to[0].center);
-    for (std::size_t i = 1; i < to.size(); ++i) {
-      const Point p = to[i - 1].center;
-      const Vec way = to[i].center - p;
-      const double t =
-          std::clamp(dot(dab.center - p, way) / std::max(norm_squared(way), 1e-30), 0.0, 1.0);
-      least = std::min(least, distance(dab.center, p + t * way));
-    }
-    largest = std::max(largest, least);
-  }
-  return largest;
 }
 
 TEST(XoppWriter, AStraightStrokeInPoints) {
