@@ -298,10 +298,8 @@ bool FileActions::save_as() {
   const QString suggested =
       path_.isEmpty() ? QDir(folder()).filePath(display_name() + QStringLiteral(".felt")) : path_;
   const QString chosen =
-      dialogs_->save_name(window_, tr("Save the drawing"), suggested,
-                          save_filter(FileFormat::kFelt), QStringLiteral("felt"));
-  if (chosen.isEmpty()) return false;
-  return begin_save(with_suffix(QFileInfo(chosen).absoluteFilePath(), FileFormat::kFelt));
+      dialogs_->name_to_write(window_, tr("Save the drawing"), suggested, FileFormat::kFelt);
+  return !chosen.isEmpty() && begin_save(chosen);
 }
 
 bool FileActions::begin_save(const QString& path) {

@@ -191,6 +191,23 @@ TEST(FileActions, AFileChangedByOthersIsNotOverwrittenUnasked) {
   EXPECT_EQ(read_drawing(desk.at("a.felt")).value().document.stroke_count(), 6u);
 }
 
+TEST(FileActions, ANameThatGetsItsEndingDoesNotReplaceAFileUnasked) {
+  TestDesk desk;
+  desk.draw(1);
+  desk.person->next = desk.at("a 1.2.felt");
+  desk.files->save_as();
+  desk.files->finish_writing();
+  desk.draw(2);
+  // The dialog asked about "a 1.2", which is not there; the file that is gets asked about next.
+  desk.person->next = desk.at("a 1.2");
+  desk.person->then = desk.at("b.felt");
+  EXPECT_TRUE(desk.files->save_as());
+  desk.files->finish_writing();
+  EXPECT_EQ(desk.person->suggested, desk.at("a 1.2.felt"));
+  EXPECT_EQ(desk.files->path(), desk.at("b.felt"));
+  EXPECT_EQ(read_drawing(desk.at("a 1.2.felt")).value().document.stroke_count(), 3u);
+}
+
 TEST(FileActions, OtherFormatsOpenWithoutAFileOfTheirOwn) {
   TestDesk desk;
   desk.draw(1);

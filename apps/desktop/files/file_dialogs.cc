@@ -1,5 +1,8 @@
 #include "desktop/files/file_dialogs.h"
 
+#include "desktop/files/drawing_file.h"
+#include "desktop/files/format_texts.h"
+
 #include <QCoreApplication>
 #include <QFileDialog>
 #include <QFileInfo>
@@ -33,6 +36,20 @@ QString FileDialogs::save_name(QWidget* window, const QString& title, const QStr
   dialog.setDefaultSuffix(suffix);
   dialog.selectFile(QFileInfo(path).fileName());
   return dialog.exec() == QDialog::Accepted ? dialog.selectedFiles().value(0) : QString();
+}
+
+QString FileDialogs::name_to_write(QWidget* window, const QString& title, const QString& path,
+                                   FileFormat format) {
+  QString suggested = path;
+  for (;;) {
+    const QString chosen =
+        save_name(window, title, suggested, save_filter(format), suffix_of(format).mid(1));
+    if (chosen.isEmpty()) return {};
+    const QString asked_about = QFileInfo(chosen).absoluteFilePath();
+    const QString name = with_suffix(asked_about, format);
+    if (name == asked_about || !QFileInfo::exists(name)) return name;
+    suggested = name;
+  }
 }
 
 FileDialogs::Unsaved FileDialogs::ask_unsaved(QWidget* window, const QString& name) {

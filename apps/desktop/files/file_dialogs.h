@@ -4,6 +4,8 @@
 #include <QStringList>
 #include <QWidget>
 
+#include "felt/formats/file_format.h"
+
 namespace felt::desktop {
 
 /// What a person is asked about files. The native dialogs; tests answer in their place.
@@ -21,6 +23,11 @@ class FileDialogs {
   /// Asks before an existing file is taken. `suffix` (".felt") is appended where there is none.
   virtual QString save_name(QWidget* window, const QString& title, const QString& path,
                             const QString& filters, const QString& suffix);
+  /// The name that is written: what save_name gave, with the ending of the format. Where that is
+  /// another file than the one that was asked about, and is there ("a 1.2", "a 1.2.felt"), it asks
+  /// once more.
+  QString name_to_write(QWidget* window, const QString& title, const QString& path,
+                        FileFormat format);
   /// A drawing with changes is to go.
   virtual Unsaved ask_unsaved(QWidget* window, const QString& name);
   /// The file was changed by others since it was read. True: write over it.

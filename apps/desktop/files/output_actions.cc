@@ -112,10 +112,9 @@ void OutputActions::ask_export() {
   const ExportOptions options = dialog.options();
   const QString suffix = suffix_of(options.format);
   const QString base = QFileInfo(files_.display_name()).completeBaseName();
-  const QString chosen = files_.dialogs().save_name(window_, tr("Export"),
-                                                    QDir(files_.folder()).filePath(base + suffix),
-                                                    save_filter(options.format), suffix.mid(1));
-  if (!chosen.isEmpty()) export_to(with_suffix(chosen, options.format), options);
+  const QString chosen = files_.dialogs().name_to_write(
+      window_, tr("Export"), QDir(files_.folder()).filePath(base + suffix), options.format);
+  if (!chosen.isEmpty()) export_to(chosen, options);
 }
 
 void OutputActions::export_to(const QString& path, const ExportOptions& options) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QStringList>
+#include <utility>
 
 #include "desktop/files/file_dialogs.h"
 
@@ -18,7 +19,7 @@ class ScriptedDialogs : public FileDialogs {
   QString save_name(QWidget*, const QString&, const QString& path, const QString&,
                     const QString&) override {
     suggested = path;
-    return next;
+    return std::exchange(next, then.isEmpty() ? next : then);
   }
   Unsaved ask_unsaved(QWidget*, const QString& name) override {
     asked.push_back(name);
@@ -38,6 +39,7 @@ class ScriptedDialogs : public FileDialogs {
   }
 
   QString next;       ///< the name that is chosen
+  QString then;       ///< the name that is chosen to save the next time; "": the same again
   QString suggested;  ///< the last one that save_name was given
   Unsaved unsaved = Unsaved::kCancel;
   bool overwrite = false;
