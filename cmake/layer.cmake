@@ -52,6 +52,20 @@ function(felt_room layer name)
   felt_layer(${layer}_${name} ${ARGN})
 endfunction()
 
+# What all tests include, compiled once. An executable, so that its flags are those of the tests.
+function(felt_test_headers)
+  if(TARGET felt_test_headers)
+    return()
+  endif()
+  file(WRITE ${CMAKE_BINARY_DIR}/felt_test_headers.cc "int main() { return 0; }\n")
+  add_executable(felt_test_headers ${CMAKE_BINARY_DIR}/felt_test_headers.cc)
+  target_link_libraries(felt_test_headers PRIVATE felt_flags GTest::gmock GTest::gtest_main
+    rapidcheck)
+  target_precompile_headers(felt_test_headers PRIVATE <gmock/gmock.h> <gtest/gtest.h>
+    <rapidcheck.h> <algorithm> <array> <cmath> <functional> <map> <memory> <optional> <random>
+    <span> <string> <string_view> <variant> <vector>)
+endfunction()
+
 # felt_test(NAME SOURCES ... LIBRARIES ...): a GoogleTest program, each case its own CTest entry.
 function(felt_test name)
   cmake_parse_arguments(ARG "" "" "SOURCES;LIBRARIES" ${ARGN})
@@ -62,6 +76,10 @@ function(felt_test name)
   target_link_libraries(${name} PRIVATE felt_flags ${ARG_LIBRARIES} GTest::gmock GTest::gtest_main
     rapidcheck)
   target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR})
+  if(FELT_PRECOMPILE AND NOT "felt_desktop_test_main" IN_LIST ARG_LIBRARIES)
+    felt_test_headers()
+    target_precompile_headers(${name} REUSE_FROM felt_test_headers)
+  endif()
   gtest_discover_tests(${name} WORKING_DIRECTORY ${PROJECT_SOURCE_DIR} DISCOVERY_TIMEOUT 60
     PROPERTIES TIMEOUT 300)
 endfunction()

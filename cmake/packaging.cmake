@@ -99,6 +99,8 @@ endif()
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/share/samples
   DESTINATION ${CMAKE_INSTALL_DATADIR}/feltline COMPONENT bin OPTIONAL
   FILES_MATCHING PATTERN "*.ndjson")
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/share/materials
+  DESTINATION ${CMAKE_INSTALL_DATADIR}/feltline COMPONENT bin FILES_MATCHING PATTERN "*.toml")
 set(felt_completions ${PROJECT_SOURCE_DIR}/share/completions)
 install(FILES ${felt_completions}/bash/feltline COMPONENT bin
   DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions)

@@ -18,8 +18,12 @@ void add_bench_command(CLI::App& app, Console& console);
 void add_recover_command(CLI::App& app, Console& console);
 void add_replay_command(CLI::App& app, Console& console);
 void add_demo_command(CLI::App& app, Console& console);
+void add_materials_command(CLI::App& app, Console& console);
 void add_tools_command(CLI::App& app, Console& console);
 void add_devices_command(CLI::App& app, Console& console);
+void add_doctor_command(CLI::App& app, Console& console);
+void add_device_test_command(CLI::App& app, Console& console);
+void add_record_command(CLI::App& app, Console& console);
 
 /// A command line that makes no sense: the message is shown and the exit code is 2.
 class UsageError : public CLI::Error {

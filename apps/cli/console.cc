@@ -61,6 +61,14 @@ void Console::progress(const char* what, std::int64_t done, std::int64_t total,
   drawn_ = true;
 }
 
+void Console::status(const std::string& line) {
+  if (!shows_progress_ || Clock::now() < next_draw_) return;
+  next_draw_ = Clock::now() + std::chrono::milliseconds(100);
+  fmt::print(stderr, "\r{}\x1b[K", line);
+  std::fflush(stderr);
+  drawn_ = true;
+}
+
 void Console::end_progress() {
   if (!drawn_) return;
   fmt::print(stderr, "\r\x1b[K");

@@ -29,12 +29,16 @@ class Console {
   /// Prints "feltline: message": something of a file could not be taken as it was, and the rest
   /// goes on. No failure unless --strict.
   void notice(const std::string& message);
+  /// Something failed, and stdout says what.
+  void set_failed() noexcept { failed_ = true; }
   /// True once an error was reported: the exit code is then 1.
   [[nodiscard]] bool failed() const noexcept { return failed_; }
 
   /// Shows how far `what` is: `done` of `total` bytes (0: unknown) and `strokes` strokes. Draws at
   /// most ten times a second, and nothing during the first half second.
   void progress(const char* what, std::int64_t done, std::int64_t total, std::int64_t strokes);
+  /// Shows how things are, in a line that the next one replaces; at most ten times a second.
+  void status(const std::string& line);
   /// Removes the progress line.
   void end_progress();
 

@@ -35,6 +35,7 @@ void add_options(CLI::App& command, ConvertArguments& args, const char* output_h
   command.add_flag("--salvage", args.salvage,
                    "Of a damaged .felt take what can be had, and say what is missing");
   args.picture.add_to(command);
+  args.picture.add_grain_to(command);
 }
 
 /// Lines come and go without all of them being held.
@@ -77,8 +78,9 @@ void convert(const ConvertArguments& args, Format format, Console& console) {
   if (!picture) throw UsageError(picture.error().message);
   const Result<Input> input = Input::open(args.input);
   if (!input) return console.error(input_name(args.input) + ": " + input.error().message);
-  // What is compressed as a whole is not streamed.
-  const bool is_stream = input->is_lines() && !is_compressed_name(args.output);
+  // What is compressed as a whole, or shows the sheet that the file names, is not streamed.
+  const bool is_stream =
+      input->is_lines() && !is_compressed_name(args.output) && !picture->wants_grain;
   if (is_stream) return convert_lines(*input, args, format, *picture, console);
   convert_whole(*input, args, format, *picture, console);
 }
@@ -99,6 +101,7 @@ void add_render_command(CLI::App& app, Console& console) {
   command->footer(
       examples("feltline render sketch.ndjson -o page.png --page A4 --dpi 300\n"
                "feltline render sketch.ndjson -o ink.png --paper transparent\n"
+               "feltline render drawing.felt -o drawing.pdf --grain\n"
                "feltline render - -o - --to svg < sketch.ndjson"));
   command->callback([args, &console] {
     const Format format = wanted_format(*args);

@@ -82,6 +82,7 @@ Result<std::optional<Rect>> shown_area(OpenedDrawing& opened, Format format,
     return whole_ink ? std::optional(ink_area(opened.drawing.document, format)) : std::nullopt;
   }
   if (Result<SheetPage> page = sheet_page(*picture.sheet, opened.drawing.page.paper)) {
+    page->surface = opened.drawing.page.surface;
     opened.drawing.page = *page;
     return std::nullopt;
   } else if (!is_picture) {
@@ -119,8 +120,11 @@ Result<void> choose_layers(const std::string& text, StoredDrawing& drawing) {
 }
 
 Result<void> write_opened(const std::string& path, OpenedDrawing opened, Format format,
-                          const PictureOptions& picture) {
+                          const PictureOptions& asked) {
+  PictureOptions picture = asked;
+  if (auto ok = use_surface_of(opened.drawing, picture); !ok) return ok;
   WriteOptions options;
+  if (picture.wants_grain) options.grain_print = GrainPrint{picture.grain, picture.grain_dpi};
   options.dpi = picture.dpi;
   options.grain = picture.grain;
   options.no_page = !opened.has_page && !picture.sheet;

@@ -1,8 +1,11 @@
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <memory>
 
 #include "commands.h"
+#include "driver_look.h"
+#include "felt/devices/drivers.h"
 #include "felt/devices/simulated/simulated_hand.h"
 #include "felt/devices/simulated/stylus_presets.h"
 #include "json_text.h"
@@ -11,17 +14,83 @@
 namespace felt::cli {
 namespace {
 
+constexpr const char* kNothing =
+    "No haptic device is connected. 'feltline doctor' says what one would need here.";
 constexpr const char* kNote =
-    "All of these are simulated: equations with the figures above, for --device and --hand of "
-    "'replay' and 'demo'; --json tells more of them. Drivers for real devices are still to come.";
+    "These are simulated: equations with the figures above, for --device and --hand of 'replay' "
+    "and 'demo', and for 'device-test'; --json tells more of them.";
 
 std::string number_or_dash(double value) {
   return value > 0.0 ? json_number(value) : "-";
 }
 
-void print_text() {
+/// Force devices before those that only play cues.
+std::vector<DeviceDescriptor> real_devices(const std::vector<DriverLook>& looks) {
+  std::vector<DeviceDescriptor> devices;
+  for (const DeviceKind kind : {DeviceKind::kForce, DeviceKind::kCue}) {
+    for (const DriverLook& look : looks) {
+      for (const DeviceDescriptor& device : look.devices) {
+        if (device.kind == kind) devices.push_back(device);
+      }
+    }
+  }
+  return devices;
+}
+
+const char* state_of(const DeviceDescriptor& device) {
+  return device.is_connected ? "connected" : "open it to see";
+}
+
+std::string or_dash(const std::string& text) {
+  return text.empty() ? "-" : text;
+}
+
+std::string count_words(const std::vector<DeviceDescriptor>& devices) {
+  const auto connected =
+      std::count_if(devices.begin(), devices.end(),
+                    [](const DeviceDescriptor& device) { return device.is_connected; });
+  if (connected == 0) {
+    return "Whether a haptic device is connected, only opening it tells: feltline device-test "
+           "--level 1 " +
+           devices.front().id;
+  }
+  return connected == 1 ? "One haptic device is connected."
+                        : fmt::format("{} haptic devices are connected.", connected);
+}
+
+/// What is connected, and drivers whose software spoiled the look.
+void print_real(const std::vector<DriverLook>& looks, const TextStyle& style) {
   using Align = TextTable::Align;
-  const TextStyle style = TextStyle::of_stdout();
+  const std::vector<DeviceDescriptor> devices = real_devices(looks);
+  fmt::print("{}\n\n", wrapped(devices.empty() ? kNothing : count_words(devices), style.width, 0));
+  if (!devices.empty()) {
+    TextTable table({{"id"},
+                     {"peak N", Align::kRight},
+                     {"held N", Align::kRight},
+                     {"gives"},
+                     {"serial"},
+                     {"version"},
+                     {"state"},
+                     {"device"}});
+    for (const DeviceDescriptor& device : devices) {
+      table.add_row({device.id, number_or_dash(device.capabilities.max_force_n),
+                     number_or_dash(device.capabilities.continuous_force_n),
+                     device.kind == DeviceKind::kForce ? "force" : "cues", or_dash(device.serial),
+                     or_dash(device.version), state_of(device), device.label});
+    }
+    fmt::print("{}\n", table.text(style));
+  }
+  for (const DriverLook& look : looks) {
+    for (const Finding& finding : look.findings) {
+      fmt::print("{}: {}\n\n", look.name,
+                 wrapped(finding.what + " 'feltline doctor " + look.name + "' says more.",
+                         style.width, 0));
+    }
+  }
+}
+
+void print_simulated(const TextStyle& style) {
+  using Align = TextTable::Align;
   TextTable devices({{"device"},
                      {"peak N", Align::kRight},
                      {"held N", Align::kRight},
@@ -90,23 +159,69 @@ std::string hand_json(const SimulatedHand& hand) {
   return object.text();
 }
 
-void print_json() {
-  std::vector<std::string> devices, hands;
+std::string real_json(const DeviceDescriptor& device) {
+  const Capabilities& can = device.capabilities;
+  JsonObject object;
+  object.add_text("name", device.id);
+  object.add_text("label", device.label);
+  object.add_raw("simulated", "false");
+  object.add_text("driver", device.driver);
+  object.add_text("gives", device.kind == DeviceKind::kForce ? "force" : "cues");
+  object.add_text("model", device.model);
+  object.add_text("serial", device.serial);
+  object.add_text("version", device.version);
+  object.add_raw("connected", device.is_connected ? "true" : "null");
+  object.add_number("actuated_axes", can.actuated_axes);
+  object.add_number("max_force_n", can.max_force_n);
+  object.add_number("continuous_force_n", can.continuous_force_n);
+  object.add_number("max_stiffness_n_per_m", can.max_stiffness_n_per_m);
+  object.add_raw("workspace_min_mm", vector_json(can.workspace_min));
+  object.add_raw("workspace_max_mm", vector_json(can.workspace_max));
+  object.add_number("rate_hz", 1e9 / static_cast<double>(can.period_ns));
+  return object.text();
+}
+
+std::string trouble_json(const DriverLook& look, const Finding& finding) {
+  JsonObject object;
+  object.add_text("driver", look.name);
+  object.add_text("what", finding.what);
+  object.add_text("details", finding.details);
+  return object.text();
+}
+
+void print_json(const std::vector<DriverLook>& looks) {
+  std::vector<std::string> devices, hands, troubles;
+  for (const DeviceDescriptor& device : real_devices(looks)) devices.push_back(real_json(device));
+  for (const DriverLook& look : looks) {
+    for (const Finding& finding : look.findings) troubles.push_back(trouble_json(look, finding));
+  }
   for (const StylusPreset& preset : stylus_presets()) devices.push_back(device_json(preset));
   for (const SimulatedHand& hand : simulated_hands()) hands.push_back(hand_json(hand));
-  fmt::print("{{\"devices\":{},\"hands\":{}}}\n", json_array(devices), json_array(hands));
+  fmt::print("{{\"devices\":{},\"hands\":{},\"troubles\":{}}}\n", json_array(devices),
+             json_array(hands), json_array(troubles));
+}
+
+void run_devices(bool json) {
+  const std::vector<DriverLook> looks =
+      look_at_drivers(make_drivers(), this_system(), LookFor::kDevices);
+  if (json) return print_json(looks);
+  const TextStyle style = TextStyle::of_stdout();
+  print_real(looks, style);
+  print_simulated(style);
 }
 
 }  // namespace
 
 void add_devices_command(CLI::App& app, Console&) {
-  CLI::App* command = app.add_subcommand("devices", "List the pens and hands there are");
+  CLI::App* command =
+      app.add_subcommand("devices", "List the devices that are connected, and the simulated ones");
   const auto json = std::make_shared<bool>(false);
   command->add_flag("--json", *json, "One line of JSON");
   command->footer(
       examples("feltline devices\n"
+               "feltline devices --json\n"
                "feltline replay strokes.ndjson --device premium --hand light -o sketch.svg"));
-  command->callback([json] { *json ? print_json() : print_text(); });
+  command->callback([json] { run_devices(*json); });
 }
 
 }  // namespace felt::cli

@@ -2,10 +2,13 @@
 
 #include <algorithm>
 #include <memory>
+#include <optional>
 #include <thread>
 
 #include "commands.h"
 #include "felt/formats/format_traits.h"
+#include "felt/material/materials.h"
+#include "felt/tools/medium_line.h"
 #include "fit_source.h"
 #include "fit_worker.h"
 #include "ordered_pipeline.h"
@@ -26,24 +29,69 @@ struct FitArguments {
   int shared_samples = InkFitOptions{}.shared_samples;
   std::string stats;
   int jobs = 1;
-  double min_width_mm = kPenWidths.min_mm;
-  double max_width_mm = kPenWidths.max_mm;
+  std::string material;
+  std::optional<double> min_width_mm, max_width_mm;
   PictureArguments picture;
 };
 
 constexpr const char* kExamples =
     "feltline fit strokes.ndjson -o sketch.svg\n"
     "feltline fit scan.ndjson --mm-per-unit 0.01 --tolerance 0.1 -o sketch.ndjson\n"
+    "feltline fit strokes.ndjson --material charcoal -o sketch.png\n"
     "feltline fit strokes.ndjson --stats json\n"
     "cat strokes.ndjson | feltline fit - -o - | feltline render - -o page.png";
 
+std::string media_names() {
+  std::string names;
+  for (const Medium& medium : media()) {
+    if (medium.draws) names += (names.empty() ? "" : ", ") + medium.id;
+  }
+  return names;
+}
+
+/// What is wrong with the id of a medium to draw with, or nothing.
+std::string check_medium(const std::string& id) {
+  const Medium* medium = find_medium(id);
+  if (medium && medium->draws) return {};
+  return fmt::format("there is no '{}' to draw with; there is {}", id, media_names());
+}
+
 void add_width_options(CLI::App& command, FitArguments& args) {
-  command.add_option("--min-width", args.min_width_mm, "Width in mm without pressure")
-      ->check(number_between(kMinWidthMm, 1000.0))
-      ->capture_default_str();
-  command.add_option("--max-width", args.max_width_mm, "Width in mm at full pressure")
-      ->check(number_between(kMinWidthMm, 1000.0))
-      ->capture_default_str();
+  command
+      .add_option(
+          "--material", args.material,
+          "What the lines are drawn with, by its widths, tone and answer to lean: " + media_names())
+      ->check(CLI::Validator(check_medium, "ID"));
+  command
+      .add_option(
+          "--min-width", args.min_width_mm,
+          fmt::format("Width in mm without pressure [{}, or the material's]", kPenWidths.min_mm))
+      ->check(number_between(kMinWidthMm, 1000.0));
+  command
+      .add_option(
+          "--max-width", args.max_width_mm,
+          fmt::format("Width in mm at full pressure [{}, or the material's]", kPenWidths.max_mm))
+      ->check(number_between(kMinWidthMm, 1000.0));
+}
+
+/// What the command line says about the medium and its widths.
+InkFitOptions ink_of(const FitArguments& args) {
+  InkFitOptions ink;
+  const Medium* medium = args.material.empty() ? nullptr : find_medium(args.material);
+  WidthMapOptions& widths = ink.width_map;
+  if (medium) {
+    widths.min_mm = medium->line.min_mm;
+    widths.max_mm = medium->line.max_mm;
+    widths.gamma = medium->line.gamma;
+  }
+  widths.min_mm = args.min_width_mm.value_or(widths.min_mm);
+  widths.max_mm = args.max_width_mm.value_or(widths.max_mm);
+  if (widths.max_mm < widths.min_mm) {
+    throw UsageError(fmt::format("--max-width ({}) is less than --min-width ({})", widths.max_mm,
+                                 widths.min_mm));
+  }
+  ink.width.max_mm = std::max(ink.width.max_mm, widths.max_mm);
+  return medium ? drawn_with(*medium, std::move(ink)) : ink;
 }
 
 void add_options(CLI::App& command, FitArguments& args) {
@@ -92,13 +140,8 @@ FitPlan plan_of(const FitArguments& args) {
   if (args.output == "-" && !args.stats.empty()) {
     throw UsageError("-o - and --stats both want stdout");
   }
-  if (args.max_width_mm < args.min_width_mm) {
-    throw UsageError("--max-width is less than --min-width");
-  }
   FitPlan plan;
-  plan.settings.ink.width_map.min_mm = args.min_width_mm;
-  plan.settings.ink.width_map.max_mm = args.max_width_mm;
-  plan.settings.ink.width.max_mm = std::max(plan.settings.ink.width.max_mm, args.max_width_mm);
+  plan.settings.ink = ink_of(args);
   plan.settings.ink.scheme =
       args.scheme == "paper2002" ? FitScheme::kPaper2002 : FitScheme::kFeltline;
   plan.settings.ink.curve.tolerance_mm = args.tolerance_mm;

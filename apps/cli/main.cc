@@ -41,7 +41,11 @@ void add_commands(CLI::App& app, Console& console) {
   add_replay_command(app, console);
   add_demo_command(app, console);
   add_tools_command(app, console);
+  add_materials_command(app, console);
   add_devices_command(app, console);
+  add_doctor_command(app, console);
+  add_device_test_command(app, console);
+  add_record_command(app, console);
   add_bench_command(app, console);
 }
 

@@ -169,8 +169,8 @@ void draw_wet_ink(const Overlay& overlay, const View& view, Pixels pixels, Raste
   for (const Overlay::InkSegment& wet : overlay.ink) {
     StrokeData data;
     data.points.assign(wet.curve.p.begin(), wet.curve.p.end());
-    data.widths = {{0.0, std::max(wet.start_width_mm, kMinWidthMm)},
-                   {1.0, std::max(wet.end_width_mm, kMinWidthMm)}};
+    data.widths = {{0.0, std::max(wet.start_width_mm, kMinWidthMm), wet.start_tone},
+                   {1.0, std::max(wet.end_width_mm, kMinWidthMm), wet.end_tone}};
     data.color = overlay.ink_color;
     if (const Result<Stroke> ink = Stroke::create(std::move(data))) {
       rasterizer.draw(*ink, view, pixels.rect(), pixels);

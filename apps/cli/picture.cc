@@ -6,8 +6,13 @@
 #include <string_view>
 
 #include "commands.h"
+#include "felt/formats/drawing_grain.h"
+#include "felt/geometry/height_picture.h"
 #include "felt/haptics/drawing_feel.h"
+#include "felt/io/grain_mask.h"
+#include "felt/io/png.h"
 #include "felt/stroke/color_text.h"
+#include "own_materials.h"
 
 namespace felt::cli {
 namespace {
@@ -65,22 +70,41 @@ void PictureArguments::add_to(CLI::App& command) {
   command
       .add_option(
           "--surface", surface,
-          "Sheet whose grain shows in dry ink of a .png: paper, blackboard, felt or glass\n"
-          "(smooth), the same that the hand feels; without it, ink is solid. Felt-tip, which\n"
-          "is wet, shows none")
+          "Sheet whose grain shows in dry ink of a .png, the same that the hand feels:\n" +
+              surface_names() +
+              "\n(smooth), or a grey NAME.png of your own: white is high, as wide as it says or\n"
+              "40 mm; without it, ink is solid. Felt-tip, which is wet, shows none")
+      ->group("Pictures (.svg, .pdf, .png)");
+}
+
+void PictureArguments::add_grain_to(CLI::App& command) {
+  command
+      .add_flag("--grain,--grain-mask", grain,
+                "Show the grain of the sheet in dry ink: that of --surface, else of the drawing's\n"
+                "own sheet, else of paper. In an .svg or .pdf strokes stay outlines, seen through\n"
+                "a picture of the grain")
+      ->group("Pictures (.svg, .pdf, .png)");
+  command
+      .add_option("--grain-dpi", grain_dpi,
+                  "Dots per inch of that picture in an .svg or .pdf, 20 to 1200")
+      ->capture_default_str()
+      ->check(CLI::Range(GrainPrint::kLeastDpi, GrainPrint::kMostDpi))
       ->group("Pictures (.svg, .pdf, .png)");
 }
 
 Result<PictureOptions> PictureArguments::parse() const {
   PictureOptions options;
   options.dpi = dpi;
+  options.wants_grain = grain;
+  options.grain_dpi = grain_dpi;
+  options.has_surface = !surface.empty();
   const Result<std::optional<Rect>> sheet = parse_page(page);
   if (!sheet) return tl::unexpected(sheet.error());
   options.sheet = *sheet;
   options.fit = page == "fit";
-  const Result<Grain> grain = parse_surface(surface);
-  if (!grain) return tl::unexpected(grain.error());
-  options.grain = *grain;
+  if (const Result<void> known = parse_surface(surface, options); !known) {
+    return tl::unexpected(known.error());
+  }
   if (paper.empty()) return options;
   const Result<Rgba> color = parse_paper(paper);
   if (!color) return tl::unexpected(color.error());
@@ -114,11 +138,48 @@ Result<Rgba> parse_paper(const std::string& text) {
               "--paper: '" + text + "' is not #rrggbb, #rrggbbaa, white or transparent");
 }
 
-Result<Grain> parse_surface(const std::string& text) {
-  if (text.empty()) return Grain();
-  if (const SurfaceMaterial* surface = find_surface(text)) return Grain(surface_grain(*surface));
-  return fail(ErrorCode::kInvalidArgument,
-              "--surface: '" + text + "' is not paper, blackboard, felt or glass");
+std::string surface_names() {
+  std::string names;
+  for (const SurfaceMaterial& surface : surface_materials()) {
+    const bool is_last = &surface == &surface_materials().back();
+    if (!names.empty()) names += is_last ? " or " : ", ";
+    names += surface.id;
+  }
+  return names;
+}
+
+Result<void> parse_surface(const std::string& text, PictureOptions& options) {
+  if (text.empty()) return {};
+  if (!std::string_view(text).ends_with(".png")) {
+    const Result<SurfaceMaterial> surface = find_sheet(text);
+    if (!surface) {
+      const bool is_file = text.ends_with(".toml");
+      return fail(surface.error().code, "--surface: " + surface.error().message +
+                                            (is_file ? "" : ", nor a .png or .toml"));
+    }
+    options.grain = Grain(surface_grain(*surface));
+    return {};
+  }
+  const Result<HeightPicture> picture = read_height_png(text);
+  if (!picture) return tl::unexpected(with_context(picture.error(), "--surface"));
+  HeightPictureSpec spec;
+  if (picture->width_mm >= 5.0 && picture->width_mm <= 500.0) spec.tile_mm = picture->width_mm;
+  Result<HeightField> field = height_field_of(*picture, spec);
+  if (!field) return tl::unexpected(with_context(field.error(), "--surface: " + text));
+  options.own_relief = std::make_shared<const HeightField>(*std::move(field));
+  options.grain = Grain(options.own_relief.get());
+  return {};
+}
+
+Result<void> use_surface_of(const StoredDrawing& drawing, PictureOptions& options) {
+  if (!options.wants_grain || options.has_surface) return {};
+  const Result<Grain> grain = grain_of(drawing);
+  if (!grain) {
+    return fail(ErrorCode::kNotFound, "--grain: " + grain.error().message +
+                                          "; say which with --surface: " + surface_names());
+  }
+  options.grain = *grain;
+  return {};
 }
 
 }  // namespace felt::cli

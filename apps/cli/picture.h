@@ -1,6 +1,7 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <memory>
 #include <optional>
 #include <string>
 
@@ -8,6 +9,7 @@
 #include "felt/document/sheet_page.h"
 #include "felt/geometry/rect.h"
 #include "felt/render/grain.h"
+#include "felt/store/felt_file.h"
 #include "felt/stroke/stroke.h"
 
 namespace felt::cli {
@@ -18,7 +20,11 @@ struct PictureOptions {
   std::optional<Rect> sheet;  ///< none: all ink and a margin, or the drawing's own page
   bool fit = false;           ///< --page fit: all ink and a margin, even where there is a page
   std::optional<Rgba> paper;  ///< none: white in a .png, nothing in an .svg
-  Grain grain;                ///< the relief of the sheet in the ink of a .png; smooth without
+  std::shared_ptr<const HeightField> own_relief{};  ///< a user's own, that grain looks at then
+  Grain grain;               ///< the relief of the sheet in the ink; smooth without
+  bool has_surface = false;  ///< --surface says which relief
+  bool wants_grain = false;  ///< --grain: in an .svg or .pdf too, and of the drawing's own sheet
+  double grain_dpi = 200.0;  ///< in an .svg or .pdf
 };
 
 /// The options as written, before they are understood.
@@ -27,9 +33,13 @@ struct PictureArguments {
   std::string page;
   std::string paper;
   std::string surface;
+  bool grain = false;
+  double grain_dpi = 200.0;
 
   /// Adds --dpi, --page, --paper and --surface to a sub-command.
   void add_to(CLI::App& command);
+  /// Adds --grain and --grain-dpi, of commands that have the drawing as a whole.
+  void add_grain_to(CLI::App& command);
   /// Error: one of them makes no sense; it is a usage error.
   [[nodiscard]] Result<PictureOptions> parse() const;
 };
@@ -43,7 +53,14 @@ Result<SheetPage> sheet_page(const Rect& sheet, Rgba paper);
 /// "#rrggbb", "#rrggbbaa", "white" or "transparent".
 Result<Rgba> parse_paper(const std::string& text);
 
-/// The relief of one of surface_materials(), by id; "" is smooth.
-Result<Grain> parse_surface(const std::string& text);
+/// The ids of surface_materials(): "paper, rough-paper, ... or glass".
+std::string surface_names();
+/// Sets the grain to the relief of one of surface_materials(), by id, or of a file NAME.png; "" is
+/// smooth.
+Result<void> parse_surface(const std::string& text, PictureOptions& options);
+
+/// Where grain was asked for and no surface: that of the drawing, or paper where it says none.
+/// Error: one that is not known here.
+Result<void> use_surface_of(const StoredDrawing& drawing, PictureOptions& options);
 
 }  // namespace felt::cli

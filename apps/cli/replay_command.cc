@@ -6,15 +6,19 @@
 
 #include "commands.h"
 #include "felt/formats/drawing_writer.h"
+#include "felt/formats/own_materials.h"
 #include "felt/io/limits.h"
 #include "felt/io/png.h"
 #include "felt/store/felt_recording.h"
 #include "force_plot.h"
 #include "forces_csv.h"
 #include "overlay_picture.h"
+#include "own_materials.h"
+#include "picture.h"
 #include "recording.h"
 #include "replay_arguments.h"
 #include "replay_run.h"
+#include "replay_sound.h"
 #include "sketch_output.h"
 
 namespace felt::cli {
@@ -27,7 +31,7 @@ struct ReplayCommandArguments {
   std::vector<std::string> scripts;
   std::string output, to;
   std::string on;
-  std::string forces, plot, stats;
+  std::string forces, plot, sound, stats;
   ReplayArguments pen;
   std::uint64_t seed = 0;
   std::string material;
@@ -45,6 +49,7 @@ constexpr const char* kExamples =
     "feltline replay events.ndjson --on sketch.ndjson -o - | feltline info -\n"
     "feltline replay events.ndjson --until 2500 --overlay -o work.png\n"
     "feltline replay recording.ndjson --as-recorded -o sketch.svg\n"
+    "feltline replay strokes.ndjson --material canvas --sound rubbing.wav\n"
     "feltline replay strokes.ndjson --recording -o sketch.felt\n"
     "feltline replay strokes.ndjson --device premium --hand light --set pencil.snap=off \\\n"
     "      --stats json";
@@ -61,6 +66,7 @@ void add_output_options(CLI::App& command, ReplayCommandArguments& args) {
   command.add_option("--forces", args.forces,
                      "Pose, force asked, force sent and each force term, a row a tick, .csv");
   command.add_option("--plot", args.plot, "The same over time as a picture, .png");
+  command.add_option("--sound", args.sound, "What the pen sounds like on the sheet, .wav");
   command
       .add_option("--stats", args.stats, "Print counts, forces and how close the ink is, on stdout")
       ->check(CLI::IsMember({"json"}));
@@ -72,8 +78,7 @@ void add_options(CLI::App& command, ReplayCommandArguments& args) {
   args.pen.add_loop_to(command);
   command.add_option("--seed", args.seed, "Number of a tremor for raw strokes; 0 = none")
       ->capture_default_str();
-  command.add_option("--material", args.material,
-                     "What is drawn on: paper, blackboard, felt, glass");
+  command.add_option("--material", args.material, "What is drawn on:\n" + surface_names());
   command.add_option("--set", args.options, "TOOL.OPTION=VALUE before the first event")
       ->allow_extra_args(false);
   command
@@ -102,14 +107,16 @@ struct ReplayOutputs {
   std::optional<SessionView> stopped;  ///< what was in work when the play was stopped
   std::optional<ForcesCsv> forces;
   std::optional<ForcePlot> plot;
+  std::unique_ptr<ReplaySound> sound;  ///< large
   std::optional<FeltRecorder> recorder;
   const ReplayRun* run = nullptr;  ///< while it plays: how far it is
 };
 
 void check_outputs(const ReplayCommandArguments& args) {
   if (args.overlay && args.output.empty()) throw UsageError("--overlay needs -o OUT.png");
-  if (args.output.empty() && args.forces.empty() && args.plot.empty() && args.stats.empty()) {
-    throw UsageError("replay needs -o OUT, --forces, --plot or --stats");
+  if (args.output.empty() && args.forces.empty() && args.plot.empty() && args.sound.empty() &&
+      args.stats.empty()) {
+    throw UsageError("replay needs -o OUT, --forces, --plot, --sound or --stats");
   }
   if (args.recording && args.output.empty()) throw UsageError("--recording needs -o OUT.felt");
   if (args.recording && !args.on.empty()) {
@@ -119,8 +126,11 @@ void check_outputs(const ReplayCommandArguments& args) {
     throw UsageError("--recording tells all of a script: it does not go with --until");
   }
   const int to_stdout = (args.output == "-" ? 1 : 0) + (args.forces == "-" ? 1 : 0) +
-                        (args.plot == "-" ? 1 : 0) + (args.stats.empty() ? 0 : 1);
-  if (to_stdout > 1) throw UsageError("-o, --forces, --plot and --stats: only one can have stdout");
+                        (args.plot == "-" ? 1 : 0) + (args.sound == "-" ? 1 : 0) +
+                        (args.stats.empty() ? 0 : 1);
+  if (to_stdout > 1) {
+    throw UsageError("-o, --forces, --plot, --sound and --stats: only one can have stdout");
+  }
 }
 
 Result<void> open_sketch(const ReplayCommandArguments& args, const ReplaySettings& settings,
@@ -167,6 +177,11 @@ Result<ReplayOutputs> open_outputs(const ReplayCommandArguments& args,
     if (!opened) return tl::unexpected(opened.error());
     outputs.forces.emplace(*std::move(opened));
   }
+  if (!args.sound.empty()) {
+    Result<ReplaySound> opened = ReplaySound::create(args.sound);
+    if (!opened) return tl::unexpected(opened.error());
+    outputs.sound = std::make_unique<ReplaySound>(*std::move(opened));
+  }
   if (!args.plot.empty()) {
     const Capabilities& device = settings.device.capabilities;
     outputs.plot.emplace(1e-9 * static_cast<double>(device.period_ns), limits_for(device));
@@ -212,7 +227,8 @@ Result<void> write_recorded(const ReplayCommandArguments& args, FeltRecorder& re
                             const Session& session) {
   StoredDrawing drawing;
   drawing.document = session.document();
-  drawing.material = session.sheet().material().id;
+  drawing.page.surface = session.sheet().material().id;
+  drawing.materials = texts_of_used(session.document(), drawing.page.surface, session.materials());
   drawing.color = session.sheet().color();
   drawing.layer = session.layer();
   if (Result<void> added = add_recording(drawing, recorder.take()); !added) return added;
@@ -231,6 +247,9 @@ Result<void> write_outputs(const ReplayCommandArguments& args, ReplayOutputs& ou
   }
   if (outputs.forces) {
     if (Result<void> done = outputs.forces->finish(); !done) return done;
+  }
+  if (outputs.sound) {
+    if (Result<void> done = outputs.sound->finish(); !done) return done;
   }
   if (!outputs.format) return {};
   if (outputs.recorder) return write_recorded(args, *outputs.recorder, machine.session());
@@ -252,14 +271,17 @@ ReplayMachine::Observer observer_of(const ReplayCommandArguments& args, ReplayOu
   if (outputs.recorder) {
     observer.event = [&outputs](const Event& event) { outputs.recorder->event(event); };
   }
-  if (outputs.plot || outputs.forces || outputs.recorder) {
+  if (outputs.plot || outputs.forces || outputs.sound || outputs.recorder) {
     observer.tick = [&outputs](const ReplayTick& tick) -> Result<void> {
       const TickReport& report = tick.report;
       if (outputs.recorder) {
         outputs.recorder->forces(report.sample.time_ns, report.asked, report.sent);
       }
       if (outputs.plot) outputs.plot->add(tick.report, tick.width_mm);
-      return outputs.forces ? outputs.forces->add(tick.report, tick.pressure) : Result<void>();
+      if (outputs.forces) {
+        if (Result<void> done = outputs.forces->add(report, tick.pressure); !done) return done;
+      }
+      return outputs.sound && report.sample_ok ? outputs.sound->add(report.sample) : Result<void>();
     };
   }
   observer.turn = [&console, &outputs](const Session& session, double part) {
@@ -281,7 +303,21 @@ void check_as_recorded(const ReplayCommandArguments& args, const CLI::App& comma
                      "device, hand and forces");
   }
   if (args.scripts.size() > 1) throw UsageError("--as-recorded plays one recording at a time");
-  if (args.output.empty()) throw UsageError("--as-recorded needs -o OUT");
+  if (args.output.empty() && args.sound.empty()) {
+    throw UsageError("--as-recorded needs -o OUT or --sound");
+  }
+  if (args.output == "-" && args.sound == "-") {
+    throw UsageError("-o and --sound: only one can have stdout");
+  }
+}
+
+/// Where the pen is, as a recording says it.
+PenSample sample_of(std::int64_t time_ns, const PenEvent& pen) {
+  PenSample sample;
+  sample.time_ns = time_ns;
+  sample.position = pen.position;
+  sample.pressure = pen.pressure;
+  return sample;
 }
 
 void run_as_recorded(const ReplayCommandArguments& args, Console& console) {
@@ -289,16 +325,30 @@ void run_as_recorded(const ReplayCommandArguments& args, Console& console) {
   if (!start) return console.error(start.error().message);
   Result<ReplayOutputs> outputs = open_outputs(args, args.pen.settings());
   if (!outputs) return console.error(outputs.error().message);
-  Session session(make_tools(), {.device = {}, .document = *std::move(start)});
+  Result<void> heard;
+  SessionOptions options{.device = {}, .document = *std::move(start)};
+  if (outputs->sound) {
+    options.on_event = [&](const Event& event) {
+      const auto* pen = std::get_if<PenEvent>(&event.what);
+      if (pen && heard) heard = outputs->sound->add(sample_of(event.time_ns, *pen));
+    };
+  }
+  Session session(make_tools(), std::move(options));
+  if (outputs->sound) outputs->sound->begin(session);
   Result<void> done = tell_recording(args.scripts.front(), session);
-  if (done) done = write_strokes(session.sketch(), *outputs->format, *outputs->sketch);
+  if (done) done = heard;
+  if (done && outputs->sound) done = outputs->sound->finish();
+  if (done && outputs->sketch) {
+    done = write_strokes(session.sketch(), *outputs->format, *outputs->sketch);
+  }
   if (!done) console.error(done.error().message);
 }
 
 void run_replay(const ReplayCommandArguments& args, Console& console) {
   check_outputs(args);
   const auto start = std::chrono::steady_clock::now();
-  const ReplaySettings settings = args.pen.settings();
+  ReplaySettings settings = args.pen.settings();
+  settings.materials = known_materials(console).materials;
   Document document;
   if (!args.on.empty()) {
     Result<Document> drawing = read_document(args.on);
@@ -308,6 +358,7 @@ void run_replay(const ReplayCommandArguments& args, Console& console) {
   Result<ReplayOutputs> outputs = open_outputs(args, settings);
   if (!outputs) return console.error(outputs.error().message);
   ReplayMachine machine(settings, std::move(document), observer_of(args, *outputs, console));
+  if (outputs->sound) outputs->sound->begin(machine.session());
   set_options(args, machine);
   ReplayRun run(machine, args.mm_per_unit, args.seed);
   outputs->run = &run;

@@ -3,15 +3,17 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <utility>
 
 #include "felt/base/check.h"
 #include "felt/document/visible_strokes.h"
 #include "felt/formats/line_drawing.h"
+#include "felt/material/materials.h"
+#include "felt/tools/medium_line.h"
 #include "felt/tools/pressing.h"
 #include "input.h"
+#include "option_text.h"
 
 namespace felt::cli {
 namespace {
@@ -24,25 +26,17 @@ constexpr const char* kDrawingTool = "pencil";
 constexpr std::size_t kManyEvents = 200'000;
 constexpr std::size_t kBatchBytes = std::size_t{64} << 10;
 
-Result<OptionValue> value_like(const OptionValue& present, const std::string& text) {
-  if (std::holds_alternative<std::string>(present)) return OptionValue(text);
-  if (std::holds_alternative<bool>(present)) {
-    if (text == "on" || text == "true") return OptionValue(true);
-    if (text == "off" || text == "false") return OptionValue(false);
-    return fail(ErrorCode::kInvalidArgument, "'" + text + "' is not on or off");
-  }
-  double number = 0.0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-  if (error != std::errc() || end != text.data() + text.size()) {
-    return fail(ErrorCode::kInvalidArgument, "'" + text + "' is not a number");
-  }
-  return OptionValue(number);
-}
-
 double number_option(const Session& session, const char* id, double otherwise) {
   const Result<OptionValue> value = session.option(id);
   const double* number = value ? std::get_if<double>(&*value) : nullptr;
   return number ? *number : otherwise;
+}
+
+/// The medium that the pencil has now, or null.
+const Medium* pencil_medium(const Session& session) {
+  const Result<OptionValue> value = session.option("pencil.material");
+  const auto* id = value ? std::get_if<std::string>(&*value) : nullptr;
+  return id ? session.materials().find_medium(*id) : nullptr;
 }
 
 /// The document of an input that is no stream of lines.
@@ -84,12 +78,15 @@ ReplayMachine::ReplayMachine(const ReplaySettings& settings, Document document, 
       observer_(std::move(observer)),
       stylus_(settings.device, settings.hand),
       session_(make_tools(), {.device = settings.device.capabilities,
+                              .materials = settings.materials,
                               .document = std::move(document),
                               .on_event = observer_.event,
                               .on_edit = [this](const Edit& edit) { see_edit(edit); }}),
-      probe_(
-          make_tools(),
-          {.device = settings.device.capabilities, .document = {}, .on_event = {}, .on_edit = {}}),
+      probe_(make_tools(), {.device = settings.device.capabilities,
+                            .materials = settings.materials,
+                            .document = {},
+                            .on_event = {},
+                            .on_edit = {}}),
       player_(stylus_, &stylus_, session_, player_options()) {}
 
 PlayerOptions ReplayMachine::player_options() {
@@ -122,7 +119,7 @@ HandScriptOptions ReplayMachine::hand_options() const {
   options.plane_n_per_m = Pressing(sheet, settings_.device.capabilities).stiffness_n_per_m();
   const Result<OptionValue> id = probe_.option("pencil.material");
   const auto* name = id ? std::get_if<std::string>(&*id) : nullptr;
-  const ToolMaterial* tool = name ? find_tool_material(*name) : nullptr;
+  const Medium* tool = name ? probe_.materials().find_medium(*name) : nullptr;
   if (tool) options.friction = friction_of(*tool, sheet);
   return options;
 }
@@ -143,7 +140,8 @@ Result<void> ReplayMachine::add(const Event& event) {
     const Result<Sketch> sketch = read_sketch(import->path);
     if (!sketch) return tl::unexpected(sketch.error());
   } else if (std::holds_alternative<SelectTool>(event.what) ||
-             std::holds_alternative<SetOption>(event.what)) {
+             std::holds_alternative<SetOption>(event.what) ||
+             std::holds_alternative<UseMaterial>(event.what)) {
     if (Result<void> known = probe_.apply(event); !known) return known;
     const auto* option = std::get_if<SetOption>(&event.what);
     if (option && option->id == kSnapOption) snap_is_chosen_ = true;
@@ -234,11 +232,17 @@ std::optional<double> ReplayMachine::width_at(const TickReport& report,
   const bool was_down = std::exchange(pen_is_down_, in_contact(report.sample));
   if (!pen_is_down_) return std::nullopt;
   if (!was_down) {
-    widths_ = WidthMap({.min_mm = number_option(session_, "pencil.min_width_mm", 0.3),
-                        .max_mm = number_option(session_, "pencil.max_width_mm", 6.0),
-                        .gamma = number_option(session_, "pencil.gamma", 1.0)});
+    InkFitOptions ink;
+    ink.width_map = {.min_mm = number_option(session_, "pencil.min_width_mm", 0.3),
+                     .max_mm = number_option(session_, "pencil.max_width_mm", 6.0),
+                     .gamma = number_option(session_, "pencil.gamma", 1.0)};
+    const Medium* medium = pencil_medium(session_);
+    widths_ = WidthMap((medium ? drawn_with(*medium, ink) : ink).width_map);
   }
-  return widths_.push({on_sheet(report.sample.position), pressure, report.sample.time_ns});
+  return widths_
+      .push({on_sheet(report.sample.position), pressure, report.sample.time_ns,
+             report.sample.lean_deg})
+      .width_mm;
 }
 
 void ReplayMachine::see_edit(const Edit& edit) {

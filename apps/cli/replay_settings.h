@@ -6,6 +6,7 @@
 #include "felt/devices/simulated/hand_script.h"
 #include "felt/devices/simulated/simulated_hand.h"
 #include "felt/devices/simulated/stylus_presets.h"
+#include "felt/material/materials.h"
 
 namespace felt::cli {
 
@@ -16,6 +17,8 @@ struct ReplaySettings {
   bool force = true;  ///< false: the pen pushes back with nothing
   /// How the hand draws raw strokes with it.
   HandScriptOptions script;
+  /// Sheets and media that options may name.
+  Materials materials = Materials::built_in();
 };
 
 /// The settings for a preset and a hand. `rate_hz` and `delay_ticks`: else those of the device.

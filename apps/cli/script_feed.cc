@@ -83,7 +83,7 @@ Result<void> ScriptFeed::take_stroke(const RawStroke& stroke) {
   for (const InkSample& sample : stroke.samples) {
     const Point place{options_.mm_per_unit * sample.position.x,
                       options_.mm_per_unit * sample.position.y};
-    path.push_back({place, sample.pressure, sample.time_ns});
+    path.push_back({place, sample.pressure, sample.time_ns, sample.lean_deg});
     meant.push_back(place);
   }
   if (Result<void> fine = check_length(path); !fine) return fine;
@@ -128,7 +128,8 @@ Result<void> ScriptFeed::put(const TimedAim& aim, std::int64_t start_ns) {
   hand_ = aim.target_mm;
   const Vec shake = tremor_.at(now_ns_);
   return sink_.event({now_ns_, HandEvent{.target = aim.target_mm + Vec3{shake.x, shake.y, 0.0},
-                                         .pressure = aim.pressure}});
+                                         .pressure = aim.pressure,
+                                         .lean_deg = aim.lean_deg}});
 }
 
 Result<void> ScriptFeed::rest() {

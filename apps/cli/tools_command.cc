@@ -6,6 +6,7 @@
 #include "felt/session/sheet_options.h"
 #include "felt/tools/tool.h"
 #include "json_text.h"
+#include "own_materials.h"
 #include "text_table.h"
 
 namespace felt::cli {
@@ -23,17 +24,17 @@ std::string default_of(const OptionSpec& option) {
   return json_number(option.fallback);
 }
 
-std::string choices_of(const OptionSpec& option) {
+std::string choices_of(const OptionSpec& option, const Materials& known) {
   std::string text;
-  for (const std::string_view choice : option.choices) {
-    text += (text.empty() ? "" : "|") + std::string(choice);
+  for (const std::string& choice : choices_with(option, known)) {
+    text += (text.empty() ? "" : "|") + choice;
   }
   return text;
 }
 
-std::string allowed_of(const OptionSpec& option) {
+std::string allowed_of(const OptionSpec& option, const Materials& known) {
   if (option.kind == OptionKind::kSwitch) return "on|off";
-  if (option.kind == OptionKind::kChoice) return choices_of(option);
+  if (option.kind == OptionKind::kChoice) return choices_of(option, known);
   return json_number(option.min) + ".." + json_number(option.max) +
          (option.unit.empty() ? "" : " " + std::string(option.unit));
 }
@@ -43,11 +44,11 @@ constexpr std::size_t kWideEnough = 110;
 constexpr std::size_t kHelpIndent = 6;
 
 void print_options(std::string_view owner, std::span<const OptionSpec> options,
-                   const TextStyle& style) {
+                   const Materials& known, const TextStyle& style) {
   const bool is_narrow = style.width > 0 && style.width < kWideEnough;
-  const auto cells = [owner](const OptionSpec& option) {
+  const auto cells = [owner, &known](const OptionSpec& option) {
     return std::vector<std::string>{fmt::format("  {}.{}", owner, option.id), default_of(option),
-                                    allowed_of(option)};
+                                    allowed_of(option, known)};
   };
   if (is_narrow) {
     fmt::print("\n");
@@ -68,14 +69,14 @@ void print_options(std::string_view owner, std::span<const OptionSpec> options,
   fmt::print("\n{}", table.text(style));
 }
 
-void print_text(const ToolInfo& tool, const TextStyle& style) {
+void print_text(const ToolInfo& tool, const Materials& known, const TextStyle& style) {
   const std::string shortcut = tool.shortcut ? fmt::format("  [{}]", tool.shortcut) : "";
   fmt::print("{}{}\n{}\n", heading(std::string(tool.id), style), shortcut,
              wrapped(std::string(tool.help), style.width, 0));
-  if (!tool.options.empty()) print_options(tool.id, tool.options, style);
+  if (!tool.options.empty()) print_options(tool.id, tool.options, known, style);
 }
 
-std::string option_json(const OptionSpec& option) {
+std::string option_json(const OptionSpec& option, const Materials& known) {
   JsonObject object;
   object.add_text("id", option.id);
   object.add_text("label", option.label);
@@ -93,7 +94,9 @@ std::string option_json(const OptionSpec& option) {
       break;
     case OptionKind::kChoice: {
       std::vector<std::string> choices;
-      for (const std::string_view choice : option.choices) choices.push_back(json_string(choice));
+      for (const std::string& choice : choices_with(option, known)) {
+        choices.push_back(json_string(choice));
+      }
       object.add_text("kind", "choice");
       object.add_raw("choices", json_array(choices));
       object.add_text("default", default_of(option));
@@ -104,53 +107,53 @@ std::string option_json(const OptionSpec& option) {
   return object.text();
 }
 
-std::string options_json(std::span<const OptionSpec> options) {
+std::string options_json(std::span<const OptionSpec> options, const Materials& known) {
   std::vector<std::string> objects;
   objects.reserve(options.size());
-  for (const OptionSpec& option : options) objects.push_back(option_json(option));
+  for (const OptionSpec& option : options) objects.push_back(option_json(option, known));
   return json_array(objects);
 }
 
-std::string tool_json(const ToolInfo& tool) {
+std::string tool_json(const ToolInfo& tool, const Materials& known) {
   JsonObject object;
   object.add_text("id", tool.id);
   object.add_text("label", tool.label);
   object.add_text("help", tool.help);
   object.add_text("shortcut", tool.shortcut ? std::string(1, tool.shortcut) : "");
-  object.add_raw("options", options_json(tool.options));
+  object.add_raw("options", options_json(tool.options, known));
   return object.text();
 }
 
-void print_tools(bool as_json) {
+void print_tools(bool as_json, const Materials& known) {
   const std::vector<std::unique_ptr<Tool>> tools = make_tools();
   if (as_json) {
     std::vector<std::string> objects;
     objects.reserve(tools.size());
-    for (const auto& tool : tools) objects.push_back(tool_json(tool->info()));
+    for (const auto& tool : tools) objects.push_back(tool_json(tool->info(), known));
     fmt::print("{{\"tools\":{},\"sheet\":{}}}\n", json_array(objects),
-               options_json(SheetOptions::table()));
+               options_json(SheetOptions::table(), known));
     return;
   }
   const TextStyle style = TextStyle::of_stdout();
   for (const auto& tool : tools) {
     if (tool != tools.front()) fmt::print("\n");
-    print_text(tool->info(), style);
+    print_text(tool->info(), known, style);
   }
   fmt::print("\n{}\nWhat is drawn on; sheet.color, \"#rrggbb\", is the colour of new ink.\n",
              heading("sheet", style));
-  print_options("sheet", SheetOptions::table(), style);
+  print_options("sheet", SheetOptions::table(), known, style);
 }
 
 }  // namespace
 
-void add_tools_command(CLI::App& app, Console&) {
+void add_tools_command(CLI::App& app, Console& console) {
   CLI::App* command = app.add_subcommand("tools", "List the tools and their options");
   const auto json = std::make_shared<bool>(false);
   command->add_flag("--json", *json, "One line of JSON");
   command->footer(
       examples("feltline tools\n"
                "feltline tools --json | jq '.tools[].options[].id'"));
-  command->callback([json] { print_tools(*json); });
+  command->callback([json, &console] { print_tools(*json, known_materials(console).materials); });
 }
 
 }  // namespace felt::cli

@@ -8,15 +8,18 @@
 #include <memory>
 #include <span>
 
+#include "desktop/engine/driver_watch.h"
 #include "desktop/engine/recording_file.h"
 #include "desktop/files/instance.h"
 #include "desktop/help/examples.h"
 #include "desktop/window/language.h"
 #include "desktop/window/picture.h"
+#include "desktop/window/signal_watch.h"
 #include "desktop/window/start_options.h"
 #include "desktop/window/start_watch.h"
 #include "desktop/window/theme.h"
 #include "desktop/window/windows.h"
+#include "felt/devices/drivers.h"
 
 namespace {
 
@@ -94,8 +97,9 @@ int run(const StartOptions& options) {
   const bool is_apart = options.new_window || !options.record.isEmpty() || options.measure_start ||
                         !options.picture.example.isEmpty();
   if (!is_apart && instance.hand_over(options.files)) return 0;
+  DriverWatch drivers(felt::make_drivers());
   StudioOptions studio;
-  studio.device = chosen_pen_device();
+  studio.device = chosen_pen_device();  // one of a driver is used once it is found
   const std::unique_ptr<RecordingFile> recording = record_into(options.record, studio);
   Windows windows(std::move(studio));
   QObject::connect(&instance, &Instance::wanted, &windows,
@@ -118,7 +122,14 @@ int run(const StartOptions& options) {
     return 1;
   }
   if (options.measure_start && first) new StartWatch(first->canvas());
-  return QApplication::exec();
+  const SignalWatch signals;
+  QObject::connect(&signals, &SignalWatch::asked, &windows, [&windows] {
+    windows.let_go();
+    QApplication::exit(0);  // of every dialog, too
+  });
+  const int code = QApplication::exec();
+  windows.end();
+  return code;
 }
 
 }  // namespace

@@ -2,10 +2,16 @@
 
 #include <QApplication>
 #include <QStandardPaths>
+#include <QTemporaryDir>
 
 int main(int argc, char** argv) {
   testing::InitGoogleTest(&argc, argv);
-  // No display, and nobody's settings, whatever the environment says.
+  // No display, and nobody's settings, whatever the environment says; nor those of a test that runs
+  // at the same time.
+  const QTemporaryDir home;
+  if (!home.isValid()) return 1;
+  qputenv("HOME", home.path().toLocal8Bit());
+  qputenv("XDG_DATA_HOME", home.path().toLocal8Bit() + "/data");
   qputenv("QT_QPA_PLATFORM", "offscreen");
   QStandardPaths::setTestModeEnabled(true);
   QCoreApplication::setOrganizationName(QStringLiteral("feltline"));

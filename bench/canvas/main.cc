@@ -1,6 +1,7 @@
 // What an edit, a preview, a pan and a cold page cost on screen, with 10^5 strokes (README.md).
 #include <QApplication>
 #include <QImage>
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
@@ -13,6 +14,7 @@
 #include "desktop/canvas/ink_desk.h"
 #include "desktop/canvas/ink_view.h"
 #include "felt/document/edit_builder.h"
+#include "felt/material/relief.h"
 #include "ink.h"
 #include "table.h"
 
@@ -31,6 +33,7 @@ struct Arguments {
   std::size_t strokes = 100'000;
   int edits = 300;
   bool json = false;
+  bool only_media = false;
 };
 
 double resident_mib() {
@@ -263,6 +266,37 @@ void page_rows(const Ink& dense, const CanvasView& on_dense, const Table& table)
   page_row("cold page, sheet over sheet", dense, on_dense, table);
 }
 
+/// CPU of the page above for plain ink, and how many times that for each medium on rough paper and
+/// its dust, hairs and rims.
+void media_rows(const Ink& ink, const CanvasView& at, const Table& table) {
+  table.heading("the same page, sheet over sheet, with the look of media");
+  const HeightField* relief = surface_grain(*find_surface("rough-paper"));
+  const auto cpu_ms = [&](const Grain& grain) {
+    std::vector<double> cpu;
+    for (int i = 0; i < 5; ++i) {
+      InkView view;
+      view.set_grain(grain);
+      view.set_document(ink.document());
+      view.finish();
+      const double start = process_cpu_us();
+      view.set_view(at, 1.0);
+      view.finish();
+      cpu.push_back(1e-3 * (process_cpu_us() - start));
+    }
+    return *std::min_element(cpu.begin(), cpu.end());
+  };
+  const double plain = cpu_ms(Grain());
+  table.number("plain ink, CPU", plain, "ms");
+  for (const Medium& medium : media()) {
+    if (!medium.draws) continue;
+    Materials materials = Materials::built_in();
+    Medium as_pencil = medium;  // what the strokes are of
+    as_pencil.id = "pencil";
+    materials.put(as_pencil);
+    table.number(medium.id + ", of plain ink", cpu_ms(Grain(relief, materials)) / plain, "times");
+  }
+}
+
 double memory_of_view(const Ink& ink) {
   const Rect all = ink.area();
   const double before = resident_mib();
@@ -274,8 +308,8 @@ double memory_of_view(const Ink& ink) {
   return resident_mib() - before;
 }
 
-int run(const Arguments& args) {
-  const Table table(args.json);
+/// All that is seen with 10^5 strokes open.
+void sketch_rows(const Arguments& args, const Table& table) {
   const double start = wall_us();
   Ink ink(args.strokes);
   const Rect all = ink.area();
@@ -287,9 +321,17 @@ int run(const Arguments& args) {
   edit_rows("edits and samples of previews", ink, args.edits, table);
   screen_rows(ink, args, table);
   pan_rows(ink, table);
+}
+
+int run(const Arguments& args) {
+  const Table table(args.json);
+  if (!args.only_media) sketch_rows(args, table);
   const Rect page{0, 0, kWindow.width() / kScreenPxPerMm, kWindow.height() / kScreenPxPerMm};
   Ink dense(10'000, page);
-  page_rows(dense, view_at({0.5 * page.x1, 0.5 * page.y1}, kScreenPxPerMm), table);
+  const CanvasView on_dense = view_at({0.5 * page.x1, 0.5 * page.y1}, kScreenPxPerMm);
+  if (!args.only_media) page_rows(dense, on_dense, table);
+  media_rows(dense, on_dense, table);
+  if (args.only_media) return 0;
   edit_rows("the same where 10,000 strokes lie on one window", dense, args.edits / 4, table);
   return 0;
 }
@@ -306,12 +348,14 @@ int main(int argc, char** argv) {
     const bool has_value = i + 1 < argc;
     if (word == "--json") {
       args.json = true;
+    } else if (word == "--media") {
+      args.only_media = true;
     } else if (word == "--strokes" && has_value) {
       args.strokes = static_cast<std::size_t>(std::max(std::atoi(argv[++i]), 100));
     } else if (word == "--edits" && has_value) {
       args.edits = std::max(std::atoi(argv[++i]), 6);
     } else {
-      std::fprintf(stderr, "usage: bench_canvas [--strokes N] [--edits N] [--json]\n");
+      std::fprintf(stderr, "usage: bench_canvas [--strokes N] [--edits N] [--media] [--json]\n");
       return 2;
     }
   }

@@ -48,16 +48,15 @@ void print_row(const char* what, std::vector<std::int64_t>& each, double mean_ns
 ForceModel everything(const Capabilities& device, std::uint32_t fade_id) {
   const SurfaceMaterial& paper = surface_materials()[0];
   const std::array<Point, 4> targets{Point{70, 50}, Point{75, 50}, Point{70, 55}, Point{60, 50}};
-  ForceModel model(
-      Compose(make_sheet_force(paper, tool_materials()[0], device, surface_grain(paper)),
-              EditSpring(Point{70, 50}), SweepSpring(fade_id), Wells(targets),
-              Damping({.where = DampingWhere::kEverywhere})));
+  ForceModel model(Compose(make_sheet_force(paper, media()[0], device, surface_grain(paper)),
+                           EditSpring(Point{70, 50}), SweepSpring(fade_id), Wells(targets),
+                           Damping({.where = DampingWhere::kEverywhere})));
   model.set_fade_id(fade_id);
   return model;
 }
 
 ForceModel paper_only(const Capabilities& device, std::uint32_t fade_id) {
-  ForceModel model(make_sheet_force(surface_materials()[0], tool_materials()[0], device));
+  ForceModel model(make_sheet_force(surface_materials()[0], media()[0], device));
   model.set_fade_id(fade_id);
   return model;
 }
@@ -187,7 +186,7 @@ int run_loop(double seconds) {
     const timespec nap{0, 4 * kMs};
     nanosleep(&nap, nullptr);
   }
-  loop.stop();
+  if (!loop.stop()) std::printf("the loop hangs\n");
   std::printf("%s\n", describe(loop.stats()).c_str());
   return 0;
 }

@@ -15,3 +15,5 @@ shot desktop --example cat --script "$root/docs/images/desktop-pull.ndjson" --un
 shot desktop-dark --script "$root/share/demo/1-pencil.ndjson" --until-ms 45000 --size 1280x800 --theme dark --panel feel --panel forces
 shot desktop-keys --dialog shortcuts
 shot desktop-tour --dialog tour/1
+shot desktop-device --dialog preferences/device
+shot desktop-materials --dialog materials/rough-paper

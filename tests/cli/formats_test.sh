@@ -31,14 +31,60 @@ run 1 "$feltline" render a.ndjson -o r.png --dpi 4800 --page 100000x100000
 run 0 "$feltline" render headed.ndjson -o headed.png --dpi 50 --paper transparent
 same headed.png p.png
 
-# The grain of a sheet shows in a picture, the same each time; without it, or where it is smooth, the
-# ink is solid (R47).
+# The grain of a sheet shows in a picture, the same each time (R47); without a sheet the ink is solid,
+# and on a smooth one it looks as its medium does there.
 run 0 "$feltline" render a.ndjson -o g1.png --dpi 50 --paper transparent --surface paper
 run 0 "$feltline" fit in.ndjson -o g2.png --dpi 50 --paper transparent --surface paper
 same g1.png g2.png
 ! cmp -s g1.png p.png || fail "no grain"
 run 0 "$feltline" render a.ndjson -o glass.png --dpi 50 --paper transparent --surface glass
-same glass.png p.png
+! cmp -s glass.png p.png || fail "no medium on glass"
+! cmp -s glass.png g1.png || fail "glass with grain"
+
+# With --grain an .svg and a .pdf show it too: seen through masks, the outlines as without, and the same
+# drawing when it is read; a .png takes the sheet that the drawing says it is on.
+run 0 "$feltline" convert a.ndjson -o page.felt --page A4
+run 0 "$feltline" convert page.felt -o solid.svg
+run 0 "$feltline" convert a.ndjson -o grain.svg --page A4 --grain --surface rough-paper --grain-dpi 60
+has grain.svg '<mask id="grain1" maskUnits="userSpaceOnUse"'
+sed -e '/^<defs><mask /d' -e 's/mask="url(#grain[0-9]*)" //' grain.svg >unmasked.svg
+[ "$(grep -c '<path id=' unmasked.svg)" = 20 ] || fail "paths are missing"
+diff <(grep -o ' d="[^"]*"' solid.svg) <(grep -o ' d="[^"]*"' unmasked.svg) >/dev/null || fail "an outline changed"
+run 0 "$feltline" convert grain.svg -o grain_back.ndjson
+is_empty err
+run 0 "$feltline" convert solid.svg -o solid_back.ndjson
+same grain_back.ndjson solid_back.ndjson
+run 0 "$feltline" convert a.ndjson -o solid.pdf --page A4
+run 0 "$feltline" convert a.ndjson -o grain.pdf --page A4 --grain-mask --surface rough-paper --grain-dpi 60
+grep -qa '/S /Luminosity' grain.pdf || fail "no grain in the .pdf"
+! grep -qa 'Luminosity' solid.pdf || fail "grain that nobody asked for"
+run 2 "$feltline" convert a.ndjson -o r.svg --grain --grain-dpi 5
+sed 's/felt:page="/felt:surface="rough-paper" &/' solid.svg >on_rough.svg
+run 0 "$feltline" render on_rough.svg -o rough1.png --dpi 50 --grain
+run 0 "$feltline" render solid.svg -o rough2.png --dpi 50 --surface rough-paper
+same rough1.png rough2.png
+run 0 "$feltline" convert on_rough.svg -o rough.felt
+run 0 "$feltline" convert rough.felt -o rough_back.svg
+has rough_back.svg 'felt:surface="rough-paper"'
+run 0 "$feltline" render rough.felt -o rough3.png --dpi 50 --grain
+same rough3.png rough1.png
+sed 's/felt:page="/felt:surface="moon dust" &/' solid.svg >on_moon.svg
+run 1 "$feltline" render on_moon.svg -o r.png --grain
+has err "the drawing's sheet 'moon dust' is not known here; say which with --surface"
+run 0 "$feltline" convert on_moon.svg -o moon_back.svg
+has moon_back.svg 'felt:surface="moon dust"'
+
+# What the lines are drawn with: its name and its tones go with them, in every format of ours; ink
+# without a material has the tones of its widths, and no byte for them.
+run 0 "$feltline" fit in.ndjson --material charcoal --max-width 2.5 -o toned.ndjson
+has toned.ndjson '"material":"charcoal"'
+has toned.ndjson '"tones":['
+! grep -q tones a.ndjson || fail "tones that the widths say"
+for format in svg inkml felt; do
+  run 0 "$feltline" convert toned.ndjson -o "toned.$format"
+  run 0 "$feltline" convert "toned.$format" -o again.ndjson
+  same toned.ndjson again.ndjson
+done
 
 # The paper is there in an .svg as well, and nowhere when it is transparent or not asked for.
 run 0 "$feltline" convert a.ndjson -o plain.svg

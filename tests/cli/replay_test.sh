@@ -137,7 +137,7 @@ has err "nowhere/x.ndjson"
 
 # Wrong usage.
 run 2 "$feltline" replay events.ndjson
-has err "replay needs -o OUT"
+has err "replay needs -o OUT, --forces, --plot, --sound or --stats"
 run 2 "$feltline" replay -o x.ndjson
 run 2 "$feltline" replay events.ndjson -o x.ndjson --device nonsense
 run 2 "$feltline" replay events.ndjson -o x.ndjson --hand nonsense
@@ -219,4 +219,48 @@ run 1 "$feltline" replay in.ndjson --as-recorded -o x.ndjson
 has err "in.ndjson:1: a stroke, where only events are expected"
 run 1 "$feltline" replay recorded.ndjson -o x.ndjson
 has err "a device event is for recordings"
+
+# Sound: a .wav of 16 bit, 48 kHz, one channel, as long as the session, the same bytes again.
+run 0 "$feltline" replay events.ndjson --sound s.wav
+is_empty out
+is_empty err
+run 0 "$feltline" replay events.ndjson --sound s2.wav -o with.ndjson
+same s.wav s2.wav
+same with.ndjson e.ndjson
+run 0 "$feltline" replay events.ndjson --sound - <events.ndjson
+same out s.wav
+[ "$(head -c 4 s.wav)" = RIFF ] || fail "no RIFF: $(head -c 4 s.wav)"
+# number OFFSET BYTES: of the header
+number() { od -An -j "$1" -N "$2" -t "u$2" s.wav | tr -d ' '; }
+[ "$(number 22 2) $(number 24 4) $(number 34 2)" = "1 48000 16" ] || fail "channels, rate, bits"
+[ "$(number 40 4)" = $(($(wc -c <s.wav) - 44)) ] || fail "the header says another length"
+# Some 1.45 s and the end of the sound, 96000 bytes a second.
+bytes=$(wc -c <s.wav)
+[ "$bytes" -gt 130000 ] && [ "$bytes" -lt 160000 ] || fail "$bytes bytes of sound"
+# loudness FILE FROM TO: the sum of all samples between, in s, without their signs
+loudness() {
+  od -An -v -w2 -t d2 -j $((44 + 2 * $(awk "BEGIN { print int(48000 * $2) }"))) \
+    -N $((2 * $(awk "BEGIN { print int(48000 * ($3 - $2)) }"))) "$1" |
+    awk '{ sum += $1 < 0 ? -$1 : $1 } END { print sum + 0 }'
+}
+[ "$(loudness s.wav 0.1 0.65)" = 0 ] || fail "a pen in the air is heard"
+[ "$(loudness s.wav 0.9 1.25)" -gt 500000 ] || fail "a pen that draws is not heard"
+run 0 "$feltline" replay events.ndjson --sound glass.wav --material glass
+[ "$(loudness glass.wav 0.9 1.25)" -lt "$(loudness s.wav 0.9 1.25)" ] || fail "glass is no quieter"
+# A recording's own samples.
+run 0 "$feltline" replay recorded.ndjson --as-recorded --sound r.wav
+run 0 "$feltline" replay recorded.ndjson --as-recorded --sound r2.wav -o r.ndjson
+same r.wav r2.wav
+same r.ndjson recorded.out.ndjson
+# Errors leave what was there.
+echo old >kept.wav
+run 1 "$feltline" replay bad.ndjson --sound kept.wav
+[ "$(cat kept.wav)" = old ] || fail "an error wrote a sound"
+run 1 "$feltline" replay events.ndjson --sound nowhere/s.wav
+has err "nowhere/s.wav"
+run 2 "$feltline" replay events.ndjson --sound - -o -
+has err "only one can have stdout"
+run 2 "$feltline" replay recorded.ndjson --as-recorded --sound - -o -
+run 2 "$feltline" replay recorded.ndjson --as-recorded
+has err "needs -o OUT or --sound"
 finish

@@ -6,7 +6,7 @@ has out "feltline fit strokes.ndjson -o sketch.svg"
 is_empty err
 run 0 "$feltline" --version
 has out "feltline 0."
-for command in fit render convert info replay demo tools devices bench; do
+for command in fit render convert info replay demo tools devices doctor device-test bench; do
   run 0 "$feltline" "$command" --help
   has out "Examples:"
   is_empty err
@@ -26,6 +26,13 @@ done
 run 2 "$feltline" fit in.ndjson -o x.ndjson --mm-per-unit 0
 run 2 "$feltline" fit in.ndjson -o x.ndjson --jobs -1
 run 2 "$feltline" fit in.ndjson -o x.ndjson --scheme nonsense
+for material in velvet eraser paper; do
+  run 2 "$feltline" fit in.ndjson -o x.ndjson --material "$material"
+done
+run 2 "$feltline" fit in.ndjson -o x.ndjson --material velvet
+has err "there is no 'velvet' to draw with; there is pencil,"
+run 2 "$feltline" fit in.ndjson -o x.ndjson --min-width 3
+has err "--max-width (2) is less than --min-width (3)"
 run 2 "$feltline" fit in.ndjson -o x.ndjson --stats xml
 run 2 "$feltline" fit in.ndjson -o - --stats json
 has err "both want stdout"
@@ -38,7 +45,7 @@ for page in A9 10 10x x10 0x5 -1x5 nanxnan 1e9x1 A4-portrait; do
   run 2 "$feltline" render in.ndjson -o x.png --page "$page"
 done
 run 2 "$feltline" render in.ndjson -o x.png --paper reddish
-run 2 "$feltline" render in.ndjson -o x.png --surface wood
+run 2 "$feltline" render in.ndjson -o x.png --surface velvet
 run 2 "$feltline" render in.ndjson -o x.png --dpi 0
 is_empty out
 [ ! -e x.ndjson ] || fail "a wrong command line made a file"

@@ -31,7 +31,7 @@ const Generation& at(std::uint32_t generation) {
       if (!next.drawing.document.apply(next.edits.back())) std::abort();
     }
     next.drawing.page.width_mm = kFirstWidthMm + static_cast<double>(all.size());
-    next.drawing.material = "paper";
+    next.drawing.page.surface = "paper";
     all.push_back(std::move(next));
   }
   return all[generation];

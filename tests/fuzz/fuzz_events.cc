@@ -11,6 +11,7 @@
 #include "felt/base/check.h"
 #include "felt/io/event_reader.h"
 #include "felt/io/event_writer.h"
+#include "felt/material/material_file.h"
 
 namespace felt {
 namespace {
@@ -71,6 +72,9 @@ struct CheckWhat {
       FELT_CHECK(count >= 0 && count <= 1000);
     }
     FELT_CHECK(can.period_ns > 0 && can.period_ns <= 1'000'000'000);
+  }
+  void operator()(const UseMaterial& e) const {
+    FELT_CHECK(!e.text.empty() && e.text.size() <= kMaxMaterialBytes);
   }
 };
 

@@ -119,7 +119,7 @@ std::string value_for(const std::string& name, Random& random) {
   constexpr std::array<const char*, 8> kWords{"smooth corner", "true", "none",  "layer",
                                               "visible",       "1",    "round", "powerstroke"};
   if (name == "d" || name == "inkscape:original-d") return path_data(random);
-  if (name == "points" || name == "viewBox" || name == "stroke-dasharray") {
+  if (name == "points" || name == "viewBox" || name == "stroke-dasharray" || name == "felt:tones") {
     return numbers(random, random() % 9);
   }
   if (name == "transform") return transform(random);
@@ -142,7 +142,7 @@ constexpr std::array<const char*, 17> kElements{"g",        "path",
                                                 "switch",   "linearGradient",
                                                 "stop",     "inkscape:path-effect",
                                                 "style"};
-constexpr std::array<const char*, 38> kAttributes{"d",
+constexpr std::array<const char*, 39> kAttributes{"d",
                                                   "points",
                                                   "x",
                                                   "y",
@@ -178,6 +178,7 @@ constexpr std::array<const char*, 38> kAttributes{"d",
                                                   "offset_points",
                                                   "effect",
                                                   "felt:widths",
+                                                  "felt:tones",
                                                   "felt:joints",
                                                   "felt:closed"};
 

@@ -8,7 +8,6 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
@@ -18,6 +17,7 @@
 
 #include "tests/gestures/episode.h"
 #include "tests/gestures/random_sketch.h"
+#include "tests/support/last_words.h"
 
 namespace felt::gestures {
 namespace {
@@ -35,44 +35,12 @@ struct Options {
   bool trace = false;
 };
 
-// What repeats the present episode, for those who cannot be asked any more: kept ready, since a
-// signal handler may do little.
-char repeat_line[512];
-std::size_t repeat_length = 0;
-
-void say_and_die(int signal) {
-  const char* what = signal == SIGALRM ? "hangs: " : "crashes: ";
-  (void)!write(STDOUT_FILENO, "broken rule: ", 13);
-  (void)!write(STDOUT_FILENO, what, std::strlen(what));
-  (void)!write(STDOUT_FILENO, repeat_line, repeat_length);
-  std::signal(signal, SIG_DFL);
-  if (signal == SIGALRM) _exit(1);
-  std::raise(signal);
-}
-
-/// On a stack of its own: the usual one may be what overflowed.
-void watch_signals() {
-  static char stack_of_its_own[1 << 16];
-  stack_t stack{};
-  stack.ss_sp = stack_of_its_own;
-  stack.ss_size = sizeof stack_of_its_own;
-  sigaltstack(&stack, nullptr);
-  struct sigaction action {};
-  action.sa_handler = say_and_die;
-  action.sa_flags = SA_ONSTACK;
-  for (const int signal : {SIGABRT, SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGALRM}) {
-    sigaction(signal, &action, nullptr);
-  }
-}
-
 void watch(const Options& options, std::uint64_t episode) {
-  const int length = std::snprintf(
-      repeat_line, sizeof repeat_line, "repeat: gesture_fuzz --seed %llu --episode %llu%s%s%s%s\n",
-      static_cast<unsigned long long>(options.seed), static_cast<unsigned long long>(episode),
-      options.tool.empty() ? "" : " --tool ", options.tool.c_str(),
-      options.strokes.empty() ? "" : " --strokes ", options.strokes.c_str());
-  repeat_length = std::min(static_cast<std::size_t>(length), sizeof repeat_line - 1);
-  alarm(kHangsAfterS);
+  std::string repeat = "repeat: gesture_fuzz --seed " + std::to_string(options.seed) +
+                       " --episode " + std::to_string(episode);
+  if (!options.tool.empty()) repeat += " --tool " + options.tool;
+  if (!options.strokes.empty()) repeat += " --strokes " + options.strokes;
+  last_words::watch(repeat + "\n", kHangsAfterS);
 }
 
 void print(const Options& options, const Totals& totals) {
@@ -144,8 +112,8 @@ class Fuzz {
       if (std::strchr("0123456789.-+e", c) == nullptr) kind += c;
     }
     if (!seen_.insert(kind).second) return;
-    std::printf("broken rule: %s\n  in %s\n  %.*s", broken.c_str(), episode.where().c_str(),
-                static_cast<int>(repeat_length), repeat_line);
+    std::printf("broken rule: %s\n  in %s\n  %s", broken.c_str(), episode.where().c_str(),
+                std::string(last_words::repeat()).c_str());
     std::fflush(stdout);
   }
   int close() {
@@ -217,7 +185,7 @@ int run(const Options& options) {
     }
     real = *std::move(read);
   }
-  watch_signals();
+  last_words::watch_signals();
   return Fuzz(options, std::move(real)).run();
 }
 

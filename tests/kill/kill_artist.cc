@@ -109,7 +109,7 @@ class Artist {
   [[nodiscard]] StoredDrawing drawing() const {
     StoredDrawing drawing;
     drawing.document = session_->document();
-    drawing.material = session_->sheet().material().id;
+    drawing.page.surface = session_->sheet().material().id;
     drawing.color = session_->sheet().color();
     drawing.layer = session_->layer();
     return drawing;

@@ -11,14 +11,14 @@
 #include <vector>
 
 #include "felt/rt/null_device.h"
+#include "tests/drivers/scripted_bench.h"
+#include "tests/rt/driver_scenario.h"
 #include "tests/rt/plants.h"
 #include "tests/rt/scenarios.h"
 #include "tests/rt/tick_watch.h"
 
 namespace felt::rt_test {
 namespace {
-
-constexpr int kWarmUpTicks = 200;
 
 struct Planted {
   void (*commit)() noexcept;
@@ -29,21 +29,28 @@ struct Planted {
   [[nodiscard]] static Slopes slopes() noexcept { return {}; }
 };
 
-// How many of the watched ticks sent a force.
-int run_ticks(Session& session, int ticks) {
-  Servo& servo = session.servo();
-  const std::int64_t period_ns = servo.options().period_ns;
-  int pushing = 0;
-  for (int tick = 0; tick < kWarmUpTicks + ticks; ++tick) {
+struct Ran {
+  int ticks = 0;    // watched
+  int pushing = 0;  // that sent a force
+};
+
+Ran run_ticks(Session& session, int ticks_wanted) {
+  const std::int64_t period_ns = session.servo().options().period_ns;
+  const int warm_up = session.warm_up_ticks();
+  const int ticks = std::max(ticks_wanted, session.least_ticks() - warm_up);
+  Ran ran{.ticks = ticks};
+  for (int tick = 0; tick < warm_up + ticks; ++tick) {
     const std::int64_t now_ns = tick * period_ns;
     session.edit(tick, now_ns);
-    const bool watched = tick >= kWarmUpTicks;
+    Servo& servo = session.servo();  // another one, where a device was opened anew
+    const bool watched = tick >= warm_up;
+    if (tick == warm_up) touch_code();
     if (watched) begin_watch();
     const TickReport& report = servo.step(now_ns);
     if (watched) end_watch();
-    if (watched && report.sent != Force{}) ++pushing;
+    if (watched && report.sent != Force{}) ++ran.pushing;
   }
-  return pushing;
+  return ran;
 }
 
 int run_scenarios(const std::vector<std::string_view>& names, int ticks) {
@@ -53,13 +60,13 @@ int run_scenarios(const std::vector<std::string_view>& names, int ticks) {
       continue;
     }
     ++found;
-    std::fprintf(stderr, "%s\n", scenario.name.data());  // first, to know where a violation is
+    std::fprintf(stderr, "%s\n", scenario.name.c_str());  // first, to know where a violation is
     const auto session = scenario.make();
-    const int pushing = run_ticks(*session, ticks);
-    std::printf("%-28s %7d ticks, %6d with force: nothing forbidden\n", scenario.name.data(), ticks,
-                pushing);
-    if (scenario.pushes && pushing < ticks / 20) {
-      std::fprintf(stderr, "rt_proof: %s hardly pushes\n", scenario.name.data());
+    const Ran ran = run_ticks(*session, ticks);
+    std::printf("%-30s %7d ticks, %6d with force: nothing forbidden\n", scenario.name.c_str(),
+                ran.ticks, ran.pushing);
+    if (scenario.pushes && ran.pushing < ran.ticks / 20) {
+      std::fprintf(stderr, "rt_proof: %s hardly pushes\n", scenario.name.c_str());
       return 1;
     }
   }
@@ -74,7 +81,7 @@ class PlantedSession final : public Session {
  public:
   Servo& servo() override { return *servo_; }
   void edit(int tick, std::int64_t) override {
-    if (tick == kWarmUpTicks) servo_->publish(model_);
+    if (tick == warm_up_ticks()) servo_->publish(model_);
   }
   void set_model(const ForceModel& model) { model_ = model; }
 
@@ -84,7 +91,19 @@ class PlantedSession final : public Session {
   ForceModel model_;
 };
 
+int run_bad_driver(std::string_view name) {
+  const auto session = make_driver_session(
+      [](std::vector<FaultWindow> faults) {
+        return make_bad_bench(BadDriver::kAllocates, std::move(faults));
+      },
+      false);
+  run_ticks(*session, 100);
+  std::fprintf(stderr, "rt_proof: %s was NOT caught\n", name.data());
+  return 1;
+}
+
 int run_plant(std::string_view name) {
+  if (name == "driver_allocates") return run_bad_driver(name);
   for (const Plant& plant : plants()) {
     if (plant.name != name) continue;
     if (name == "raw_system_call" && !sees_raw_system_calls()) return 77;
@@ -105,7 +124,7 @@ int run(int argc, char** argv) {
   for (int i = 1; i < argc; ++i) {
     const std::string_view word = argv[i];
     if (word == "--list") {
-      for (const Scenario& scenario : scenarios()) std::puts(scenario.name.data());
+      for (const Scenario& scenario : scenarios()) std::puts(scenario.name.c_str());
       return 0;
     }
     if (word == "--list-plants") {

@@ -14,7 +14,9 @@
 #include "felt/haptics/stabiliser.h"
 #include "felt/haptics/well.h"
 #include "felt/rt/null_device.h"
+#include "tests/drivers/driver_bench.h"
 #include "tests/rt/drawing_scenario.h"
+#include "tests/rt/driver_scenario.h"
 #include "tests/rt/editing_scenario.h"
 
 namespace felt::rt_test {
@@ -84,10 +86,10 @@ class AllMaterials final : public Scribble {
   void feel(int tick) override {
     if (tick % 30 != 0) return;
     const auto surfaces = surface_materials();
-    const auto tools = tool_materials();
+    const auto tools = media();
     const auto turn = static_cast<std::size_t>(tick / 30);
     const SurfaceMaterial& surface = surfaces[turn % surfaces.size()];
-    const ToolMaterial& tool = tools[(turn / surfaces.size()) % tools.size()];
+    const Medium& tool = tools[(turn / surfaces.size()) % tools.size()];
     publish(make_sheet_force(surface, tool, device(), surface_grain(surface)),
             static_cast<std::uint32_t>(turn + 1));
   }
@@ -97,7 +99,7 @@ class AllMaterials final : public Scribble {
 class AllBricks final : public Scribble {
  private:
   void feel(int tick) override {
-    const auto sheet = make_sheet_force(surface_materials()[0], tool_materials()[0], device(),
+    const auto sheet = make_sheet_force(surface_materials()[0], media()[0], device(),
                                         surface_grain(surface_materials()[0]));
     const Point here{middle().x, middle().y};
     const std::array<Point, 3> targets{here, here + Vec{5.0, 0.0}, here + Vec{0.0, 9.0}};
@@ -125,7 +127,7 @@ class Paper : public Scribble {
  protected:
   void feel(int tick) override {
     if (tick != 0) return;
-    publish(make_sheet_force(surface_materials()[0], tool_materials()[0], device()), 1);
+    publish(make_sheet_force(surface_materials()[0], media()[0], device()), 1);
   }
 };
 
@@ -138,8 +140,8 @@ class HungEditSide final : public Paper {
 std::unique_ptr<Session> make_faulty() {
   std::vector<FaultWindow> faults;
   std::int64_t at_ms = 1000;
-  for (int kind = 0; kind <= static_cast<int>(InjectedFault::kButtonBounce); ++kind) {
-    faults.push_back({static_cast<InjectedFault>(kind), at_ms * kMs, (at_ms + 50) * kMs, 20.0});
+  for (const InjectedFault fault : injected_faults()) {
+    faults.push_back({fault, at_ms * kMs, (at_ms + 50) * kMs, 20.0});
     at_ms += 1400;
   }
   return std::make_unique<Paper>("touch", std::move(faults));
@@ -162,22 +164,31 @@ std::unique_ptr<Session> make() {
   return std::make_unique<S>();
 }
 
-constexpr std::array kScenarios{
-    Scenario{"mouse", false, make<Mouse>},
-    Scenario{"paper", true, make<Paper>},
-    Scenario{"paper, 4 kHz", true, [] { return std::unique_ptr<Session>(new Paper("omega")); }},
-    Scenario{"all materials", true, make<AllMaterials>},
-    Scenario{"all bricks, always fading", true, make<AllBricks>},
-    Scenario{"a drawing session, pencil", true, make_drawing_session},
-    Scenario{"editing, every tool", true, make_editing_session},
-    Scenario{"edit side hangs", true, make<HungEditSide>},
-    Scenario{"device faults", true, make_faulty},
-};
+std::vector<Scenario> all_scenarios() {
+  std::vector<Scenario> all{
+      {"mouse", false, make<Mouse>},
+      {"paper", true, make<Paper>},
+      {"paper, 4 kHz", true, [] { return std::unique_ptr<Session>(new Paper("omega")); }},
+      {"all materials", true, make<AllMaterials>},
+      {"all bricks, always fading", true, make<AllBricks>},
+      {"a drawing session, pencil", true, make_drawing_session},
+      {"editing, every tool", true, make_editing_session},
+      {"edit side hangs", true, make<HungEditSide>},
+      {"device faults", true, make_faulty},
+  };
+  for (const std::string_view bench : driver_bench_names()) {
+    const std::string name = "driver " + std::string(bench);
+    all.push_back({name, true, [bench] { return make_driver_session(bench, false); }});
+    all.push_back({name + ", faults", true, [bench] { return make_driver_session(bench, true); }});
+  }
+  return all;
+}
 
 }  // namespace
 
-std::span<const Scenario> scenarios() noexcept {
-  return kScenarios;
+std::span<const Scenario> scenarios() {
+  static const std::vector<Scenario> all = all_scenarios();
+  return all;
 }
 
 }  // namespace felt::rt_test

@@ -1,9 +1,10 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <span>
-#include <string_view>
+#include <string>
 
 #include "felt/rt/servo.h"
 
@@ -21,16 +22,21 @@ class Session {
   /// What the edit side does before tick `tick`, which will happen at `now_ns`: aims the hand,
   /// publishes force models, drains rings. May do what it likes: it is not watched.
   virtual void edit(int tick, std::int64_t now_ns) = 0;
+  /// So many first ticks are not watched: what a program touches first, its code included, comes
+  /// with a page fault. (A real loop locks its memory.)
+  [[nodiscard]] virtual int warm_up_ticks() const { return 200; }
+  /// It has not shown all before so many.
+  [[nodiscard]] virtual int least_ticks() const { return 0; }
 };
 
 /// One line of the list in scenarios.cc: a name, and how to make it.
 struct Scenario {
-  std::string_view name;
+  std::string name;
   bool pushes = true;  ///< forces must have been sent, or the run proves nothing
-  std::unique_ptr<Session> (*make)();
+  std::function<std::unique_ptr<Session>()> make;
 };
 
 /// To add one: a class that is a Session, in a file of its own or in scenarios.cc, and a line here.
-std::span<const Scenario> scenarios() noexcept;
+std::span<const Scenario> scenarios();
 
 }  // namespace felt::rt_test

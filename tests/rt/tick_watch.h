@@ -7,6 +7,9 @@ namespace felt::rt_test {
 
 /// Once, on the thread that will tick. Says on stderr what this system cannot watch.
 void install_watch();
+/// Touches what is mapped from files, so that code which runs for the first time at a tick, in an
+/// error say, is no page fault: of that a program cannot be the cause. Not the heap and the stack.
+void touch_code();
 /// False where system calls that bypass libc cannot be seen.
 bool sees_raw_system_calls() noexcept;
 

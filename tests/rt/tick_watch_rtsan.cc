@@ -8,6 +8,7 @@
 namespace felt::rt_test {
 
 void install_watch() {}
+void touch_code() {}
 bool sees_raw_system_calls() noexcept {
   return false;
 }

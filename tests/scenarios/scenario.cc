@@ -1,9 +1,13 @@
 #include "tests/scenarios/scenario.h"
 
 #include <algorithm>
+#include <filesystem>
+#include <fstream>
 #include <functional>
+#include <iterator>
 #include <limits>
 #include <map>
+#include <set>
 #include <sstream>
 
 #include "felt/base/hash.h"
@@ -53,6 +57,13 @@ Result<std::size_t> count_redo(Session& session) {
 const Stroke* stroke_of(const ScenarioResult& result, const std::string& rank) {
   const std::size_t k = static_cast<std::size_t>(std::stoul(rank));
   return k >= 1 && k <= result.sketch.size() ? &result.sketch[k - 1].stroke : nullptr;
+}
+
+namespace fs = std::filesystem;
+
+std::string content_of(const fs::path& path) {
+  std::ifstream in(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
 }
 
 using Words = std::vector<std::string>;
@@ -146,17 +157,24 @@ Result<ScenarioResult> play_scenario(const std::vector<Event>& events,
   const Result<const StylusPreset*> preset = find_device(scenario.device);
   if (!preset) return tl::unexpected(preset.error());
   SimulatedStylus stylus(**preset);
+  return play_scenario_on(stylus, stylus, events, scenario);
+}
+
+Result<ScenarioResult> play_scenario_on(Device& device, HandInput& hand,
+                                        const std::vector<Event>& events,
+                                        const ScenarioOptions& scenario) {
   ScenarioResult result;
   Recorder recorder([&result](std::span<const Event> batch) {
     for (const Event& event : batch) append_event_line(result.recording, event);
   });
-  Session session(make_tools(), {.device = stylus.capabilities(), .on_event = std::ref(recorder)});
+  Session session(make_tools(), {.device = device.capabilities(), .on_event = std::ref(recorder)});
   Fnv1a ticks;
   PlayerOptions options;
   options.forces = scenario.forces;
   options.edit_period_ns = scenario.edit_period_ns;
+  options.period_ns = device.capabilities().period_ns;
   options.on_tick = [&ticks](const TickReport& tick) { add_tick(ticks, tick); };
-  Player player(stylus, &stylus, session, std::move(options));
+  Player player(device, &hand, session, std::move(options));
   const Result<PlayReport> report = player.play(events);
   if (!report) return tl::unexpected(report.error());
   recorder.flush();
@@ -190,6 +208,34 @@ Expectations parse_expectations(const std::string& text) {
     Words words;
     for (std::string word; in >> word;) words.push_back(word);
     if (!words.empty()) all.push_back(std::move(words));
+  }
+  return all;
+}
+
+bool Scenario::has_hand() const {
+  return std::any_of(events.begin(), events.end(), [](const Event& event) {
+    return std::holds_alternative<HandEvent>(event.what);
+  });
+}
+
+Result<std::vector<Scenario>> read_scenarios() {
+  std::set<fs::path> scripts;
+  for (const auto& entry : fs::directory_iterator("tests/scenarios")) {
+    if (entry.path().extension() == ".ndjson") scripts.insert(entry.path());
+  }
+  std::vector<Scenario> all;
+  for (const fs::path& path : scripts) {
+    Scenario scenario{path.stem().string(), {}, {}};
+    const std::string text = content_of(path);
+    Result<std::vector<Event>> events = read_events(path.string(), read_text(text));
+    if (!events) return tl::unexpected(events.error());
+    scenario.events = std::move(*events);
+    fs::path expected = path;
+    scenario.expected = parse_expectations(content_of(expected.replace_extension(".expect")));
+    for (const auto& words : scenario.expected) {
+      if (words[0] == "device" && words.size() > 1) scenario.device = words[1];
+    }
+    all.push_back(std::move(scenario));
   }
   return all;
 }

@@ -26,7 +26,12 @@ struct ScenarioOptions {
   std::int64_t edit_period_ns = 4'000'000;
 };
 
-/// Plays a script from an empty document on.
+/// Plays a script from an empty document on, on this device and in this hand.
+Result<ScenarioResult> play_scenario_on(Device& device, HandInput& hand,
+                                        const std::vector<Event>& events,
+                                        const ScenarioOptions& options);
+
+/// Likewise on the simulated stylus that the options name.
 Result<ScenarioResult> play_scenario(const std::vector<Event>& events,
                                      const ScenarioOptions& options);
 
@@ -41,6 +46,18 @@ using Expectations = std::vector<std::vector<std::string>>;
 
 /// The words of each line; comments and empty lines left out.
 Expectations parse_expectations(const std::string& text);
+
+/// A script with what must come of it.
+struct Scenario {
+  std::string name;
+  std::vector<Event> events;
+  Expectations expected;
+  std::string device = "touch";
+
+  [[nodiscard]] bool has_hand() const;
+};
+/// All of tests/scenarios, in the order of their names. Error: a file that cannot be read.
+Result<std::vector<Scenario>> read_scenarios();
 
 /// Empty when this expectation is met, else what is wrong.
 std::string check_expectation(const std::vector<std::string>& words, const ScenarioResult& result);

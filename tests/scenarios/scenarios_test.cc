@@ -1,58 +1,15 @@
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <filesystem>
-#include <fstream>
-#include <iterator>
-#include <set>
-
 #include "tests/scenarios/scenario.h"
 
 namespace felt {
 namespace {
 
-namespace fs = std::filesystem;
-
-std::string content_of(const fs::path& path) {
-  std::ifstream in(path, std::ios::binary);
-  EXPECT_TRUE(in) << path;
-  return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
-}
-
-struct Scenario {
-  std::string name;
-  std::vector<Event> events;
-  Expectations expected;
-  std::string device = "touch";
-
-  [[nodiscard]] bool has_hand() const {
-    return std::any_of(events.begin(), events.end(), [](const Event& event) {
-      return std::holds_alternative<HandEvent>(event.what);
-    });
-  }
-};
-
 std::vector<Scenario> scenarios() {
-  std::set<fs::path> scripts;
-  for (const auto& entry : fs::directory_iterator("tests/scenarios")) {
-    if (entry.path().extension() == ".ndjson") scripts.insert(entry.path());
-  }
-  std::vector<Scenario> all;
-  for (const fs::path& path : scripts) {
-    Scenario scenario{path.stem().string(), {}, {}};
-    const std::string text = content_of(path);
-    Result<std::vector<Event>> events = read_events(path.string(), read_text(text));
-    EXPECT_TRUE(events) << events.error().message;
-    if (events) scenario.events = std::move(*events);
-    fs::path expected = path;
-    scenario.expected = parse_expectations(content_of(expected.replace_extension(".expect")));
-    for (const auto& words : scenario.expected) {
-      if (words[0] == "device" && words.size() > 1) scenario.device = words[1];
-    }
-    all.push_back(std::move(scenario));
-  }
-  EXPECT_GE(all.size(), 10U);
-  return all;
+  Result<std::vector<Scenario>> all = read_scenarios();
+  EXPECT_TRUE(all) << all.error().message;
+  EXPECT_GE(all->size(), 10U);
+  return *std::move(all);
 }
 
 ScenarioResult play(const Scenario& scenario, ScenarioOptions options = {}) {

@@ -4,13 +4,13 @@
 #include <cmath>
 #include <memory>
 
+#include "felt/devices/simulated/high_pass.h"
 #include "felt/devices/simulated/simulated_stylus.h"
 #include "felt/haptics/drawing_feel.h"
 #include "felt/haptics/spring.h"
 #include "felt/haptics/well.h"
 #include "felt/rt/servo.h"
 #include "felt/rt/virtual_clock.h"
-#include "stability/high_pass.h"
 #include "stability/pen_plan.h"
 
 namespace felt {

@@ -6,8 +6,8 @@
 
 #include "felt/devices/simulated/simulated_hand.h"
 #include "felt/devices/simulated/stylus_presets.h"
-#include "felt/haptics/material.h"
 #include "felt/haptics/safety_chain.h"
+#include "felt/material/materials.h"
 
 namespace felt {
 
@@ -31,7 +31,7 @@ struct StabilityCell {
   int delay_ticks = 1;
   std::int64_t period_ns = 1'000'000;
   const SurfaceMaterial* surface = nullptr;
-  const ToolMaterial* tool = nullptr;
+  const Medium* tool = nullptr;
 };
 /// "slow worst/light 1 kHz delay 2 blackboard eraser"
 std::string name_of(const StabilityCell& cell);

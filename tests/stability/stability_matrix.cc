@@ -14,17 +14,26 @@ constexpr std::array kDevices{"worst",   "touch", "premium", "falcon",
                               "touch-x", "omega", "inverse3"};
 constexpr std::array<std::int64_t, 3> kPeriodsNs{1'000'000, 250'000, 200'000};
 
+// The pencil, and the strongest friction; all other media are softer or drag less.
+bool is_extreme(const Medium& tool) {
+  return tool.id == "pencil" || tool.id == "eraser";
+}
+
+bool is_usual_loop(const StabilityCell& c) {
+  return c.period_ns == 1'000'000 && c.delay_ticks == 1;
+}
+
 // All loops, surfaces and tools of one trial, hand and device.
 void add_loops(StabilityCell cell, std::vector<StabilityCell>& cells) {
   for (const std::int64_t period_ns : kPeriodsNs) {
     for (const int delay : {0, 1, 2}) {
       for (const SurfaceMaterial& surface : surface_materials()) {
-        for (const char* tool : {"pencil", "eraser"}) {
+        for (const Medium& tool : media()) {
           cell.period_ns = period_ns;
           cell.delay_ticks = delay;
           cell.surface = &surface;
-          cell.tool = find_tool_material(tool);
-          cells.push_back(cell);
+          cell.tool = &tool;
+          if (is_extreme(tool) || is_usual_loop(cell)) cells.push_back(cell);
         }
       }
     }
@@ -64,7 +73,14 @@ std::vector<StabilityCell> representative_cells(const std::vector<StabilityCell>
     const bool hand = c.hand == nullptr || c.hand->name == "light" || c.hand->name == "typical";
     const bool loop =
         c.period_ns == 1'000'000 ? c.delay_ticks > 0 : c.period_ns == 200'000 && c.delay_ticks == 1;
-    const bool surface = c.surface->id == "paper" || c.surface->id == "blackboard";
+    // As most people will feel them, and in the hand and device that damp the least.
+    const bool as_usual = c.device->name == "touch" && c.hand != nullptr &&
+                          c.hand->name == "typical" && is_usual_loop(c);
+    const bool at_worst = c.device->name == "worst" && c.hand != nullptr &&
+                          c.hand->name == "light" && is_usual_loop(c);
+    // The one with the finest friction and one of the hardest with the strongest.
+    const bool ends = c.surface->id == "paper" || c.surface->id == "blackboard";
+    const bool surface = as_usual || (ends && (is_extreme(*c.tool) || at_worst));
     return has(kOf, c.device->name) && hand && loop && surface;
   });
   return some;

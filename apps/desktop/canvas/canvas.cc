@@ -96,6 +96,7 @@ void Canvas::listen() {
   connect(&studio_, &Studio::option_changed, this, [this](const QString& id) {
     if (id.endsWith(QLatin1String(".material"))) take_grain();
   });
+  connect(&studio_, &Studio::materials_changed, this, &Canvas::take_grain);
   connect(&Settings::the(), &Settings::changed, this, [this](const QString& key) {
     if (!key.startsWith(QLatin1String("canvas/"))) return;
     take_grain();
@@ -201,11 +202,12 @@ void Canvas::take_look() {
 void Canvas::take_grain() {
   const bool on = Settings::the().flag(canvas_keys::kGrain, canvas_keys::kGrainDefault);
   const Session& session = studio_.session();
-  const Grain grain(on ? surface_grain(session.sheet().material()) : nullptr);
+  const Grain grain =
+      on ? Grain(surface_grain(session.sheet().material()), session.materials()) : Grain();
   const Result<OptionValue> value = session.option("pencil.material");
   const std::string* material = value ? std::get_if<std::string>(&*value) : nullptr;
   ink_.set_grain(grain);
-  shown_->wet.set_grain(grain, material ? grain_share(*material) : 0.0);
+  shown_->wet.set_grain(grain, material ? *material : "pencil");
   update();
 }
 

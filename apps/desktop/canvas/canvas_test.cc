@@ -13,6 +13,7 @@
 #include "desktop/canvas/canvas_sitting.h"
 #include "desktop/canvas/settings_keys.h"
 #include "desktop/engine/settings.h"
+#include "felt/material/materials.h"
 
 namespace felt::desktop {
 namespace {
@@ -179,8 +180,8 @@ void draw_evenly(Sitting& sitting, double width_mm) {
 }
 
 /// Of a line of one width only the end is fitted once more: all the rest stays, pixel for pixel, at
-/// any scale of the screen. Gives back the picture with the wet line.
-QImage expect_no_jump(Sitting& sitting, const std::vector<Point>& way) {
+/// any scale of the screen; `most` pixels may jump. Gives back the picture with the wet line.
+QImage expect_no_jump(Sitting& sitting, const std::vector<Point>& way, int most = 0) {
   sitting.canvas.set_pen_visible(false);
   const std::size_t before = sitting.studio.session().document().stroke_count();
   const QImage without = sitting.anew();
@@ -205,8 +206,8 @@ QImage expect_no_jump(Sitting& sitting, const std::vector<Point>& way) {
     }
     EXPECT_GT(apart(without, dry).many, 2000);
     const Apart off = apart(wet, dry);
-    EXPECT_EQ(off.many, 0) << "frame " << frame << ", " << off.most << " at " << off.where.x()
-                           << "," << off.where.y();
+    EXPECT_LE(off.many, most) << "frame " << frame << ", " << off.most << " at " << off.where.x()
+                              << "," << off.where.y();
   }
   sitting.tool("pencil");
   return all;
@@ -220,6 +221,27 @@ TEST(Canvas, WetInkOfOneWidthDriesWhereItIs) {
   Sitting sitting;
   draw_evenly(sitting, 2.0);
   expect_no_jump(sitting, loops);
+}
+
+/// With the grain of the sheet, on rough paper and on glass: the same dust in the same places.
+TEST(Canvas, R47_WetInkOfEveryMediumDriesAsItLooks) {
+  std::vector<Point> loops;
+  for (int i = 0; i <= 60; ++i) {
+    loops.push_back({60.0 + 1.8 * i + 18 * std::cos(0.25 * i), 100 + 40 * std::sin(0.25 * i)});
+  }
+  Settings::the().set(canvas_keys::kGrain, true);
+  for (const Medium& medium : media()) {
+    if (!medium.draws) continue;
+    SCOPED_TRACE(medium.id);
+    Sitting sitting;
+    draw_evenly(sitting, 5.0);
+    sitting.option("sheet.material", std::string(medium.look.rim > 0.0 ? "glass" : "rough-paper"));
+    sitting.option("sheet.color", std::string("#20242c"));
+    sitting.option("pencil.material", medium.id);
+    // Hairs are as thin as pixels: where a line crosses itself either way may show, 250 of 20,000.
+    expect_no_jump(sitting, loops, medium.look.streaks > 0.0 ? 250 : 0);
+  }
+  Settings::the().set(canvas_keys::kGrain, canvas_keys::kGrainDefault);
 }
 
 /// What is drawn in a layer is seen below the ink of the layers above it from its first sample on.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "felt/render/raster.h"
 #include "felt/stroke/flatten.h"
@@ -37,6 +38,12 @@ QRect DeviceView::part_of(const Rect& px) const {
       .toAlignedRect();
 }
 
+View DeviceView::as_view() const {
+  const double angle =
+      (view.is_mirrored() ? -1.0 : 1.0) * view.angle_deg() * std::numbers::pi / 180.0;
+  return {to_mm({0.0, 0.0}), px_per_mm(), {std::cos(angle), std::sin(angle)}, view.is_mirrored()};
+}
+
 void DabRows::clear() {
   dabs_.clear();
   pieces_.clear();
@@ -58,12 +65,13 @@ void DabRows::add(const Overlay::InkSegment& segment, double least_px) {
     pieces_.push_back(piece);
     return;
   }
-  if (piece.begins_row) dabs_.push_back({c.p[0], r0});
+  if (piece.begins_row) dabs_.push_back({c.p[0], r0, segment.start_tone});
   piece.first = dabs_.size() - 1;
   const int steps = flatten_steps(c, 1.0, 0.5 * kRasterTolerancePx);
   for (int i = 1; i <= steps; ++i) {
     const double t = static_cast<double>(i) / steps;
-    dabs_.push_back({evaluate(c, t), r0 + t * (r1 - r0)});
+    dabs_.push_back(
+        {evaluate(c, t), r0 + t * (r1 - r0), std::lerp(segment.start_tone, segment.end_tone, t)});
   }
   for (std::size_t k = piece.first; k < dabs_.size(); ++k) {
     const Point p = dabs_[k].center;

@@ -1,13 +1,13 @@
 #pragma once
 
 #include <QRectF>
-#include <algorithm>
-#include <cmath>
 #include <cstddef>
+#include <span>
 #include <vector>
 
 #include "desktop/canvas/canvas_view.h"
 #include "felt/render/image.h"
+#include "felt/render/view.h"
 #include "felt/stroke/outline.h"
 #include "felt/tools/overlay.h"
 
@@ -31,6 +31,8 @@ struct DeviceView {
   [[nodiscard]] PixelRect pixels_of(const QRectF& part) const;
   /// The widget's pixels that these touch.
   [[nodiscard]] QRect part_of(const Rect& px) const;
+  /// The same for whoever renders.
+  [[nodiscard]] View as_view() const;
 
   friend bool operator==(const DeviceView&, const DeviceView&) = default;
 };
@@ -58,9 +60,9 @@ class DabRows {
   /// Right within the part only. Of the segments from the n-th on, up to another.
   void trace(const PixelRect& part, StrokeOutliner& outliner, Outline& out, std::size_t from = 0,
              std::size_t to = kAll) const;
-  /// Calls `press(dab)` for dabs at most `step` of their radius apart, along all that touches it.
-  template <class Press>
-  void walk(const PixelRect& part, double step, Press press) const;
+  /// Calls `lay(dabs)` for each row of dabs that touches the part, as far as it does.
+  template <class Lay>
+  void ways(const PixelRect& part, Lay lay) const;
 
  private:
   struct Piece {
@@ -76,21 +78,20 @@ class DabRows {
   std::vector<Piece> pieces_;
 };
 
-template <class Press>
-void DabRows::walk(const PixelRect& part, double step, Press press) const {
-  for (std::size_t i = 0; i < pieces_.size(); ++i) {
-    if (!touches(pieces_[i], part)) continue;
-    for (std::size_t k = pieces_[i].first; k + 1 < end_of(i); ++k) {
-      const Dab &a = dabs_[k], &b = dabs_[k + 1];
-      const double way = distance(a.center, b.center);
-      const double thin = a.radius_mm < b.radius_mm ? a.radius_mm : b.radius_mm;
-      const double steps = std::ceil(way / std::max(0.7, step * thin));
-      for (double n = 0; n < std::max(1.0, steps); ++n) {
-        const double t = steps > 0.0 ? n / steps : 0.0;
-        press(Dab{lerp(a.center, b.center, t), a.radius_mm + t * (b.radius_mm - a.radius_mm)});
-      }
+template <class Lay>
+void DabRows::ways(const PixelRect& part, Lay lay) const {
+  for (std::size_t i = 0; i < pieces_.size();) {
+    if (!touches(pieces_[i], part)) {
+      ++i;
+      continue;
     }
-    press(dabs_[end_of(i) - 1]);
+    std::size_t next = i + 1;
+    while (next < pieces_.size() && !pieces_[next].begins_row && touches(pieces_[next], part)) {
+      ++next;
+    }
+    const std::size_t first = pieces_[i].first;
+    lay(std::span<const Dab>(dabs_).subspan(first, end_of(next - 1) - first));
+    i = next;
   }
 }
 

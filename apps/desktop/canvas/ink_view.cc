@@ -6,10 +6,10 @@
 #include <chrono>
 #include <cmath>
 #include <map>
-#include <numbers>
 #include <utility>
 #include <vector>
 
+#include "desktop/canvas/dab_rows.h"
 #include "desktop/canvas/ink_worker.h"
 
 namespace felt::desktop {
@@ -39,16 +39,6 @@ QRect device_rect(const QRect& part, double dpr) {
 QRect widget_rect(const QRect& device, double dpr) {
   return QRectF(device.x() / dpr, device.y() / dpr, device.width() / dpr, device.height() / dpr)
       .toAlignedRect();
-}
-
-/// What a widget of device pixels shows.
-View view_of(const CanvasView& view, double dpr) {
-  const double angle =
-      (view.is_mirrored() ? -1.0 : 1.0) * view.angle_deg() * std::numbers::pi / 180.0;
-  return {view.to_mm({0.0, 0.0}),
-          view.px_per_mm() * dpr,
-          {std::cos(angle), std::sin(angle)},
-          view.is_mirrored()};
 }
 
 QTransform transform_of(const View& view) {
@@ -119,7 +109,7 @@ struct InkView::State {
 
 /// Takes the plane of this scale, angle and style, or lays out a new one.
 void InkView::State::choose_plane() {
-  const View now = view_of(view, dpr);
+  const View now = DeviceView{view, dpr, {}}.as_view();
   const auto is_same = [&](const Plane& plane) {
     const View& v = plane.spec.view;
     const Vec at = v.to_px(now.origin_mm);
@@ -242,6 +232,7 @@ void InkView::set_view(const CanvasView& view, double dpr) {
 }
 
 void InkView::set_grain(const Grain& grain) {
+  if (grain == state_->grain) return;
   state_->grain = grain;
   ++state_->style;
   state_->ask();

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "desktop/engine/grain_setting.h"
+
 /// The keys of this room in `Settings`, with their defaults.
 namespace felt::desktop::canvas_keys {
 
@@ -12,7 +14,7 @@ inline constexpr auto kForceArrow = "canvas/force_arrow";
 inline constexpr bool kForceArrowDefault = true;
 
 /// Dry ink shows the relief of the sheet, as pictures can and outlines in files cannot.
-inline constexpr auto kGrain = "canvas/grain";
-inline constexpr bool kGrainDefault = false;
+inline constexpr auto kGrain = kShowsGrain;
+inline constexpr bool kGrainDefault = kShowsGrainDefault;
 
 }  // namespace felt::desktop::canvas_keys

@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 #include <utility>
+
+#include "felt/render/ink_look.h"
 
 namespace felt::desktop {
 namespace {
@@ -10,11 +13,11 @@ namespace {
 constexpr double kHairPx = 1.0;  // device-independent, of outline mode
 constexpr double kBandPx = 7.0;  // that much broader than its ink
 constexpr double kLeastBandPx = 9.0;
-constexpr double kPressStep = 0.25;  // of the tip's radius, as PressureMap asks
 
 bool same(const Overlay::InkSegment& a, const Overlay::InkSegment& b) {
   return a.curve == b.curve && a.start_width_mm == b.start_width_mm &&
-         a.end_width_mm == b.end_width_mm;
+         a.end_width_mm == b.end_width_mm && a.start_tone == b.start_tone &&
+         a.end_tone == b.end_tone;
 }
 bool same(const Overlay::Span& a, const Overlay::Span& b) {
   return a.curve == b.curve && a.width_mm == b.width_mm && a.role == b.role;
@@ -89,9 +92,9 @@ void WetInkView::set_view(const DeviceView& view) {
   for (Row& row : drying_) remake(row);
 }
 
-void WetInkView::set_grain(const Grain& grain, double share) {
+void WetInkView::set_grain(const Grain& grain, const std::string& material) {
   grain_ = grain;
-  share_ = share;
+  material_ = material;
 }
 
 void WetInkView::set_outline_mode(bool on) {
@@ -109,7 +112,7 @@ QRegion WetInkView::update(std::span<const Overlay::InkSegment> ink, Rgba color)
   wet_.segments.resize(n);
   wet_.dabs.keep(n);
   wet_.color = color;
-  wet_.share = share_;
+  wet_.material = material_;
   for (const Overlay::InkSegment& segment : ink.subspan(n)) {
     wet_.segments.push_back(segment);
     add(wet_, segment);
@@ -183,15 +186,25 @@ void WetInkView::paint_row(QPainter& painter, const QRect& part, const Row& row,
   draw_pixels(painter, image, pixels, view_.dpr);
 }
 
+/// How hard the pixels of a part were pushed on.
+void WetInkView::lay(const PixelRect& pixels, const Row& row, double edge) {
+  pressure_.begin(pixels, edge);
+  row.dabs.ways(pixels, [&](std::span<const Dab> dabs) {
+    way_.clear();
+    for (const Dab& dab : dabs) {
+      way_.push_back({{dab.center.x, dab.center.y}, dab.radius_mm, dab.tone});
+    }
+    pressure_.lay(way_);
+  });
+}
+
 /// From coverage, this one or the mask's, to colour.
 void WetInkView::ink_pixels(QImage& image, const PixelRect& pixels, const Row& row) {
-  const bool grained = !outline_mode_ && !grain_.is_smooth() && row.share > 0.0;
-  if (grained) {
-    pressure_.begin(pixels);
-    row.dabs.walk(pixels, kPressStep, [&](const Dab& dab) {
-      pressure_.press({dab.center.x, dab.center.y}, dab.radius_mm,
-                      pressure_of_width(2.0 * dab.radius_mm / view_.px_per_mm()));
-    });
+  const auto look = outline_mode_ ? nullptr : grain_.look(row.material, view_.px_per_mm());
+  std::optional<InkShade> shade;
+  if (look) {
+    lay(pixels, row, look->edge);
+    shade.emplace(*look, view_.as_view());
   }
   const Rgba color = row.color;
   const int opacity = outline_mode_ ? 255 : color.a;
@@ -201,20 +214,18 @@ void WetInkView::ink_pixels(QImage& image, const PixelRect& pixels, const Row& r
         qPremultiply(qRgba(color.r, color.g, color.b, (c * opacity + 127) / 255));
   }
   const int width = screen().width();
+  std::vector<std::uint8_t> alphas(static_cast<std::size_t>(pixels.width()));
   for (int y = pixels.y0; y < pixels.y1; ++y) {
     auto* line = reinterpret_cast<QRgb*>(image.scanLine(y - pixels.y0));
     const std::uint8_t* kept =
         row.mask.empty() ? nullptr
                          : row.mask.data() + static_cast<std::ptrdiff_t>(y) * width + pixels.x0;
     for (int x = 0; x < pixels.width(); ++x) {
-      const int covered = std::max(qAlpha(line[x]), kept ? int{kept[x]} : 0);
-      double seen = 1.0;
-      if (grained && covered > 0) {
-        const auto pressure = static_cast<double>(pressure_.at(pixels.x0 + x, y));
-        seen = grain_.alpha(view_.to_mm({pixels.x0 + x + 0.5, y + 0.5}), pressure, row.share);
-      }
-      line[x] = inks[static_cast<std::size_t>(grained ? qRound(covered * seen) : covered)];
+      alphas[static_cast<std::size_t>(x)] =
+          static_cast<std::uint8_t>(std::max(qAlpha(line[x]), kept ? int{kept[x]} : 0));
     }
+    if (shade) shade->row(pressure_, pixels.x0, y, pixels.width(), alphas.data());
+    for (int x = 0; x < pixels.width(); ++x) line[x] = inks[alphas[static_cast<std::size_t>(x)]];
   }
 }
 

@@ -5,6 +5,7 @@
 #include <QRegion>
 #include <functional>
 #include <span>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -47,8 +48,8 @@ class InkBrush {
 class WetInkView {
  public:
   void set_view(const DeviceView& view);
-  /// `material` of the strokes that are drawn now.
-  void set_grain(const Grain& grain, double share);
+  /// `material`: the medium of the strokes that are drawn now, by its id.
+  void set_grain(const Grain& grain, const std::string& material);
   /// Hair-thin.
   void set_outline_mode(bool on);
 
@@ -72,7 +73,7 @@ class WetInkView {
     std::vector<Overlay::InkSegment> segments;
     DabRows dabs;
     Rgba color;
-    double share = 0.0;
+    std::string material;
     std::size_t firm = 0;              ///< segments that the last change left as they were
     std::size_t settled = 0;           ///< segments in the mask
     std::vector<std::uint8_t> mask{};  ///< a byte a pixel of the device
@@ -81,15 +82,17 @@ class WetInkView {
   void settle(Row& row, std::size_t to);
   void unsettle(Row& row) const;
   void paint_row(QPainter& painter, const QRect& part, const Row& row, const Cover& cover);
+  void lay(const PixelRect& pixels, const Row& row, double edge);
   void ink_pixels(QImage& image, const PixelRect& pixels, const Row& row);
   [[nodiscard]] PixelRect screen() const;
 
   DeviceView view_;
   Grain grain_;
-  double share_ = 0.0;
+  std::string material_ = "pencil";
   bool outline_mode_ = false;
   InkBrush brush_;
   PressureMap pressure_;
+  std::vector<TipAt> way_;
   Row wet_;
   std::vector<Row> drying_;
 };

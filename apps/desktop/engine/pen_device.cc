@@ -1,15 +1,15 @@
 #include "desktop/engine/pen_device.h"
 
 #include <QCoreApplication>
-#include <QStringList>
+#include <QStandardPaths>
 #include <algorithm>
-#include <array>
 #include <cstring>
 #include <utility>
 
 #include "desktop/engine/settings.h"
-#include "felt/devices/calibrated/calibrated_device.h"
 #include "felt/devices/simulated/simulated_stylus.h"
+#include "felt/document/sheet_page.h"
+#include "felt/driver/calibrated_device.h"
 
 namespace felt::desktop {
 namespace {
@@ -18,7 +18,6 @@ namespace {
 constexpr double kEndlessMm = 1e10;
 constexpr auto kTablet = "tablet";
 constexpr auto kSimulated = "simulated:";
-constexpr qsizetype kPlaneNumbers = 12;
 
 struct AddedDriver {
   int number;
@@ -48,30 +47,56 @@ class SimulatedPen final : public PenDevice {
   HandScriptOptions options_;
 };
 
-/// A person's device with the drawing plane where that person has it.
+QString text_of(std::string_view text) {
+  return QString::fromUtf8(text.data(), qsizetype(text.size()));
+}
+
+/// A person's device with the drawing plane where that person has it, and with their limits. One
+/// without a frame of its own has no plane to be set: where it says it is, it is.
 class CalibratedPen final : public PenDevice {
  public:
-  CalibratedPen(std::unique_ptr<PenDevice> pen, const PlaneCalibration& calibration)
-      : pen_(std::move(pen)), device_(pen_->device(), calibration) {}
+  CalibratedPen(std::unique_ptr<PenDevice> pen, const DeviceProfile& profile,
+                const PlaneCalibration& usual)
+      : pen_(std::move(pen)), usual_(usual) {
+    take(profile);
+  }
 
-  [[nodiscard]] const PenDeviceInfo& info() const noexcept override { return pen_->info(); }
-  [[nodiscard]] Device& device() noexcept override { return device_; }
+  [[nodiscard]] const PenDeviceInfo& info() const noexcept override { return info_; }
+  [[nodiscard]] Device& device() noexcept override { return *device_; }
   [[nodiscard]] HandInput* hand() noexcept override { return nullptr; }
   [[nodiscard]] const HandScriptOptions& hand_options() const noexcept override {
     return pen_->hand_options();
   }
   [[nodiscard]] PlaneCalibration calibration() const noexcept override {
-    return device_.calibration();
+    return device_->calibration();
   }
+  void follow(const DeviceProfile& profile) override { take(profile); }
+  [[nodiscard]] DeviceStatus status() noexcept override { return pen_->status(); }
+  bool set_pen_down(bool is_down) noexcept override { return pen_->set_pen_down(is_down); }
+  [[nodiscard]] LoopHost* loop_host() noexcept override { return pen_->loop_host(); }
+  [[nodiscard]] Homing homing() noexcept override { return pen_->homing(); }
+  [[nodiscard]] QString homing_words() override { return pen_->homing_words(); }
+  Result<void> find_home() override { return pen_->find_home(); }
 
  private:
-  std::unique_ptr<PenDevice> pen_;
-  CalibratedDevice device_;
-};
+  void take(const DeviceProfile& profile) {
+    info_ = pen_->info();
+    if (!profile.name.empty()) info_.label = info_.short_label = text_of(profile.name);
+    DeviceProfile ours = profile;
+    if (info_.has_own_frame) {
+      // Another one of its kind stands somewhere else, and pushes like this one.
+      forget_planes_of_another(ours, info_.serial.toStdString());
+    } else {
+      ours.plane.reset();
+    }
+    device_.emplace(pen_->device(), ours, usual_);
+  }
 
-QString text_of(std::string_view text) {
-  return QString::fromUtf8(text.data(), qsizetype(text.size()));
-}
+  std::unique_ptr<PenDevice> pen_;
+  PenDeviceInfo info_;
+  PlaneCalibration usual_;
+  std::optional<CalibratedDevice> device_;  // always there
+};
 
 /// "3D Systems Touch (Phantom Omni)" is "Touch" to those who have one.
 QString model_of(QString label) {
@@ -116,16 +141,24 @@ Result<std::unique_ptr<PenDevice>> open_simulated(const PenDeviceInfo& info, Sty
   return std::make_unique<SimulatedPen>(info, preset, typical_hand());
 }
 
-Result<std::unique_ptr<PenDevice>> open_of(const PenDriver& driver, const PenDeviceInfo& info) {
-  Result<std::unique_ptr<PenDevice>> opened = driver.open(info.id);
-  if (!opened || !info.has_own_frame) return opened;
-  const std::optional<PlaneCalibration> plane = plane_of(info.id);
-  if (!plane) return opened;
-  return std::make_unique<CalibratedPen>(*std::move(opened), *plane);
+Result<std::unique_ptr<PenDevice>> open_of(const PenDriver& driver, const PenDeviceInfo& info,
+                                           const Rect& page) {
+  const Result<DeviceProfile> profile = profile_of(info.id);
+  if (!profile) return tl::unexpected(profile.error());
+  Result<std::unique_ptr<PenDevice>> opened = driver.open(info.id, {.pen_begins_down = false});
+  if (!opened) return opened;
+  const PenDeviceInfo& now = (*opened)->info();
+  const PlaneCalibration usual =
+      now.has_own_frame
+          ? fit_to_page(now.default_plane,
+                        reach_of(now.default_plane, (*opened)->device().capabilities()), page, 1.0)
+          : PlaneCalibration{};
+  return std::make_unique<CalibratedPen>(*std::move(opened), *profile, usual);
 }
 
-QString plane_key(const QString& device_id) {
-  return QStringLiteral("devices/plane/") + device_id;
+std::string profiles_folder() {
+  return QStandardPaths::writableLocation(QStandardPaths::GenericConfigLocation).toStdString() +
+         "/feltline/devices";
 }
 
 }  // namespace
@@ -155,10 +188,10 @@ std::vector<PenDeviceInfo> pen_devices() {
   return devices;
 }
 
-Result<std::unique_ptr<PenDevice>> open_pen_device(const QString& id) {
+Result<std::unique_ptr<PenDevice>> open_pen_device(const QString& id, const Rect& page) {
   for (const AddedDriver& added : drivers()) {
     for (const PenDeviceInfo& info : added.driver.find()) {
-      if (info.id == id) return open_of(added.driver, info);
+      if (info.id == id) return open_of(added.driver, info, page);
     }
   }
   for (const StylusPreset& preset : stylus_presets()) {
@@ -167,6 +200,10 @@ Result<std::unique_ptr<PenDevice>> open_pen_device(const QString& id) {
   }
   return fail(ErrorCode::kNotFound, "there is no pen device \"" + id.toStdString() +
                                         "\" now: is it plugged in and switched on?");
+}
+
+Result<std::unique_ptr<PenDevice>> open_pen_device(const QString& id) {
+  return open_pen_device(id, SheetPage{}.area());
 }
 
 QString chosen_pen_device() {
@@ -178,28 +215,28 @@ QString chosen_pen_device() {
   return is_there ? chosen : fallback;
 }
 
-std::optional<PlaneCalibration> plane_of(const QString& device_id) {
-  const QStringList words = Settings::the().text(plane_key(device_id)).split(QLatin1Char(' '));
-  if (words.size() != kPlaneNumbers) return std::nullopt;
-  std::array<Vec3, 4> v{};
-  for (qsizetype i = 0; i < kPlaneNumbers; ++i) {
-    bool ok = false;
-    const double number = words[i].toDouble(&ok);
-    if (!ok) return std::nullopt;
-    Vec3& to = v[static_cast<std::size_t>(i / 3)];
-    (i % 3 == 0 ? to.x : i % 3 == 1 ? to.y : to.z) = number;
-  }
-  return PlaneCalibration::from({v[0], v[1], v[2]}, v[3]);
+Result<DeviceProfile> profile_of(const QString& device_id) {
+  return load_device_profile(profiles_folder(), device_id.toStdString());
 }
 
-void keep_plane_of(const QString& device_id, const PlaneCalibration& calibration) {
-  QStringList words;
-  const auto add = [&words](const Vec3& v) {
-    for (const double number : {v.x, v.y, v.z}) words << QString::number(number, 'g', 17);
-  };
-  for (const Vec3& row : calibration.rows()) add(row);
-  add(calibration.offset());
-  Settings::the().set(plane_key(device_id), words.join(QLatin1Char(' ')));
+Result<void> keep_profile(const DeviceProfile& profile) {
+  return save_device_profile(profiles_folder(), profile);
+}
+
+QString profile_path(const QString& device_id) {
+  return QString::fromStdString(device_profile_path(profiles_folder(), device_id.toStdString()));
+}
+
+std::optional<PlaneCalibration> plane_of(const QString& device_id) {
+  const Result<DeviceProfile> profile = profile_of(device_id);
+  return profile ? profile->plane : std::nullopt;
+}
+
+Result<void> keep_plane_of(const QString& device_id, const PlaneCalibration& calibration) {
+  Result<DeviceProfile> profile = profile_of(device_id);
+  if (!profile) return tl::unexpected(profile.error());
+  profile->plane = calibration;
+  return keep_profile(*profile);
 }
 
 }  // namespace felt::desktop

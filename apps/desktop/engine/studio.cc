@@ -1,4 +1,5 @@
 #include "desktop/engine/studio.h"
+#include "desktop/engine/copied_options.h"
 #include "desktop/engine/first_options.h"
 
 #include <algorithm>
@@ -6,6 +7,7 @@
 #include <cmath>
 #include <utility>
 
+#include "felt/rt/abandon.h"
 #include "felt/tools/tool.h"
 
 namespace felt::desktop {
@@ -20,27 +22,11 @@ constexpr int kMostLateLooks = 4;                 // after that many the next ti
 constexpr std::int64_t kNearNs = 100'000'000;     // since the pen was moved
 constexpr std::int64_t kRestingNs = 500'000'000;  // likewise
 constexpr std::int64_t kTurnNs = 4'000'000;       // of a studio that is not live
+constexpr std::int64_t kStatusNs = 20'000'000;    // between two looks at the device's state
+constexpr const char* kSheetMaterialId = "sheet.material";
 
 QString text_of(const Error& error) {
   return QString::fromStdString(error.message);
-}
-
-/// The values that differ, and the tool, told to a session that starts with the defaults.
-void copy_options(const Session& from, Session& to, std::int64_t now_ns) {
-  const auto copy = [&](const std::string& id) {
-    const Result<OptionValue> value = from.option(id), present = to.option(id);
-    if (!value || (present && *present == *value)) return;
-    static_cast<void>(to.apply({now_ns, SetOption{id, *value}}));
-  };
-  for (const auto& tool : from.tools()) {
-    for (const OptionSpec& row : tool->info().options) {
-      copy(std::string(tool->info().id) + "." + std::string(row.id));
-    }
-  }
-  for (const OptionSpec& row : SheetOptions::table()) copy("sheet." + std::string(row.id));
-  copy("sheet.color");
-  const std::string tool(from.tool().info().id);
-  if (tool != to.tool().info().id) static_cast<void>(to.apply({now_ns, SelectTool{tool}}));
 }
 
 /// What a hand that senses no pressure stands for, by the tool's own option where it has one.
@@ -49,6 +35,12 @@ double absent_pressure(const Session& session) {
       session.option(std::string(session.tool().info().id) + ".mouse_pressure");
   const auto* number = value ? std::get_if<double>(&*value) : nullptr;
   return number ? *number : HandScriptOptions{}.absent_pressure;
+}
+
+/// Of devices that hung, over all windows.
+std::vector<QString>& given_up_ids() {
+  static std::vector<QString> ids;
+  return ids;
 }
 
 }  // namespace
@@ -77,6 +69,7 @@ void Studio::make_session(Document document) {
   if (options_.on_session) options_.on_session(document);
   SessionOptions options;
   options.document = std::move(document);
+  options.materials = options_.materials;
   options.on_event = [this](const Event& event) {
     if (options_.on_event) options_.on_event(event);
     if (listener_.event) listener_.event(event);
@@ -98,6 +91,8 @@ void Studio::make_session(Document document) {
   session_ = std::move(session);
   told_selection_ = session_->selection_count();
   told_layer_ = session_->layer();
+  brought_.clear();
+  gather_materials();
 }
 
 void Studio::start_loop() {
@@ -116,62 +111,132 @@ void Studio::start_loop() {
   if (listener_.loop) listener_.loop(servo_.get(), clock_start_ns_);
   if (options_.live) {
     thread_ = std::make_unique<RealtimeThread>(
-        *servo_, RealtimeOptions{.lock_memory = device_->info().moves_hand});
+        *servo_, RealtimeOptions{.lock_memory = device_->info().moves_hand}, device_->loop_host());
+    start_error_.clear();
     if (const Result<void> started = thread_->start(); !started) {
+      start_error_ = started.error().message;
       Q_EMIT refused(text_of(started.error()));
     }
   }
   set_forces(!device_->info().moves_hand);
 }
 
-void Studio::stop_loop() {
+/// False: the device hangs, and with it its loop. Then both are given up, and another device stands
+/// in; the servo is gone.
+bool Studio::stop_loop() {
+  std::unique_ptr<RealtimeThread> hanging;
   if (thread_) {
     const std::int64_t end_ns = now_ns();
-    thread_->stop();
+    if (!thread_->stop()) hanging = std::move(thread_);
     thread_.reset();
     clock_start_ns_ = end_ns;
   }
   if (listener_.loop) listener_.loop(nullptr, 0);
   drain();
+  if (!hanging) return true;
+  give_up(std::move(hanging));
+  return false;
+}
+
+void Studio::give_up(std::unique_ptr<RealtimeThread> loop) {
+  given_up_label_ = device_->info().label;
+  given_up_ids().push_back(device_->info().id);
+  hand_.reset();
+  abandon(std::move(loop), std::move(servo_), std::move(device_));
+  device_ = *open_pen_device(QString::fromLatin1(kPenDeviceDefault));  // is always there
+}
+
+bool Studio::is_given_up(const QString& device_id) {
+  return std::find(given_up_ids().begin(), given_up_ids().end(), device_id) != given_up_ids().end();
+}
+
+QString Studio::given_up_words(const QString& device_label) {
+  return tr("%1 hangs in its maker's software and was given up. The drawing is kept. Start "
+            "Feltline "
+            "anew to use it again.")
+      .arg(device_label);
 }
 
 bool Studio::use_device(const QString& id) {
-  Result<std::unique_ptr<PenDevice>> device = open_pen_device(id);
+  Result<std::unique_ptr<PenDevice>> device = open_pen_device(id, page_.area());
   if (!device) {
     Q_EMIT refused(text_of(device.error()));
     return false;
   }
-  stop_loop();
-  device_ = *std::move(device);
+  use_device(*std::move(device));
+  return true;
+}
+
+std::unique_ptr<PenDevice> Studio::use_device(std::unique_ptr<PenDevice> device) {
+  const bool has_ended = stop_loop();
+  servo_.reset();  // it knows the one that goes
+  device_.swap(device);
+  begin_with_device();
+  return has_ended ? std::move(device) : nullptr;
+}
+
+void Studio::follow(const DeviceProfile& profile) {
+  const bool has_ended = stop_loop();
+  servo_.reset();
+  if (has_ended) device_->follow(profile);
+  begin_with_device();
+}
+
+/// The rest of a change of devices.
+void Studio::begin_with_device() {
+  told_faults_ = 0;
+  told_fault_.reset();
   static_cast<void>(
       session_->apply({event_time_ns(), UseDevice{device_->device().capabilities()}}));
   pen_ = {};
   start_loop();
   tell();
   Q_EMIT device_changed();
-  return true;
+  if (!given_up_label_.isEmpty()) {
+    Q_EMIT refused(given_up_words(std::exchange(given_up_label_, {})));
+  }
 }
 
-void Studio::open(Document document, const SheetPage& page) {
+DeviceStatus Studio::device_status() {
+  DeviceStatus status = device_->status();
+  if (!thread_ || status.fault) return status;
+  if (!start_error_.empty()) {
+    status.vendor_words = ShortText(start_error_);
+  } else if (!thread_->status().is_silent) {
+    return status;
+  }
+  status.fault = status.last_fault = DeviceFault::kOther;
+  return status;
+}
+
+/// Twenty milliseconds apart: quick enough for an eye, and no work worth naming.
+void Studio::look_at_device() {
+  const std::int64_t now = now_ns();
+  if (now - looked_at_device_ns_ < kStatusNs && now >= looked_at_device_ns_) return;
+  looked_at_device_ns_ = now;
+  const DeviceStatus status = device_status();
+  const bool is_other = status.faults != told_faults_ || status.fault != told_fault_;
+  told_faults_ = status.faults;
+  told_fault_ = status.fault;
+  if (is_other) Q_EMIT device_status_changed(status);
+}
+
+void Studio::open(Document document, const SheetPage& page,
+                  std::span<const std::string> materials) {
   drain();
   static_cast<void>(session_->finish());
   edits_.clear();
   make_session(std::move(document));
-  page_ = page;
+  take_materials(materials);
+  const bool has_other_sheet = take_page(page);
   publish();
   set_modified(false);
   Q_EMIT opened();
+  if (has_other_sheet) Q_EMIT option_changed(QLatin1String(kSheetMaterialId));
   Q_EMIT page_changed();
   Q_EMIT selection_changed();
   Q_EMIT layer_changed();
   Q_EMIT shown();
-}
-
-void Studio::set_page(const SheetPage& page) {
-  if (page == page_) return;
-  page_ = page;
-  set_modified(true);
-  Q_EMIT page_changed();
 }
 
 void Studio::set_modified(bool modified) {
@@ -188,12 +253,16 @@ bool Studio::apply(decltype(Event::what) what) {
       option_id.startsWith(QLatin1String("sheet.")) && session_->document().stroke_count() > 0;
   const OptionValue before =
       is_of_drawing ? session_->option(option->id).value_or(OptionValue{}) : OptionValue{};
+  const auto* material = std::get_if<UseMaterial>(&what);
+  const std::string text = material ? material->text : std::string();
   const Result<void> done = session_->apply({event_time_ns(), std::move(what)});
   publish();
+  if (done && !text.empty()) note_material(text);
   if (is_of_drawing && done &&
       session_->option(option_id.toStdString()).value_or(OptionValue{}) != before) {
     set_modified(true);
   }
+  if (done && option_id == QLatin1String(kSheetMaterialId)) name_surface();
   if (!option_id.isEmpty() && done) Q_EMIT option_changed(option_id);
   tell();
   Q_EMIT shown();
@@ -266,6 +335,7 @@ void Studio::turn() {
   tell();
   set_pace(has_samples);
   in_turn_ = false;
+  look_at_device();  // last: who hears of a fault may change the device
 }
 
 void Studio::advance(std::int64_t ns) {
@@ -303,6 +373,7 @@ void Studio::take(PenSample& sample) {
   if (const Result<void> taken = session_->sample(sample); !taken) {
     Q_EMIT refused(text_of(taken.error()));
   }
+  Q_EMIT sampled(sample);
 }
 
 void Studio::set_strength(double share) {
@@ -316,7 +387,7 @@ void Studio::set_force_limit(double newton) {
   if (std::isnan(newton)) return;
   newton = std::clamp(newton, 0.0, SafetyLimits{}.peak_force_n);
   if (std::exchange(force_limit_n_, newton) == newton) return;
-  stop_loop();
+  if (!stop_loop()) return begin_with_device();
   // After a fault only a person switches them on again: one that the last samples told, and one
   // that nobody has heard of yet.
   const bool may_be_on = forces_on_ && servo_->latest().safety.state != SafetyState::kLatched;

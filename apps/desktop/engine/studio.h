@@ -14,6 +14,7 @@
 #include "felt/devices/simulated/pointer_hand.h"
 #include "felt/document/sheet_page.h"
 #include "felt/haptics/safety_limits.h"
+#include "felt/material/material_file.h"
 #include "felt/rt/realtime_thread.h"
 #include "felt/rt/servo.h"
 #include "felt/session/session.h"
@@ -33,6 +34,8 @@ struct StudioOptions {
   /// A session begins, with this document; its events follow. There is one at the start, and one
   /// for each open().
   std::function<void(const Document&)> on_session = {};
+  /// What may be chosen from the start: know() without events.
+  Materials materials = Materials::built_in();
 };
 
 /// Hears what happens to the sessions of a studio, in order: each event that was taken and each
@@ -78,13 +81,23 @@ class Studio : public QObject {
   // --- The drawing
   [[nodiscard]] const Session& session() const noexcept { return *session_; }
   [[nodiscard]] const SheetPage& page() const noexcept { return page_; }
+  /// Sheets and media that may be chosen: those that Feltline brings, a person's own, and those
+  /// that the drawing brought along.
+  [[nodiscard]] const Materials& materials() const noexcept { return materials_; }
+  /// A person's own are these from now on. The session is told (UseMaterial) of each that is other
+  /// than it was, so that hand, picture and ear have it at once.
+  void know(const Materials& known);
   /// One at a time; none: {}.
   void listen(StudioListener listener);
-  /// No step of undo, but a change that is to be saved.
+  /// No step of undo, but a change that is to be saved. The session draws on the surface that it
+  /// says; where it says none, or one that is not known here, on the one that was chosen before.
+  /// Choosing a surface ("sheet.material") makes it the page's.
   void set_page(const SheetPage& page);
   /// Another drawing takes the place of this one: history, selection and modification start anew;
-  /// tool, options and sheet material stay.
-  void open(Document document, const SheetPage& page);
+  /// tool and options stay, and the surface where the page says none that is known.
+  /// `materials`: texts of those that it brings along; one that cannot be read is left out, and
+  /// `refused` says why.
+  void open(Document document, const SheetPage& page, std::span<const std::string> materials = {});
   /// There is something that a file has not got.
   [[nodiscard]] bool is_modified() const noexcept { return is_modified_; }
   void set_modified(bool modified);
@@ -122,9 +135,24 @@ class Studio : public QObject {
   [[nodiscard]] const PenState& pen() const noexcept { return pen_; }
 
   // --- The loop
-  /// Another device. False: it does not open; the one in use stays, `refused` says why.
+  /// Another device. False: it does not open; the one in use stays, `refused` says why. What is
+  /// being drawn is ended as if the pen were lifted.
   bool use_device(const QString& id);
+  /// One that is open already, and knows where it is. Returns the one that was in use, at rest: to
+  /// be closed, or to be given back later; null where it hangs in its maker's call: then it is lost
+  /// until the program is started anew.
+  std::unique_ptr<PenDevice> use_device(std::unique_ptr<PenDevice> device);
+  /// The device in use is seen through another profile: a new loop begins, from no force, and
+  /// where motors move a hand forces are off.
+  void follow(const DeviceProfile& profile);
   [[nodiscard]] PenDevice& device() noexcept { return *device_; }
+  /// Whether this device, of any studio, hung in its maker's call when its loop was to end. It is
+  /// given up then with all that the call may still use, mouse and pen stand in for it, and only
+  /// another start of the program can use it again; given_up_words() says so to a person.
+  [[nodiscard]] static bool is_given_up(const QString& device_id);
+  [[nodiscard]] static QString given_up_words(const QString& device_label);
+  /// How the device in use is, and whether its loop runs.
+  [[nodiscard]] DeviceStatus device_status();
   /// Forces on or off. They are on from the start where no motors move a person's hand.
   void set_forces(bool on);
   [[nodiscard]] bool forces_are_on() const noexcept { return forces_on_; }
@@ -153,22 +181,37 @@ class Studio : public QObject {
   /// "pencil.snap", "sheet.color"
   void option_changed(const QString& id);
   void selection_changed();
+  /// A sheet or a medium is new or other than it was.
+  void materials_changed();
   /// The layer in use; what layers there are comes by `edited`.
   void layer_changed();
   void page_changed();
   void modified_changed(bool modified);
   void device_changed();
+  /// The device's faults are not what they were: a new one, or an old one is over. The device in
+  /// use is still the same.
+  void device_status_changed(const felt::DeviceStatus& status);
   void forces_changed(bool on);
   void strength_changed(double share);
   /// A sentence for the status line.
   void refused(const QString& why);
+  /// The session was told this sample: each of them, in order. Must be quick, and must not call
+  /// back.
+  void sampled(const felt::PenSample& sample);
   /// Every tick's report that the edit side saw, in order; not all ticks: for plots.
   void ticked(const felt::TickReport& report);
 
  private:
   void make_session(Document document);
+  void take_materials(std::span<const std::string> texts);
+  void gather_materials();
+  void note_material(const std::string& text);
+  [[nodiscard]] bool is_drawn_with(const AnyMaterial& material) const;
+  bool take_page(const SheetPage& page);
+  void name_surface();
   void start_loop();
-  void stop_loop();
+  bool stop_loop();
+  void give_up(std::unique_ptr<RealtimeThread> loop);
   [[nodiscard]] std::int64_t event_time_ns();
   bool drain();
   void take(PenSample& sample);
@@ -176,6 +219,8 @@ class Studio : public QObject {
   void tell();
   void set_pace(bool has_samples);
   void wake_at(std::int64_t time_ns);
+  void look_at_device();
+  void begin_with_device();
 
   StudioOptions options_;
   StudioListener listener_;
@@ -186,6 +231,8 @@ class Studio : public QObject {
   MousePressure mouse_pressure_ = MousePressure::kConstant;
   std::unique_ptr<Session> session_;
   SheetPage page_;
+  Materials materials_;               // what may be chosen
+  std::vector<AnyMaterial> brought_;  // by the drawing, other than known
   PenState pen_;
   TickTimer timer_;
   std::int64_t wake_ns_ = 0;  // when the timer comes
@@ -194,6 +241,7 @@ class Studio : public QObject {
   std::int64_t clock_start_ns_ = 0;  // what the session's clock said when this loop began
   std::int64_t last_point_ns_ = 0;
   std::int64_t told_ns_ = 0;  // of the session's last event
+  QString given_up_label_;    // of a device, until a person has been told
   std::vector<Edit> edits_;   // that signals have not told yet
   QString home_tool_;         // while another is borrowed
   int borrowed_ = 0;
@@ -208,6 +256,10 @@ class Studio : public QObject {
   std::string told_tool_;
   LayerId told_layer_;
   std::uint64_t told_selection_ = 0;
+  std::uint64_t told_faults_ = 0;
+  std::optional<DeviceFault> told_fault_;
+  std::string start_error_;  // why the loop does not run
+  std::int64_t looked_at_device_ns_ = 0;
 };
 
 }  // namespace felt::desktop

@@ -4,10 +4,14 @@
 
 #include <QFile>
 #include <QTemporaryDir>
+#include <algorithm>
+#include <atomic>
+#include <chrono>
 #include <cmath>
 #include <memory>
 #include <random>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include "desktop/engine/recording_file.h"
@@ -231,6 +235,79 @@ TEST(Studio, AdvanceIsDeterministic) {
   EXPECT_FALSE(drawings[0].empty());
 }
 
+/// A pen of which a call never comes back until the test says so.
+struct HangingPen final : PenDevice, Device {
+  struct Call {
+    std::atomic<bool> hangs{false}, is_in{false};
+    std::atomic<int> stops{0};
+  };
+  explicit HangingPen(Call& its_call) : call(its_call) {
+    about.id = QStringLiteral("hanging:1");
+    about.label = QStringLiteral("The hanging one");
+    about.moves_hand = true;
+    about.capabilities.max_force_n = about.capabilities.continuous_force_n = 3.0;
+    about.capabilities.max_stiffness_n_per_m = 400.0;
+    about.capabilities.max_damping_n_s_per_m = 4.0;
+  }
+  [[nodiscard]] const PenDeviceInfo& info() const noexcept override { return about; }
+  [[nodiscard]] Device& device() noexcept override { return *this; }
+  [[nodiscard]] HandInput* hand() noexcept override { return nullptr; }
+  [[nodiscard]] const HandScriptOptions& hand_options() const noexcept override { return options; }
+  [[nodiscard]] std::string_view name() const noexcept override { return "hanging"; }
+  [[nodiscard]] const Capabilities& capabilities() const noexcept override {
+    return about.capabilities;
+  }
+  tl::expected<PenSample, DeviceFault> read(std::int64_t now_ns) noexcept override {
+    while (call.hangs) {
+      call.is_in = true;
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+    return PenSample{now_ns, {10.0, 10.0, 5.0}, {}, {}, 0};
+  }
+  tl::expected<void, DeviceFault> write(const Force&) noexcept override { return {}; }
+  void stop() noexcept override { ++call.stops; }
+
+  Call& call;
+  PenDeviceInfo about;
+  HandScriptOptions options;
+};
+
+TEST(Studio, ADeviceThatHangsIsGivenUpAndTheDrawingGoesOn) {
+  static HangingPen::Call call;  // the given-up one may come back at any time
+  StudioOptions options;
+  options.device = QStringLiteral("tablet");
+  options.live = true;
+  Studio studio(options);
+  QStringList refused;
+  QObject::connect(&studio, &Studio::refused, [&](const QString& why) { refused << why; });
+  EXPECT_NE(studio.use_device(std::make_unique<HangingPen>(call)), nullptr);
+  call.hangs = true;
+  while (!call.is_in) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+
+  studio.set_force_limit(1.0);  // ends the loop
+  EXPECT_EQ(studio.device().info().id, QStringLiteral("tablet"));
+  EXPECT_TRUE(Studio::is_given_up(QStringLiteral("hanging:1")));
+  ASSERT_EQ(refused.size(), 1);
+  EXPECT_TRUE(refused.front().contains(QStringLiteral("The hanging one")));
+  ASSERT_NE(studio.loop(), nullptr);
+  EXPECT_TRUE(studio.loop()->is_running());
+  EXPECT_EQ(call.stops, 0);
+  call.hangs = false;
+  while (call.stops == 0) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+
+  // Likewise where another takes its place: there is none to be given back.
+  EXPECT_NE(studio.use_device(std::make_unique<HangingPen>(call)), nullptr);
+  call.is_in = false;
+  call.hangs = true;
+  while (!call.is_in) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  auto mouse = open_pen_device(QStringLiteral("tablet"));
+  ASSERT_TRUE(mouse);
+  EXPECT_EQ(studio.use_device(*std::move(mouse)), nullptr);
+  EXPECT_EQ(refused.size(), 2);
+  call.hangs = false;
+  while (call.stops == 1) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+}
+
 TEST(RecordingFile, WritesEachSessionIntoAFileOfItsOwn) {
   const QTemporaryDir folder;
   StudioOptions options;
@@ -283,6 +360,98 @@ TEST(Studio, TheSheetOfADrawingIsPartOfIt) {
   EXPECT_FALSE(studio.is_modified());  // as it was
   studio.apply(SetOption{"sheet.color", std::string("#2040a0")});
   EXPECT_TRUE(studio.is_modified());
+}
+
+// A drawing says what its sheet is made of; one that does not leaves what the person has chosen.
+TEST(Studio, ThePageKnowsItsSurface) {
+  Studio studio({.live = false});
+  const auto felt_on = [&studio] { return studio.session().sheet().material().id; };
+  std::vector<QString> told, refused;
+  QObject::connect(&studio, &Studio::option_changed,
+                   [&told](const QString& id) { told.push_back(id); });
+  QObject::connect(&studio, &Studio::refused,
+                   [&refused](const QString& w) { refused.push_back(w); });
+  EXPECT_EQ(studio.page().surface, "");
+  studio.apply(SetOption{"sheet.material", std::string("felt")});
+  EXPECT_EQ(studio.page().surface, "felt");
+
+  SheetPage page;
+  studio.open(Document{}, page);  // from before there were surfaces
+  EXPECT_EQ(felt_on(), "felt");
+  EXPECT_EQ(studio.page().surface, "");
+
+  told.clear();
+  page.surface = "glass";
+  studio.open(Document{}, page);
+  EXPECT_EQ(felt_on(), "glass");
+  EXPECT_EQ(told, std::vector<QString>{QStringLiteral("sheet.material")});
+  EXPECT_FALSE(studio.is_modified());
+  EXPECT_TRUE(refused.empty());
+
+  page.surface = "moon dust";
+  studio.open(Document{}, page);
+  EXPECT_EQ(felt_on(), "glass");
+  EXPECT_EQ(studio.page().surface, "moon dust");  // is saved as it came
+  EXPECT_FALSE(studio.is_modified());
+  ASSERT_EQ(refused.size(), 1U);
+  EXPECT_TRUE(refused[0].contains(QStringLiteral("moon dust")));
+
+  page.surface = "wood";
+  studio.set_page(page);
+  EXPECT_EQ(felt_on(), "wood");
+  EXPECT_TRUE(studio.is_modified());
+}
+
+SurfaceMaterial slate(double friction) {
+  SurfaceMaterial sheet = *find_surface("blackboard");
+  sheet.id = "slate";
+  sheet.label = "Slate";
+  sheet.friction = friction;
+  return sheet;
+}
+
+// A person's own material is there at once, as an event where it changed, and survives open().
+TEST(Studio, KnowsAPersonsOwnMaterials) {
+  Materials known = Materials::built_in();
+  known.put(slate(0.5));
+  std::vector<Event> events;
+  Studio studio({.live = false,
+                 .on_event = [&events](const Event& event) { events.push_back(event); },
+                 .materials = known});
+  const auto told = [&events] {
+    return std::count_if(events.begin(), events.end(), [](const Event& event) {
+      return std::holds_alternative<UseMaterial>(event.what);
+    });
+  };
+  EXPECT_EQ(told(), 0) << "nobody uses it yet";
+  ASSERT_TRUE(studio.apply(SetOption{"sheet.material", std::string("slate")}));
+  EXPECT_EQ(studio.session().sheet().material(), slate(0.5));
+  EXPECT_EQ(told(), 1) << "a recording has what it needs";
+  known.put(slate(0.7));
+  studio.know(known);
+  studio.know(known);
+  EXPECT_EQ(studio.session().sheet().material().friction, 0.7);
+  EXPECT_EQ(told(), 2);
+  studio.open(Document{}, SheetPage{});
+  EXPECT_EQ(studio.session().sheet().material(), slate(0.7));
+}
+
+TEST(Studio, ADrawingBringsItsMaterialsAlongAndTakesThemAwayAgain) {
+  Studio studio({.live = false});
+  std::vector<QString> refused;
+  QObject::connect(&studio, &Studio::refused,
+                   [&refused](const QString& why) { refused.push_back(why); });
+  SheetPage page;
+  page.surface = "slate";
+  const std::vector<std::string> texts{write_material(slate(0.5)), "kind = \"sheet\"\n"};
+  studio.open(Document{}, page, texts);
+  EXPECT_EQ(studio.session().sheet().material(), slate(0.5));
+  EXPECT_NE(studio.materials().find_surface("slate"), nullptr);
+  EXPECT_EQ(refused.size(), 1u) << "the one that cannot be read";
+  EXPECT_FALSE(studio.is_modified());
+  page.surface = "paper";
+  studio.open(Document{}, page);
+  EXPECT_EQ(studio.materials().find_surface("slate"), nullptr);
 }
 
 }  // namespace

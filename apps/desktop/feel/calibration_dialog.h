@@ -14,7 +14,8 @@
 namespace felt::desktop {
 
 /// Asks a person to touch three corners of what shall be the drawing area, and finds the plane from
-/// them. Reads the device itself; no force is sent meanwhile.
+/// them. Its picture shows the pen as it moves. Reads the device itself, or by a loop of its own
+/// where the maker's must run it; no force is sent meanwhile.
 class CalibrationDialog : public QDialog {
   Q_OBJECT
 
@@ -26,8 +27,8 @@ class CalibrationDialog : public QDialog {
   CalibrationDialog(std::unique_ptr<PenDevice> device, Point middle, QWidget* parent = nullptr);
   ~CalibrationDialog() override;
 
-  /// For the device in use, which is closed meanwhile and opened again after; keeps what was found
-  /// unless it is cancelled.
+  /// For the device in use, which mouse and tablet stand in for meanwhile; keeps what was found
+  /// unless it is cancelled. It stays open: whatever it needed to find its home it keeps.
   static void run(Studio& studio, QWidget* parent);
 
   /// The pen is at the corner that is asked for. The button, Space and the pen's first button.
@@ -35,16 +36,25 @@ class CalibrationDialog : public QDialog {
   void start_again();
   /// Once all corners are known and make sense.
   [[nodiscard]] const std::optional<PlaneFit>& found() const noexcept { return found_; }
+  /// The part of the plane between the corners.
+  [[nodiscard]] std::optional<DrawingArea> area() const;
+  /// Ends reading it, and gives it back; null where it hangs in its maker's call.
+  std::unique_ptr<PenDevice> take_device();
 
  private:
   /// Where the pen is; returns the buttons that went down.
   std::uint32_t read();
   void look();
   void tell();
-  void draw_corners();
+  void draw();
+  [[nodiscard]] QPointF in_picture(const Vec3& device_mm) const;
 
   std::unique_ptr<PenDevice> device_;
+  std::unique_ptr<Servo> servo_;  // where the maker's loop runs it
+  std::unique_ptr<RealtimeThread> loop_;
   PlaneCalibration old_;
+  PlaneCalibration usual_;  // where the plane may lie, for the picture until it is known
+  DrawingArea reach_;
   Point middle_;
   std::vector<Vec3> corners_;  // in the device's frame
   std::optional<Vec3> place_;  // of the pen, likewise

@@ -1,44 +1,76 @@
 #pragma once
 
+#include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QLabel>
 #include <QListWidget>
 #include <QPushButton>
 #include <QWidget>
+#include <memory>
 
 #include "desktop/engine/studio.h"
+#include "desktop/feel/device_care.h"
+#include "desktop/feel/device_settings.h"
 #include "desktop/feel/test_pad.h"
 
 namespace felt::desktop {
 
-/// A page of Preferences: which device the pen is, what it can do, the largest force that it may
-/// show, where its drawing plane lies, and a pad to try it. Choices take effect at once.
+/// A page of Preferences: which device the pen is, how it is, and what is set for it. Real devices
+/// come first, each with its state, and a row that helps with one that is not there; then the exact
+/// pen and the simulated styluses. A simulated one is used when it is chosen; a real one when its
+/// button is pressed, since its arm may have to move. Devices are looked for while it is seen.
 class DevicePage : public QWidget {
   Q_OBJECT
 
  public:
-  explicit DevicePage(Studio& studio, QWidget* parent = nullptr);
+  /// Without `care` a device is used without any questions: a window has one.
+  explicit DevicePage(Studio& studio, DeviceCare* care = nullptr, QWidget* parent = nullptr);
 
-  /// Asks drivers again what there is.
+  /// Lists again what there is.
   void refresh();
+  /// The id of the row that is chosen, in use or not.
+  [[nodiscard]] QString chosen() const;
+  /// Chooses a row, as a click does. False: there is none.
+  bool choose(const QString& id);
+  /// Uses the chosen device.
+  void use();
+  /// Opens the help with setting up a device.
+  void help();
 
  protected:
   void showEvent(QShowEvent* event) override;
+  void hideEvent(QHideEvent* event) override;
+  void changeEvent(QEvent* event) override;
 
  private:
-  void choose(int row);
+  struct Row {
+    PenDeviceInfo info;
+    bool is_real = false;
+    bool is_here = true;
+  };
+  void make_form();
+  void take_row();
   void tell();
+  void tell_rows();
   void set_limit(double newton);
-  void calibrate();
+  void list_cues();
+  [[nodiscard]] const Row* row_of(const QString& id) const;
+  [[nodiscard]] QString state_of(const Row& row, int* sign) const;
+  void add_row(const Row& row);
 
   Studio& studio_;
+  DeviceCare* care_;
   QListWidget* list_;
   QLabel* words_;
+  QPushButton* use_;
+  QWidget* general_;  // for what mouse and tablet lead
   QDoubleSpinBox* limit_;
-  QPushButton* calibrate_;
-  QLabel* plane_;
+  DeviceSettings* settings_;
+  QWidget* cue_row_;
+  QComboBox* cue_;
   TestPad* pad_;
-  std::vector<PenDeviceInfo> devices_;
+  std::vector<Row> rows_;
+  std::unique_ptr<DriverWatch::Watching> watching_;
 };
 
 /// What a device can do, in a few words.

@@ -2,7 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include <QAbstractSpinBox>
+#include <QDir>
+#include <QFile>
+#include <QFileInfo>
 #include <QLabel>
+#include <QLineEdit>
 #include <QMainWindow>
 #include <QTest>
 #include <cmath>
@@ -58,19 +63,20 @@ struct FakeDriver {
     info.moves_hand = true;
     info.has_own_frame = true;
     info.capabilities = find_stylus_preset("touch")->capabilities;
-    number = add_pen_driver({[this] { return std::vector<PenDeviceInfo>{info}; },
-                             [this](const QString&) -> Result<std::unique_ptr<PenDevice>> {
-                               if (is_broken) return fail(ErrorCode::kIo, "it is unplugged");
-                               return std::make_unique<FakePen>(info);
-                             }});
-    Settings::the().set(QStringLiteral("devices/plane/fake:1"), {});
+    number = add_pen_driver(
+        {[this] { return std::vector<PenDeviceInfo>{info}; },
+         [this](const QString&, const OpenOptions&) -> Result<std::unique_ptr<PenDevice>> {
+           if (is_broken) return fail(ErrorCode::kIo, "it is unplugged");
+           return std::make_unique<FakePen>(info);
+         }});
+    QFile::remove(profile_path(info.id));
     FakePen::at = {};
     FakePen::is_unplugged = false;
     FakePen::at.position.z = 30;
   }
   ~FakeDriver() {
     remove_pen_driver(number);
-    Settings::the().set(QStringLiteral("devices/plane/fake:1"), {});
+    QFile::remove(profile_path(info.id));
     Settings::the().set(QString::fromLatin1(kPenDeviceKey), {});
   }
 
@@ -120,21 +126,54 @@ TEST(PenDevices, ADriverAddsItsOwnAndAChoiceThatIsGoneFallsBack) {
   Settings::the().set(QString::fromLatin1(kPenDeviceKey), {});
 }
 
+void write_profile(const QString& id, const QByteArray& text) {
+  QFile file(profile_path(id));
+  QDir().mkpath(QFileInfo(file).path());
+  ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+  file.write(text);
+}
+
 TEST(PenDevices, APlaneIsKeptToTheLastBitAndNonsenseIsNone) {
   const FakeDriver driver;
   EXPECT_FALSE(plane_of(driver.info.id).has_value());
-  keep_plane_of(driver.info.id, leaning());
+  ASSERT_TRUE(keep_plane_of(driver.info.id, leaning()).has_value());
   EXPECT_EQ(plane_of(driver.info.id), leaning());
-  for (const char* bad : {"1 2 3", "a b c d e f g h i j k l", "1 0 0 0 1 0 0 0 1 nan 0 0",
-                          "2 0 0 0 1 0 0 0 1 0 0 0", "1 0 0 0 1 0 0 0 1 0 0"}) {
-    Settings::the().set(QStringLiteral("devices/plane/fake:1"), QString::fromLatin1(bad));
-    EXPECT_FALSE(plane_of(driver.info.id).has_value()) << bad;
-  }
+  write_profile(driver.info.id, "device = fake:1\nplane_x = 2 0 0\n");
+  EXPECT_FALSE(plane_of(driver.info.id).has_value());
+}
+
+TEST(PenDevices, WhatIsKeptAndCannotBeReadIsToldInTheStatusLineAndNothingOpens) {
+  const FakeDriver driver;
+  write_profile(driver.info.id, "device = fake:1\nforce_limit_n = much\n");
+  const auto opened = open_pen_device(driver.info.id);
+  ASSERT_FALSE(opened.has_value());
+  EXPECT_NE(opened.error().message.find("fake+1.conf:2: force_limit_n: is not a number"),
+            std::string::npos)
+      << opened.error().message;
+  Studio studio(by_hand());
+  QString told;
+  QObject::connect(&studio, &Studio::refused, &studio, [&](const QString& why) { told = why; });
+  EXPECT_FALSE(studio.use_device(driver.info.id));
+  EXPECT_TRUE(told.contains(QStringLiteral("fake+1.conf:2")));
+}
+
+TEST(PenDevices, APersonsNameAndLimitsAreTheDevices) {
+  const FakeDriver driver;
+  write_profile(driver.info.id,
+                "device = fake:1\nname = Old friend\nforce_limit_n = 0.7\nplane_x = 1 0 0\n"
+                "plane_y = 0 1 0\nplane_z = 0 0 1\nplane_origin_mm = 0 0 0\nplane_scale = 2\n");
+  const auto opened = open_pen_device(driver.info.id);
+  ASSERT_TRUE(opened.has_value()) << opened.error().message;
+  EXPECT_EQ((*opened)->info().label, QStringLiteral("Old friend"));
+  const Capabilities& can = (*opened)->device().capabilities();
+  EXPECT_EQ(limits_for(can).peak_force_n, 0.7);
+  EXPECT_EQ(can.sheet_scale, 2.0);
+  EXPECT_EQ(can.max_stiffness_n_per_m, 0.5 * driver.info.capabilities.max_stiffness_n_per_m);
 }
 
 TEST(PenDevices, APersonsDeviceIsSeenThroughItsPlaneAndStaysOffUntilItIsSwitchedOn) {
   const FakeDriver driver;
-  keep_plane_of(driver.info.id, leaning());
+  ASSERT_TRUE(keep_plane_of(driver.info.id, leaning()).has_value());
   Studio studio(by_hand());
   ASSERT_TRUE(studio.use_device(driver.info.id));
   EXPECT_FALSE(studio.forces_are_on());
@@ -221,8 +260,10 @@ TEST(CalibrationDialog, ThreeCornersFindTheLeaningPlane) {
 
 TEST(CalibrationDialog, AnOlderPlaneDoesNotBendTheNewOne) {
   FakeDriver driver;
-  keep_plane_of(driver.info.id,
-                *PlaneCalibration::from({Vec3{0, 1, 0}, Vec3{1, 0, 0}, Vec3{0, 0, 1}}, {9, 9, 9}));
+  ASSERT_TRUE(keep_plane_of(driver.info.id,
+                            *PlaneCalibration::from({Vec3{0, 1, 0}, Vec3{1, 0, 0}, Vec3{0, 0, 1}},
+                                                    {9, 9, 9}, 1.5))
+                  .has_value());
   CalibrationDialog dialog(*open_pen_device(driver.info.id), {125, 90});
   dialog.show();
   Corners::touch(dialog, {50, 40, 0});
@@ -257,16 +298,126 @@ TEST(DevicePage, AChoiceTakesEffectAtOnceAndIsKept) {
   page.show();
   auto* list = page.findChild<QListWidget*>();
   ASSERT_EQ(list->count(), static_cast<int>(pen_devices().size()));
-  for (int row = 0; row < list->count(); ++row) {
-    list->setCurrentRow(row);
-    EXPECT_EQ(studio.device().info().label, list->item(row)->text());
-    EXPECT_EQ(chosen_pen_device(), studio.device().info().id);
+  EXPECT_EQ(page.chosen(), QStringLiteral("tablet"));
+  EXPECT_TRUE(list->item(0)->text().startsWith(driver.info.label)) << "real ones come first";
+  for (const PenDeviceInfo& info : pen_devices()) {
+    if (info.moves_hand) continue;
+    ASSERT_TRUE(page.choose(info.id));
+    EXPECT_EQ(studio.device().info().id, info.id);
+    EXPECT_EQ(chosen_pen_device(), info.id);
   }
+}
+
+TEST(DevicePage, ARealDeviceIsUsedWhenItsButtonIsPressed) {
+  FakeDriver driver;
+  Studio studio(by_hand());
+  DevicePage page(studio);
+  page.show();
+  ASSERT_TRUE(page.choose(driver.info.id));
+  EXPECT_EQ(studio.device().info().id, QStringLiteral("tablet")) << "looking at it does nothing";
   driver.is_broken = true;
-  list->setCurrentRow(0);
-  list->setCurrentRow(1);  // the fake one
+  page.use();
   EXPECT_EQ(studio.device().info().id, QStringLiteral("tablet")) << "the one in use stays";
-  EXPECT_EQ(list->currentRow(), 0);
+  driver.is_broken = false;
+  page.use();
+  EXPECT_EQ(studio.device().info().id, driver.info.id);
+  EXPECT_EQ(chosen_pen_device(), driver.info.id);
+  EXPECT_FALSE(studio.forces_are_on());
+  auto* settings = page.findChild<DeviceSettings*>();
+  EXPECT_TRUE(settings->isVisible());
+  ASSERT_TRUE(page.choose(QStringLiteral("tablet")));
+  EXPECT_FALSE(settings->isVisible());
+}
+
+TEST(DevicePage, WhatIsSetForADeviceIsKeptAndTakesEffectAtOnceWithForcesOff) {
+  FakeDriver driver;
+  Studio studio(by_hand());
+  ASSERT_TRUE(studio.use_device(driver.info.id));
+  DevicePage page(studio);
+  page.show();
+  auto* settings = page.findChild<DeviceSettings*>();
+  const auto child = [settings](const char* name) {
+    for (auto* widget : settings->findChildren<QAbstractSpinBox*>()) {
+      if (widget->accessibleName() == QLatin1String(name)) return widget;
+    }
+    return static_cast<QAbstractSpinBox*>(nullptr);
+  };
+  studio.set_forces(true);
+  qobject_cast<QDoubleSpinBox*>(child("Largest force"))->setValue(1.2);
+  EXPECT_FALSE(studio.forces_are_on()) << "a new loop begins from no force";
+  qobject_cast<QSpinBox*>(child("Stiffest sheet"))->setValue(250);
+  qobject_cast<QSpinBox*>(child("Size of a movement on the sheet"))->setValue(150);
+  auto* name = settings->findChild<QLineEdit*>();
+  name->setText(QStringLiteral("  My  arm "));
+  Q_EMIT name->editingFinished();
+  const DeviceProfile kept = profile_of(driver.info.id).value();
+  EXPECT_EQ(kept.name, "My arm");
+  EXPECT_EQ(kept.force_limit_n, 1.2);
+  EXPECT_EQ(kept.stiffness_cap_n_per_m, 250.0);
+  ASSERT_TRUE(kept.plane.has_value());
+  EXPECT_EQ(kept.plane->scale(), 1.5);
+  EXPECT_EQ(studio.device().info().label, QStringLiteral("My arm"));
+  EXPECT_EQ(limits_for(studio.device().device().capabilities()).peak_force_n, 1.2);
+  EXPECT_EQ(studio.device().device().capabilities().sheet_scale, 1.5);
+  // Raised to what the device can do at most it is no limit of the person's any more.
+  auto* limit = qobject_cast<QDoubleSpinBox*>(child("Largest force"));
+  limit->setValue(99.0);
+  EXPECT_LE(limit->value(), limits_for(driver.info.capabilities).peak_force_n + 1e-9);
+  EXPECT_FALSE(profile_of(driver.info.id)->force_limit_n.has_value());
+  // The whole sheet: a Touch reaches 160 mm of 210 or 297.
+  settings->fit();
+  EXPECT_GT(studio.device().device().capabilities().sheet_scale, 1.5);
+  const Rect page_area = studio.page().area();
+  const Capabilities& can = studio.device().device().capabilities();
+  EXPECT_NEAR(0.5 * (can.workspace_min.x + can.workspace_max.x),
+              0.5 * (page_area.x0 + page_area.x1), 1e-6);
+}
+
+// A stick or a wheel: it has no plane to be shown, but it pushes a hand as much as any.
+TEST(DevicePage, APersonsLimitsHoldForADeviceWithoutAPlane) {
+  FakeDriver driver;
+  driver.info.has_own_frame = false;
+  write_profile(driver.info.id,
+                "device = fake:1\nname = Old friend\nforce_limit_n = 0.7\n"
+                "stiffness_cap_n_per_m = 200\nplane_x = 0 1 0\nplane_y = 1 0 0\n"
+                "plane_z = 0 0 1\nplane_origin_mm = 9 9 9\nplane_scale = 2\n");
+  Studio studio(by_hand());
+  ASSERT_TRUE(studio.use_device(driver.info.id));
+  const auto can = [&studio]() -> const Capabilities& {
+    return studio.device().device().capabilities();
+  };
+  EXPECT_EQ(limits_for(can()).peak_force_n, 0.7);
+  EXPECT_EQ(can().max_stiffness_n_per_m, 200.0);
+  EXPECT_EQ(studio.device().calibration(), PlaneCalibration{}) << "where it says it is, it is";
+  EXPECT_EQ(studio.device().info().label, QStringLiteral("Old friend"));
+  DevicePage page(studio);
+  page.show();
+  ASSERT_TRUE(page.choose(driver.info.id));
+  auto* settings = page.findChild<DeviceSettings*>();
+  ASSERT_TRUE(settings->isVisible());
+  QDoubleSpinBox* limit = settings->findChild<QDoubleSpinBox*>();
+  EXPECT_TRUE(limit->isVisible());
+  EXPECT_EQ(limit->value(), 0.7);
+  EXPECT_FALSE(settings->findChild<QComboBox*>()->isVisible()) << "a hand is of a plane";
+  EXPECT_FALSE(settings->findChild<QPushButton*>()->isVisible()) << "a plane cannot be set";
+  limit->setValue(1.2);
+  EXPECT_EQ(profile_of(driver.info.id)->force_limit_n, 1.2);
+  EXPECT_EQ(limits_for(can()).peak_force_n, 1.2);
+}
+
+TEST(CalibrationDialog, ADeviceThatMovesInThePlaneOnlyIsInIt) {
+  FakeDriver driver;
+  driver.info.capabilities.sensed_axes = driver.info.capabilities.actuated_axes = 2;
+  CalibrationDialog dialog(*open_pen_device(driver.info.id), {125, 90});
+  dialog.show();
+  for (const Vec3& corner : {Vec3{50, 140, 0.25}, Vec3{200, 140, 0.25}, Vec3{50, 40, 0.25}}) {
+    FakePen::at.position = corner;  // its pen is up, as no key is held
+    dialog.take();
+  }
+  ASSERT_TRUE(dialog.found().has_value());
+  const PlaneCalibration& plane = dialog.found()->calibration;
+  EXPECT_NEAR(plane.to_sheet(Vec3{60, 60, 0.25}).z, 0.25, 1e-9);
+  EXPECT_NEAR(plane.to_sheet(Vec3{60, 60, -0.25}).z, -0.25, 1e-9);
 }
 
 TEST(DevicePage, TheTestPadLeavesTheDrawingAlone) {

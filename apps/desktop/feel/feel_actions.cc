@@ -6,6 +6,7 @@
 #include <QSignalBlocker>
 #include <QWidget>
 
+#include "desktop/engine/cue_player.h"
 #include "desktop/engine/settings.h"
 #include "desktop/feel/friction_sound.h"
 #include "desktop/feel/material_words.h"
@@ -29,7 +30,7 @@ void restore(Studio& studio) {
   studio.set_strength(settings.number(feel_keys::kStrength, feel_keys::kStrengthDefault));
   studio.set_force_limit(settings.number(feel_keys::kForceLimit, feel_keys::kForceLimitDefault));
   const QString material = settings.text(feel_keys::kMaterial);
-  if (find_surface(material.toStdString()) && material != material_of(studio)) {
+  if (studio.materials().find_surface(material.toStdString()) && material != material_of(studio)) {
     studio.apply(SetOption{"sheet.material", OptionValue(material.toStdString())});
   }
 }
@@ -83,15 +84,22 @@ void add_sound(Actions& actions, Studio& studio, QWidget* window) {
   if (!FrictionSound::is_built_in()) return;
   const QString key = QString::fromLatin1(feel_keys::kSound);
   const bool on = Settings::the().flag(key, feel_keys::kSoundDefault);
-  auto* sound = new FrictionSound(studio, window);
-  sound->set_on(on);
-  actions.add_switch(QStringLiteral("feel.sound"),
-                     QCoreApplication::translate("FeelActions", "S&ound of the pen"), {},
-                     QCoreApplication::translate("FeelActions", "Hear the pen rub on the sheet"),
-                     on, [sound, key](bool now) {
-                       sound->set_on(now);
-                       Settings::the().set(key, now);
-                     });
+  new FrictionSound(studio, window);  // is the window's, and follows the setting
+  QAction* action = actions.add_switch(
+      QStringLiteral("feel.sound"), QCoreApplication::translate("FeelActions", "S&ound of drawing"),
+      {}, QCoreApplication::translate("FeelActions", "Hear the pen rub on the sheet"), on,
+      [key](bool now) { Settings::the().set(key, now); });
+  QObject::connect(&Settings::the(), &Settings::changed, action,
+                   [action, key](const QString& which) {
+                     if (which == key)
+                       action->setChecked(Settings::the().flag(key, feel_keys::kSoundDefault));
+                   });
+}
+
+/// A haptic pen, mouse or touchpad follows the drawing once a person has chosen one.
+void add_cues(Studio& studio, QWidget* window) {
+  auto* cues = new CuePlayer(studio, window);
+  QObject::connect(cues, &CuePlayer::refused, &studio, &Studio::refused);
 }
 
 /// A fault that only a person can end is told, and takes the switch along.
@@ -99,7 +107,7 @@ void watch_faults(Studio& studio, QWidget* window) {
   QObject::connect(&studio, &Studio::ticked, window, [&studio](const TickReport& tick) {
     if (tick.safety.state != SafetyState::kLatched || !studio.forces_are_on()) return;
     studio.set_forces(false);
-    const SafetyWords words = words_for(tick.safety, true, true);
+    const SafetyWords words = words_for(tick.safety, true, true, studio.device_status().last_fault);
     Q_EMIT studio.refused(words.state + QStringLiteral(". ") + words.detail);
   });
 }
@@ -112,6 +120,7 @@ void add_feel_actions(Actions& actions, Studio& studio, QWidget* window) {
   add_strength(actions, studio);
   add_materials(actions, studio, window);
   add_sound(actions, studio, window);
+  add_cues(studio, window);
   watch_faults(studio, window);
   auto* escape = new DoubleEscape(window);
   QObject::connect(escape, &DoubleEscape::pressed_twice, &studio, [&studio] {

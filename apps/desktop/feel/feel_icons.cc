@@ -89,8 +89,7 @@ QPixmap material_swatch(const SurfaceMaterial& material, QSize size, qreal dpr) 
       // A broad stroke: bare above and below, fading in from the left.
       const double within = std::clamp((0.72 - across) * pixels.height() / 4.0, 0.0, 1.0);
       const double pressure = 0.05 + 0.75 * along;
-      const double seen = 0.85 * within *
-                          grain.alpha({mm * x, mm * y}, pressure, grain.is_smooth() ? 0.0 : 1.0) *
+      const double seen = 0.85 * within * grain.alpha({mm * x, mm * y}, pressure, "pencil") *
                           (grain.is_smooth() ? pressure : 1.0);
       const auto mix = [&](int from, int to) {
         return static_cast<int>(from + seen * (to - from));
@@ -160,6 +159,26 @@ QPixmap level_icon(FeelLevel level, const QPalette& palette, int size, qreal dpr
   return pixmap;
 }
 
+QPixmap ring_icon(bool asks, const QPalette& palette, int size, qreal dpr) {
+  QPixmap pixmap = blank({size, size}, dpr);
+  QPainter painter(&pixmap);
+  painter.setRenderHint(QPainter::Antialiasing);
+  painter.scale(size / 16.0, size / 16.0);
+  const QColor color = palette.color(QPalette::WindowText);
+  painter.setPen(QPen(color, 1.4, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+  painter.drawEllipse(QRectF(1.5, 1.5, 13, 13));
+  if (asks) {
+    QPainterPath hook(QPointF(5.9, 6.3));
+    hook.cubicTo(5.9, 3.6, 10.1, 3.6, 10.1, 6.3);
+    hook.cubicTo(10.1, 8.0, 8.0, 7.9, 8.0, 9.7);
+    painter.drawPath(hook);
+  }
+  painter.setBrush(color);
+  const double radius = asks ? 0.35 : 2.2;
+  painter.drawEllipse(QPointF(8, asks ? 12.0 : 8.0), radius, radius);
+  return pixmap;
+}
+
 QIcon stop_icon(const QPalette& palette, int size, qreal dpr) {
   QPalette red = palette;
   red.setColor(QPalette::WindowText, is_dark(palette) ? kStopOnDark : kStopOnLight);
@@ -176,12 +195,16 @@ QPalette stop_palette(QPalette palette) {
   return palette;
 }
 
+QIcon swatch_icon(const QPixmap& swatch, const QPalette& palette) {
+  const QPixmap plain = outlined(swatch);
+  QIcon icon(plain);
+  icon.addPixmap(framed(plain, palette), QIcon::Normal, QIcon::On);
+  return icon;
+}
+
 QIcon material_icon(const SurfaceMaterial& material, const QPalette& palette, QSize size,
                     qreal dpr) {
-  const QPixmap swatch = outlined(material_swatch(material, size, dpr));
-  QIcon icon(swatch);
-  icon.addPixmap(framed(swatch, palette), QIcon::Normal, QIcon::On);
-  return icon;
+  return swatch_icon(material_swatch(material, size, dpr), palette);
 }
 
 }  // namespace felt::desktop

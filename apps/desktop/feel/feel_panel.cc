@@ -5,6 +5,9 @@
 #include <QSignalBlocker>
 #include <QToolButton>
 #include <QVBoxLayout>
+#include <algorithm>
+#include <span>
+#include <utility>
 
 #include "desktop/feel/feel_actions.h"
 #include "desktop/feel/feel_icons.h"
@@ -15,13 +18,10 @@
 namespace felt::desktop {
 namespace {
 
-constexpr QSize kSwatchPx{60, 36};
+constexpr QSize kSwatchPx{64, 26};
+constexpr int kRoomPx = 8;  // around picture and words
 constexpr int kIconPx = 22;
 constexpr int kPercentStep = 5, kPercentPage = 20;
-
-QString id_of(const SurfaceMaterial& material) {
-  return QString::fromUtf8(material.id.data(), qsizetype(material.id.size()));
-}
 
 QLabel* heading(const QString& text, QWidget* buddy, QWidget* parent) {
   auto* label = new QLabel(text, parent);
@@ -51,19 +51,32 @@ FeelPanel::FeelPanel(Studio& studio, QWidget* parent)
   rows->addStretch(1);
   connect(&studio_, &Studio::forces_changed, this, &FeelPanel::tell_forces);
   connect(&studio_, &Studio::device_changed, this, &FeelPanel::tell_forces);
+  connect(&studio_, &Studio::device_status_changed, this, &FeelPanel::tell_forces);
   connect(&studio_, &Studio::strength_changed, this, &FeelPanel::tell_strength);
   connect(&studio_, &Studio::option_changed, this, [this](const QString& id) {
     if (id == QLatin1String("sheet.material")) tell_material();
   });
+  const auto follow_materials = [this] {
+    fill_materials();
+    tell_material();
+    make_reliefs();
+  };
+  connect(&studio_, &Studio::materials_changed, this, follow_materials);
+  connect(&studio_, &Studio::opened, this, follow_materials);
   connect(&studio_, &Studio::ticked, this, [this](const TickReport& tick) {
     if (tick.safety.state != told_state_) tell_forces();
   });
   tell_forces();
   tell_strength();
   tell_material();
-  // The reliefs take some 10 ms each to make: not while the window opens.
-  maker_.start([this] {
-    for (const SurfaceMaterial& material : surface_materials()) surface_grain(material);
+  make_reliefs();
+}
+
+/// They take some 10 ms each to make: not while the window opens.
+void FeelPanel::make_reliefs() {
+  const std::span<const SurfaceMaterial> all = studio_.materials().surfaces();
+  maker_.start([this, surfaces = std::vector<SurfaceMaterial>(all.begin(), all.end())] {
+    for (const SurfaceMaterial& surface : surfaces) surface_grain(surface);
     QMetaObject::invokeMethod(this, &FeelPanel::draw_swatches, Qt::QueuedConnection);
   });
 }
@@ -94,32 +107,61 @@ QWidget* FeelPanel::make_strength() {
 
 QWidget* FeelPanel::make_materials() {
   auto* box = new QWidget(this);
-  auto* grid = new QGridLayout(box);
-  grid->setContentsMargins({});
+  auto* rows = new QVBoxLayout(box);
+  rows->setContentsMargins({});
+  auto* head = new QHBoxLayout;
+  auto* edit = new QToolButton(box);
+  edit->setText(tr("Edit\u2026"));
+  edit->setToolTip(tr("Change what sheets and media feel, look and sound like"));
+  edit->setAccessibleName(tr("Edit sheets and media"));
+  edit->setFocusPolicy(Qt::StrongFocus);
+  connect(edit, &QToolButton::clicked, this, &FeelPanel::wants_editor);
   materials_ = new QButtonGroup(box);
-  int index = 0;
-  for (const SurfaceMaterial& material : surface_materials()) {
-    auto* button = new QToolButton(box);
+  connect(materials_, &QButtonGroup::idClicked, this, [this](int index) {
+    choose_material(studio_, QString::fromStdString(ids_[static_cast<std::size_t>(index)]));
+  });
+  grid_ = new QGridLayout;
+  material_ = new QLabel(box);
+  material_->setWordWrap(true);
+  fill_materials();
+  head->addWidget(heading(tr("Sh&eet"), materials_->button(0), box), 1);
+  head->addWidget(edit);
+  rows->addLayout(head);
+  rows->addLayout(grid_);
+  rows->addWidget(material_);
+  return box;
+}
+
+void FeelPanel::fill_materials() {
+  std::vector<std::string> ids;
+  for (const SurfaceMaterial& material : studio_.materials().surfaces()) ids.push_back(material.id);
+  const auto count = static_cast<int>(ids.size());
+  for (int i = static_cast<int>(ids_.size()); i < count; ++i) {
+    auto* button = new QToolButton(this);
     button->setCheckable(true);
     button->setToolButtonStyle(Qt::ToolButtonTextUnderIcon);
     button->setIconSize(kSwatchPx);
+    button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+    // Some styles think the words below a picture smaller than they are, and cut them.
+    button->setMinimumHeight(kSwatchPx.height() + button->fontMetrics().height() + kRoomPx);
+    button->setFocusPolicy(Qt::StrongFocus);
+    materials_->addButton(button, i);
+    grid_->addWidget(button, i / 2, i % 2);
+  }
+  for (int i = static_cast<int>(ids_.size()) - 1; i >= count; --i) delete materials_->button(i);
+  ids_ = std::move(ids);
+  for (int i = 0; i < count; ++i) {
+    const SurfaceMaterial& material = studio_.materials().surfaces()[static_cast<std::size_t>(i)];
+    QAbstractButton* button = materials_->button(i);
     button->setText(material_label(material));
     button->setToolTip(material_words(material));
     button->setAccessibleDescription(material_words(material));
-    button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
-    button->setFocusPolicy(Qt::StrongFocus);
-    materials_->addButton(button, index);
-    grid->addWidget(button, 1 + index / 2, index % 2);
-    ++index;
   }
-  connect(materials_, &QButtonGroup::idClicked, this, [this](int id) {
-    choose_material(studio_, id_of(surface_materials()[static_cast<std::size_t>(id)]));
-  });
-  material_ = new QLabel(box);
-  material_->setWordWrap(true);
-  grid->addWidget(heading(tr("Sh&eet"), materials_->button(0), box), 0, 0, 1, 2);
-  grid->addWidget(material_, 1 + (index + 1) / 2, 0, 1, 2);
-  return box;
+}
+
+QAbstractButton* FeelPanel::button_of(const std::string& id) const {
+  const auto at = std::find(ids_.begin(), ids_.end(), id);
+  return at == ids_.end() ? nullptr : materials_->button(static_cast<int>(at - ids_.begin()));
 }
 
 void FeelPanel::tell_forces() {
@@ -131,7 +173,7 @@ void FeelPanel::tell_forces() {
   }
   const bool has_motors = studio_.device().device().capabilities().has_force();
   const bool on = studio_.forces_are_on();
-  const SafetyWords words = words_for(safety, has_motors, on);
+  const SafetyWords words = words_for(safety, has_motors, on, studio_.device_status().last_fault);
   // The button says what it does, the line below it what is.
   forces_->setText(on ? tr("Stop forces") : tr("Switch forces on"));
   forces_->setIcon(on ? stop_icon(palette(), kIconPx, devicePixelRatioF())
@@ -154,19 +196,15 @@ void FeelPanel::tell_strength() {
 
 void FeelPanel::tell_material() {
   const SurfaceMaterial& chosen = studio_.session().sheet().material();
-  int index = 0;
-  for (const SurfaceMaterial& material : surface_materials()) {
-    if (material.id == chosen.id) materials_->button(index)->setChecked(true);
-    ++index;
-  }
+  if (QAbstractButton* button = button_of(chosen.id)) button->setChecked(true);
   material_->setText(material_words(chosen));
 }
 
 void FeelPanel::draw_swatches() {
-  int index = 0;
-  for (const SurfaceMaterial& material : surface_materials()) {
-    materials_->button(index++)->setIcon(
-        material_icon(material, palette(), kSwatchPx, devicePixelRatioF()));
+  for (const SurfaceMaterial& material : studio_.materials().surfaces()) {
+    QAbstractButton* button = button_of(material.id);
+    if (!button) continue;
+    button->setIcon(material_icon(material, palette(), kSwatchPx, devicePixelRatioF()));
   }
 }
 

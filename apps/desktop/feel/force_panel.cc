@@ -44,6 +44,7 @@ QString microseconds(std::int64_t ns) {
 }
 
 QString scheduling_in_words(const RealtimeStatus& status) {
+  if (status.is_silent) return ForcePanel::tr("The loop stands still: the device does not answer.");
   switch (status.scheduling) {
     case LoopScheduling::kNotRunning:
       return ForcePanel::tr("The loop does not run.");
@@ -53,6 +54,8 @@ QString scheduling_in_words(const RealtimeStatus& status) {
       return ForcePanel::tr("Raised priority, no real-time scheduling.");
     case LoopScheduling::kOrdinary:
       return ForcePanel::tr("Ordinary scheduling: late when the computer is busy.");
+    case LoopScheduling::kHost:
+      return ForcePanel::tr("The device's own software runs the loop.");
   }
   return {};
 }
@@ -188,7 +191,8 @@ void ForcePanel::tell_table() {
 
 void ForcePanel::tell_state() {
   const SafetyReport& safety = studio_.tick().safety;
-  const SafetyWords words = words_for(safety, has_motors_, studio_.forces_are_on());
+  const SafetyWords words =
+      words_for(safety, has_motors_, studio_.forces_are_on(), studio_.device_status().last_fault);
   if (state_->text() != words.state || icon_->pixmap(Qt::ReturnByValue).isNull()) {
     state_->setText(words.state);
     icon_->setPixmap(level_icon(words.level, palette(), kIconPx, devicePixelRatioF()));

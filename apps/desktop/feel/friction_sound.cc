@@ -1,16 +1,15 @@
 #include "desktop/feel/friction_sound.h"
 
-#include <cmath>
-#include <cstring>
+#include <algorithm>
+#include <utility>
 
-#include "desktop/feel/friction_synth.h"
-#include "felt/rt/latest_value.h"
+#include "desktop/engine/settings.h"
+#include "desktop/feel/settings_keys.h"
 
 #ifdef FELT_HAS_SOUND
 #include <QAudioDevice>
 #include <QAudioFormat>
 #include <QAudioSink>
-#include <QIODevice>
 #include <QMediaDevices>
 #include <QThread>
 #endif
@@ -20,88 +19,95 @@ namespace felt::desktop {
 #ifdef FELT_HAS_SOUND
 namespace {
 
-constexpr int kRateHz = 48000;
-constexpr int kBufferMs = 30;
+/// What the sound device is asked to keep: with RubbedSamples::kBehindS some 45 ms from the pen to
+/// the device, which may add its own.
+constexpr int kBufferMs = 25;
 
-/// What the sound device reads from: samples as they are asked for, without end. On the sound's
-/// thread.
-class RubbedSamples final : public QIODevice {
- public:
-  explicit RubbedSamples(LatestValue<Rubbing>& rubbing) : rubbing_(rubbing), synth_(kRateHz) {
-    open(QIODevice::ReadOnly | QIODevice::Unbuffered);
+/// 48 kHz, one channel, as the device takes it; not valid where it takes neither.
+QAudioFormat format_for(const QAudioDevice& device) {
+  QAudioFormat format;
+  format.setSampleRate(int(RubbingSound::kRateHz));
+  format.setChannelCount(1);
+  for (const QAudioFormat::SampleFormat samples : {QAudioFormat::Float, QAudioFormat::Int16}) {
+    format.setSampleFormat(samples);
+    if (!device.isNull() && device.isFormatSupported(format)) return format;
   }
-  [[nodiscard]] bool isSequential() const override { return true; }
-  [[nodiscard]] qint64 bytesAvailable() const override { return kRateHz * qint64{sizeof(float)}; }
-
- protected:
-  qint64 readData(char* data, qint64 most) override {
-    if (rubbing_.update()) synth_.rub(rubbing_.get());
-    std::array<float, 256> block{};
-    qint64 done = 0;
-    while (most - done >= qint64{sizeof(float)}) {
-      const auto room = static_cast<std::size_t>(most - done) / sizeof(float);
-      const std::size_t n = std::min(room, block.size());
-      synth_.render(std::span(block).first(n));
-      std::memcpy(data + done, block.data(), n * sizeof(float));
-      done += static_cast<qint64>(n * sizeof(float));
-    }
-    return done;
-  }
-  qint64 writeData(const char*, qint64) override { return -1; }
-
- private:
-  LatestValue<Rubbing>& rubbing_;
-  FrictionSynth synth_;
-};
+  return {};
+}
 
 }  // namespace
 
-/// Has a thread of its own, so that a busy window does not make it stutter.
-struct FrictionSound::Player {
-  Player() {
-    thread.setObjectName(QStringLiteral("sound"));
-    QObject::connect(&thread, &QThread::started, &on_thread, [this] { begin(); });
+/// Has a thread of its own, so that a busy window does not make it stutter, and a sound service
+/// that hangs does not hold the drawing up.
+class FrictionSound::Player {
+ public:
+  explicit Player(RubbedFeed& feed) : feed_(feed) {
+    thread_.setObjectName(QStringLiteral("sound"));
+    QObject::connect(&thread_, &QThread::started, &on_thread_, [this] { begin(); });
     QObject::connect(
-        &thread, &QThread::finished, &on_thread, [this] { end(); }, Qt::DirectConnection);
-    on_thread.moveToThread(&thread);
-    thread.start();
+        &thread_, &QThread::finished, &on_thread_, [this] { end(); }, Qt::DirectConnection);
+    on_thread_.moveToThread(&thread_);
+    thread_.start();
   }
   ~Player() {
-    thread.quit();
-    thread.wait();
+    thread_.quit();
+    thread_.wait();
   }
 
+ private:
   void begin() {
+    devices_ = std::make_unique<QMediaDevices>();
+    QObject::connect(devices_.get(), &QMediaDevices::audioOutputsChanged, devices_.get(),
+                     [this] { follow_device(); });
+    follow_device();
+  }
+  /// Plays on what is the default now.
+  void follow_device() {
     const QAudioDevice device = QMediaDevices::defaultAudioOutput();
-    QAudioFormat format;
-    format.setSampleRate(kRateHz);
-    format.setChannelCount(1);
-    format.setSampleFormat(QAudioFormat::Float);
-    if (device.isNull() || !device.isFormatSupported(format)) return;
-    samples = std::make_unique<RubbedSamples>(rubbing);
-    sink = std::make_unique<QAudioSink>(device, format);
-    sink->setBufferSize(format.bytesForDuration(1000 * kBufferMs));
-    sink->start(samples.get());
+    if (sink_ && device.id() == in_use_) return;
+    in_use_ = device.id();
+    stop_sink();
+    const QAudioFormat format = format_for(device);
+    if (format.isValid()) {
+      samples_ =
+          std::make_unique<RubbedSamples>(feed_, format.sampleFormat() == QAudioFormat::Float);
+      sink_ = std::make_unique<QAudioSink>(device, format);
+      sink_->setBufferSize(format.bytesForDuration(1000 * kBufferMs));
+      sink_->start(samples_.get());
+      if (sink_->error() != QAudio::NoError) stop_sink();
+    }
+    const auto state = sink_ ? SoundState::State::kHeard : SoundState::State::kNoDevice;
+    QMetaObject::invokeMethod(
+        &here_, [state] { SoundState::the().set(state); }, Qt::QueuedConnection);
+  }
+  void stop_sink() {
+    if (sink_) sink_->stop();
+    sink_.reset();
+    samples_.reset();
   }
   void end() {
-    if (sink) sink->stop();
-    sink.reset();
-    samples.reset();
+    stop_sink();
+    devices_.reset();
   }
 
-  LatestValue<Rubbing> rubbing;
-  QThread thread;
-  QObject on_thread;
-  std::unique_ptr<RubbedSamples> samples;
-  std::unique_ptr<QAudioSink> sink;
+  RubbedFeed& feed_;
+  QObject here_;  // of the main thread: what it was told dies with it
+  QThread thread_;
+  QObject on_thread_;
+  // Of the thread.
+  std::unique_ptr<QMediaDevices> devices_;
+  std::unique_ptr<RubbedSamples> samples_;
+  std::unique_ptr<QAudioSink> sink_;
+  QByteArray in_use_;
 };
 
 bool FrictionSound::is_built_in() {
   return true;
 }
 #else
-struct FrictionSound::Player {
-  LatestValue<Rubbing> rubbing;
+class FrictionSound::Player {
+ public:
+  explicit Player(RubbedFeed&) {}
 };
 
 bool FrictionSound::is_built_in() {
@@ -109,32 +115,66 @@ bool FrictionSound::is_built_in() {
 }
 #endif
 
+SoundState& SoundState::the() {
+  static SoundState state;
+  return state;
+}
+
+SoundState::SoundState() : state_(FrictionSound::is_built_in() ? State::kOff : State::kNotBuilt) {}
+
+QString SoundState::words() const {
+  switch (state_) {
+    case State::kNoDevice:
+      return tr(
+          "There is no sound device now, so nothing is heard. It is heard once there is one.");
+    case State::kNotBuilt:
+      return tr("This program was built without sound.");
+    case State::kOff:
+    case State::kHeard:
+      break;
+  }
+  return {};
+}
+
+void SoundState::set(State state) {
+  if (state_ == State::kNotBuilt || std::exchange(state_, state) == state) return;
+  Q_EMIT changed();
+}
+
 FrictionSound::FrictionSound(Studio& studio, QObject* parent) : QObject(parent), studio_(studio) {
-  connect(&studio_, &Studio::ticked, this, &FrictionSound::take);
+  static_cast<void>(SoundState::the());  // on this thread
+  connect(&Settings::the(), &Settings::changed, this, &FrictionSound::follow);
+  follow(QString::fromLatin1(feel_keys::kSoundVolume));
+  follow(QString::fromLatin1(feel_keys::kSound));
 }
 
 FrictionSound::~FrictionSound() = default;
 
-void FrictionSound::set_on(bool on) {
-  if (on == (player_ != nullptr)) return;
-  player_ = on ? std::make_unique<Player>() : nullptr;
+void FrictionSound::follow(const QString& key) {
+  const Settings& settings = Settings::the();
+  if (key == QLatin1String(feel_keys::kSoundVolume)) {
+    const double share = std::clamp(settings.number(key, feel_keys::kSoundVolumeDefault), 0.0, 1.0);
+    // As the ear has it: half of the way is some 12 dB less.
+    feed_.volume.store(float(share * share), std::memory_order_relaxed);
+  }
+  if (key != QLatin1String(feel_keys::kSound)) return;
+  if (settings.flag(key, feel_keys::kSoundDefault)) {
+    start();
+  } else {
+    stop();
+  }
 }
 
-void FrictionSound::take(const TickReport& tick) {
-  if (!player_) return;
-  Rubbing now;
-  now.timbre = timbre_of(studio_.session().sheet().material());
-  if (in_contact(tick.sample)) {
-    Force rubbing;
-    for (const ForceTerms::Term& term : tick.terms) {
-      if (std::strcmp(term.name, "friction") == 0 || std::strcmp(term.name, "texture") == 0) {
-        rubbing += term.force;
-      }
-    }
-    now.friction_n = norm(rubbing);
-    now.speed_mm_per_s = std::hypot(tick.sample.velocity.x, tick.sample.velocity.y);
-  }
-  player_->rubbing.publish(now);
+void FrictionSound::start() {
+  if (player_) return;
+  pen_ = std::make_unique<PenFeed>(studio_, feed_);
+  player_ = std::make_unique<Player>(feed_);
+}
+
+void FrictionSound::stop() {
+  pen_.reset();
+  player_.reset();
+  SoundState::the().set(SoundState::State::kOff);
 }
 
 }  // namespace felt::desktop

@@ -1,6 +1,7 @@
 #include "desktop/feel/material_words.h"
 
 #include <QCoreApplication>
+#include <QLocale>
 #include <array>
 
 namespace felt::desktop {
@@ -10,12 +11,61 @@ struct Name {
   std::string_view id;
   const char* label;
 };
-constexpr std::array<Name, 4> kNames{{
+constexpr std::array<Name, 8> kNames{{
     {"paper", QT_TRANSLATE_NOOP("Material", "Paper")},
+    {"rough-paper", QT_TRANSLATE_NOOP("Material", "Rough paper")},
+    {"watercolour", QT_TRANSLATE_NOOP("Material", "Watercolour paper")},
+    {"canvas", QT_TRANSLATE_NOOP("Material", "Canvas")},
     {"blackboard", QT_TRANSLATE_NOOP("Material", "Blackboard")},
     {"felt", QT_TRANSLATE_NOOP("Material", "Felt")},
+    {"wood", QT_TRANSLATE_NOOP("Material", "Wood")},
     {"glass", QT_TRANSLATE_NOOP("Material", "Glass")},
 }};
+
+constexpr std::array<Name, 10> kMedia{{
+    {"pencil", QT_TRANSLATE_NOOP("Material", "Pencil")},
+    {"pencil-hard", QT_TRANSLATE_NOOP("Material", "Hard pencil")},
+    {"pencil-soft", QT_TRANSLATE_NOOP("Material", "Soft pencil")},
+    {"charcoal", QT_TRANSLATE_NOOP("Material", "Charcoal")},
+    {"chalk", QT_TRANSLATE_NOOP("Material", "Chalk")},
+    {"crayon", QT_TRANSLATE_NOOP("Material", "Crayon")},
+    {"felt-tip", QT_TRANSLATE_NOOP("Material", "Felt-tip")},
+    {"ink-pen", QT_TRANSLATE_NOOP("Material", "Ink pen")},
+    {"brush-pen", QT_TRANSLATE_NOOP("Material", "Brush pen")},
+    {"eraser", QT_TRANSLATE_NOOP("Material", "Eraser")},
+}};
+
+QString text_of(std::string_view text) {
+  return QString::fromUtf8(text.data(), qsizetype(text.size()));
+}
+
+/// What Feltline brings is translated by its id, as long as its label is the one it came with.
+template <std::size_t kCount>
+QString label_of(const std::array<Name, kCount>& names, std::string_view id,
+                 std::string_view label) {
+  for (const Name& name : names) {
+    if (name.id == id && name.label == label) {
+      return QCoreApplication::translate("Material", name.label);
+    }
+  }
+  return text_of(label.empty() ? id : label);
+}
+
+QString grain_of(const Medium& medium) {
+  if (medium.look.grain < 0.1) {
+    return medium.grain < 0.5
+               ? QCoreApplication::translate("Material", "hides the grain")
+               : QCoreApplication::translate("Material", "grain to feel, not to see");
+  }
+  return medium.look.grain < 0.9 ? QCoreApplication::translate("Material", "fills the grain")
+                                 : QCoreApplication::translate("Material", "shows the grain");
+}
+
+QString widths_of(const MediumLine& line) {
+  const QLocale locale;
+  return QCoreApplication::translate("Material", "%1 to %2 mm")
+      .arg(locale.toString(line.min_mm, 'g', 2), locale.toString(line.max_mm, 'g', 3));
+}
 
 QString hardness(double n_per_m) {
   if (n_per_m >= 700.0) return QCoreApplication::translate("Material", "Hard");
@@ -32,23 +82,44 @@ QString friction(double mu) {
 
 QString grain(const SurfaceMaterial& material) {
   if (!(material.grain_um > 0.0)) return QCoreApplication::translate("Material", "smooth");
-  if (material.grain_mm < 1.5) return QCoreApplication::translate("Material", "fine grain");
-  if (material.grain_mm < 3.0) return QCoreApplication::translate("Material", "rough grain");
-  return QCoreApplication::translate("Material", "coarse weave");
+  switch (material.grain_character) {
+    case HeightCharacter::kWeave:
+      return QCoreApplication::translate("Material", "coarse weave");
+    case HeightCharacter::kFibres:
+      return QCoreApplication::translate("Material", "matted fibres");
+    case HeightCharacter::kWood:
+      return QCoreApplication::translate("Material", "grain along the board");
+    case HeightCharacter::kRough:
+      return material.grain_mm < 1.5 ? QCoreApplication::translate("Material", "rough grain")
+                                     : QCoreApplication::translate("Material", "hilly grain");
+    case HeightCharacter::kGrain:
+    case HeightCharacter::kPicture:
+      break;
+  }
+  return material.grain_mm < 1.5 ? QCoreApplication::translate("Material", "fine grain")
+                                 : QCoreApplication::translate("Material", "rough grain");
 }
 
 }  // namespace
 
 QString material_label(const SurfaceMaterial& material) {
-  for (const Name& name : kNames) {
-    if (name.id == material.id) return QCoreApplication::translate("Material", name.label);
-  }
-  return QString::fromUtf8(material.label.data(), qsizetype(material.label.size()));
+  return label_of(kNames, material.id, material.label);
 }
 
 QString material_words(const SurfaceMaterial& material) {
   return QCoreApplication::translate("Material", "%1, %2, %3.")
       .arg(hardness(material.stiffness_n_per_m), friction(material.friction), grain(material));
+}
+
+QString medium_label(const Medium& medium) {
+  return label_of(kMedia, medium.id, medium.label);
+}
+
+QString medium_words(const Medium& medium) {
+  QString slides = friction(medium.friction);
+  if (!slides.isEmpty()) slides[0] = slides[0].toUpper();
+  return QCoreApplication::translate("Material", "%1, %2, lines of %3.")
+      .arg(slides, grain_of(medium), widths_of(medium.line));
 }
 
 }  // namespace felt::desktop

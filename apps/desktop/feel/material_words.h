@@ -2,7 +2,7 @@
 
 #include <QString>
 
-#include "felt/haptics/material.h"
+#include "felt/material/materials.h"
 
 namespace felt::desktop {
 
@@ -10,5 +10,8 @@ namespace felt::desktop {
 QString material_label(const SurfaceMaterial& material);
 /// "Firm, some friction, fine grain.": its figures in plain words.
 QString material_words(const SurfaceMaterial& material);
+/// The same of a medium: "Pencil"; "Dry, some friction, all of the grain.".
+QString medium_label(const Medium& medium);
+QString medium_words(const Medium& medium);
 
 }  // namespace felt::desktop

@@ -5,6 +5,8 @@
 #include <array>
 #include <cstring>
 
+#include "desktop/feel/device_words.h"
+
 namespace felt::desktop {
 namespace {
 
@@ -37,12 +39,27 @@ SafetyWords active(const SafetyReport& safety) {
           QCoreApplication::translate("SafetyWords", "Forces are on"), limits};
 }
 
-SafetyWords latched(const SafetyReport& safety) {
-  const QString why = words_for(safety.fault);
+SafetyWords latched(const SafetyReport& safety, std::optional<DeviceFault> device) {
+  const bool is_of_device = safety.fault == SafetyFault::kDeviceError && device;
+  const QString why = is_of_device ? words_for(*device) : words_for(safety.fault);
   const QString state =
       why.isEmpty()
           ? QCoreApplication::translate("SafetyWords", "Forces were stopped")
           : QCoreApplication::translate("SafetyWords", "Forces were stopped: %1").arg(why);
+  if (is_of_device && *device == DeviceFault::kForcesOff) {
+    return {FeelLevel::kStopped, state,
+            QCoreApplication::translate(
+                "SafetyWords",
+                "Drawing goes on. Switch them on at the device, lift the pen, and switch them on "
+                "here.")};
+  }
+  if (is_of_device && *device == DeviceFault::kOverheated) {
+    return {FeelLevel::kStopped, state,
+            QCoreApplication::translate(
+                "SafetyWords",
+                "Drawing goes on. Let the device rest for some minutes, then switch the forces on "
+                "again.")};
+  }
   if (safety.fault == SafetyFault::kDeviceError) {
     return {FeelLevel::kStopped, state,
             QCoreApplication::translate(
@@ -83,7 +100,8 @@ QString words_for(SafetyFault fault) {
   return {};
 }
 
-SafetyWords words_for(const SafetyReport& safety, bool has_motors, bool wanted) {
+SafetyWords words_for(const SafetyReport& safety, bool has_motors, bool wanted,
+                      std::optional<DeviceFault> device) {
   if (!has_motors) {
     if (!wanted)
       return {FeelLevel::kOff, QCoreApplication::translate("SafetyWords", "Forces are off"),
@@ -116,7 +134,7 @@ SafetyWords words_for(const SafetyReport& safety, bool has_motors, bool wanted) 
                   .arg(words_for(safety.fault)),
               QCoreApplication::translate("SafetyWords", "They come back by themselves.")};
     case SafetyState::kLatched:
-      return latched(safety);
+      return latched(safety, device);
   }
   return {};
 }

@@ -1,8 +1,10 @@
 #pragma once
 
 #include <QString>
+#include <optional>
 
 #include "felt/haptics/safety_chain.h"
+#include "felt/rt/device.h"
 
 namespace felt::desktop {
 
@@ -17,7 +19,9 @@ struct SafetyWords {
 };
 
 /// `has_motors`: the pen pushes back at all. `wanted`: a person has switched the forces on.
-SafetyWords words_for(const SafetyReport& safety, bool has_motors, bool wanted);
+/// `device` is its newest fault, which says more than "the device does not answer".
+SafetyWords words_for(const SafetyReport& safety, bool has_motors, bool wanted,
+                      std::optional<DeviceFault> device = {});
 
 /// Why force was taken away, as half a sentence: "the pen jumped". Empty for kNone.
 QString words_for(SafetyFault fault);

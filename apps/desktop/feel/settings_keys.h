@@ -13,5 +13,8 @@ inline constexpr auto kMaterial = "feel/material";
 /// The rubbing of the pen is heard.
 inline constexpr auto kSound = "feel/sound";
 inline constexpr bool kSoundDefault = false;
+/// How loud, 0..1.
+inline constexpr auto kSoundVolume = "feel/sound_volume";
+inline constexpr double kSoundVolumeDefault = 0.7;
 
 }  // namespace felt::desktop::feel_keys

@@ -5,6 +5,8 @@
 #include <QTabletEvent>
 #include <cmath>
 
+#include "desktop/engine/tablet_lean.h"
+
 namespace felt::desktop {
 namespace {
 
@@ -66,17 +68,19 @@ void TestPad::take(QMouseEvent* event) {
 
 void TestPad::tabletEvent(QTabletEvent* event) {
   const bool touches = event->type() != QEvent::TabletRelease && event->pressure() > 0.0;
-  point(event->position(), touches, event->pressure());
+  point(event->position(), touches, event->pressure(), lean_of(*event));
   event->accept();
 }
 
-void TestPad::point(QPointF px, bool touches, std::optional<double> pressure) {
+void TestPad::point(QPointF px, bool touches, std::optional<double> pressure,
+                    std::optional<double> lean_deg) {
   if (!studio_) return;
   PointerEvent event;
   event.time_ns = studio_->now_ns();
   event.position = {px.x() / kPxPerMm, px.y() / kPxPerMm};
   event.touching = touches;
   event.pressure = pressure;
+  event.lean_deg = lean_deg;
   studio_->point(event);
 }
 

@@ -38,7 +38,8 @@ class TestPad : public QWidget {
     bool touches;
   };
   void take(QMouseEvent* event);
-  void point(QPointF px, bool touches, std::optional<double> pressure);
+  void point(QPointF px, bool touches, std::optional<double> pressure,
+             std::optional<double> lean_deg = {});
   void follow();
   void open();
 

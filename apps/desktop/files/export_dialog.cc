@@ -15,11 +15,13 @@
 #include <cmath>
 #include <vector>
 
+#include "desktop/engine/grain_setting.h"
 #include "desktop/engine/settings.h"
 #include "desktop/files/format_texts.h"
 #include "desktop/files/settings_keys.h"
 #include "desktop/files/sheet_picture.h"
 #include "felt/document/visible_strokes.h"
+#include "felt/formats/drawing_grain.h"
 #include "felt/formats/format_traits.h"
 #include "felt/render/view.h"
 
@@ -67,6 +69,7 @@ ExportDialog::ExportDialog(const Drawing& drawing, QWidget* parent)
       area_(new QComboBox(this)),
       dpi_(new QDoubleSpinBox(this)),
       background_(new QCheckBox(tr("With the &paper’s colour"), this)),
+      grain_(new QCheckBox(tr("&Grain of the sheet in dry ink"), this)),
       picture_(new QLabel(this)),
       size_(new QLabel(this)),
       kept_(new QLabel(this)),
@@ -86,6 +89,11 @@ ExportDialog::ExportDialog(const Drawing& drawing, QWidget* parent)
   dpi_->setSuffix(tr(" dots per inch"));
   dpi_->setValue(settings.number(files_keys::kExportDpi, files_keys::kExportDpiDefault));
   background_->setChecked(settings.flag(files_keys::kExportBackground, true));
+  if (const Result<Grain> grain = grain_of(drawing)) sheet_grain_ = *grain;
+  grain_->setChecked(sheet_grain_ && settings.flag(kShowsGrain, kShowsGrainDefault));
+  grain_->setToolTip(
+      tr("As on the screen. Lines stay lines: other programs show them through a "
+         "picture of the grain"));
   picture_->setFixedSize(kPicture);
   picture_->setAlignment(Qt::AlignCenter);
   picture_->setAccessibleName(tr("Preview"));
@@ -96,6 +104,7 @@ ExportDialog::ExportDialog(const Drawing& drawing, QWidget* parent)
   form_->addRow(tr("&Show:"), area_);
   form_->addRow(tr("&Resolution:"), dpi_);
   form_->addRow(QString(), background_);
+  form_->addRow(QString(), grain_);
   form_->addRow(tr("Size:"), size_);
   auto* columns = new QHBoxLayout;
   columns->setSpacing(18);
@@ -109,19 +118,24 @@ ExportDialog::ExportDialog(const Drawing& drawing, QWidget* parent)
   auto* all = new QVBoxLayout(this);
   all->addLayout(columns);
   all->addWidget(buttons);
+  follow_choices();
+}
+
+void ExportDialog::follow_choices() {
+  if (sketch_.size() > kMostPreviewStrokes) {
+    sketch_.erase(sketch_.begin(), sketch_.end() - kMostPreviewStrokes);
+  }
   connect(format_, &QComboBox::currentIndexChanged, this, &ExportDialog::show_result);
   connect(area_, &QComboBox::currentIndexChanged, this, &ExportDialog::show_result);
   connect(dpi_, &QDoubleSpinBox::valueChanged, this, &ExportDialog::show_result);
   connect(background_, &QCheckBox::toggled, this, &ExportDialog::show_result);
-  if (sketch_.size() > kMostPreviewStrokes) {
-    sketch_.erase(sketch_.begin(), sketch_.end() - kMostPreviewStrokes);
-  }
+  connect(grain_, &QCheckBox::toggled, this, &ExportDialog::show_result);
   show_result();
 }
 
 ExportOptions ExportDialog::options() const {
   return {export_formats()[static_cast<std::size_t>(format_->currentIndex())]->format,
-          dpi_->value(), background_->isChecked(), area_->currentIndex() == 1};
+          dpi_->value(), background_->isChecked(), area_->currentIndex() == 1, grain_->isChecked()};
 }
 
 void ExportDialog::accept() {
@@ -139,14 +153,17 @@ void ExportDialog::show_result() {
   kept_->setText(format_kept(chosen.format));
   format_->setAccessibleDescription(kept_->text());
   const bool is_png = chosen.format == FileFormat::kPng;
-  dpi_->setEnabled(is_png);
+  dpi_->setEnabled(is_png || (is_picture && chosen.grain));
+  grain_->setEnabled(is_picture && sheet_grain_);
   area_->setEnabled(is_picture);
   background_->setEnabled(traits_of(chosen.format).page || is_png);
   if (page_.paper.a == 0) background_->setEnabled(false);
   const Rect area = export_area(sketch_, page_, chosen);
   const Rgba paper = chosen.background ? page_.paper : Rgba{255, 255, 255, 0};
   const double ratio = devicePixelRatioF();
-  const QImage picture = sheet_thumbnail(sketch_, area, kPicture * ratio, paper);
+  const bool is_grained = is_picture && chosen.grain && sheet_grain_;
+  const QImage picture =
+      sheet_thumbnail(sketch_, area, kPicture * ratio, paper, is_grained ? *sheet_grain_ : Grain());
   picture_->setPixmap(on_squares(picture, ratio));
   const QLocale locale;
   QString text =

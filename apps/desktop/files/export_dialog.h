@@ -1,8 +1,10 @@
 #pragma once
 
 #include <QDialog>
+#include <optional>
 
 #include "desktop/files/export_file.h"
+#include "felt/render/grain.h"
 
 class QCheckBox;
 class QComboBox;
@@ -24,14 +26,17 @@ class ExportDialog : public QDialog {
   void accept() override;
 
  private:
+  void follow_choices();
   void show_result();
 
   Sketch sketch_;
   SheetPage page_;
+  std::optional<Grain> sheet_grain_;  // none: the sheet is not known here
   QComboBox* format_;
   QComboBox* area_;
   QDoubleSpinBox* dpi_;
   QCheckBox* background_;
+  QCheckBox* grain_;
   QLabel* picture_;
   QLabel* size_;
   QLabel* kept_;

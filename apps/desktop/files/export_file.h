@@ -9,9 +9,10 @@ namespace felt::desktop {
 /// What an exported picture shows.
 struct ExportOptions {
   FileFormat format = FileFormat::kSvg;
-  double dpi = 300.0;      ///< of a .png
+  double dpi = 300.0;      ///< of a .png, and of the grain in an .svg or .pdf
   bool background = true;  ///< the paper, where it has a colour
   bool ink_only = false;   ///< cut to the ink and a margin; else the page
+  bool grain = false;      ///< of the sheet, in dry ink; where the format is a picture
 };
 
 /// The part of the sheet that is shown.

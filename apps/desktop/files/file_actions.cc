@@ -18,6 +18,7 @@
 #include "desktop/files/output_actions.h"
 #include "desktop/files/settings_keys.h"
 #include "felt/document/visible_strokes.h"
+#include "felt/formats/own_materials.h"
 #include "felt/stroke/color_text.h"
 
 namespace felt::desktop {
@@ -46,6 +47,15 @@ bool is_own_file(const OpenedDrawing& opened, const QString& path) {
   // One that was damaged is not written over: what is lost of it may still be had some day.
   return opened.is_exact && opened.format == FileFormat::kFelt &&
          format_of_path(path.toStdString()) == FileFormat::kFelt;
+}
+
+/// What a file of it brings along: the pencil's medium too, for a crash may come in its first
+/// stroke.
+std::vector<std::string> own_materials(const Session& session, const Drawing& drawing) {
+  std::vector<std::string> also;
+  const Result<OptionValue> pencil = session.option("pencil.material");
+  if (const auto* id = pencil ? std::get_if<std::string>(&*pencil) : nullptr) also.push_back(*id);
+  return texts_of_used(drawing.document, drawing.page.surface, session.materials(), also);
 }
 
 }  // namespace
@@ -114,7 +124,8 @@ Drawing FileActions::drawing() const {
   Drawing drawing;
   drawing.document = session.document();
   drawing.page = studio_.page();
-  drawing.material = session.sheet().material().id;
+  if (drawing.page.surface.empty()) drawing.page.surface = session.sheet().material().id;
+  drawing.materials = own_materials(session, drawing);
   drawing.color = session.sheet().color();
   drawing.layer = session.layer();
   drawing.extras = extras_;
@@ -128,7 +139,7 @@ void FileActions::start_new() {
   if (!may_replace()) return;
   Drawing fresh;
   fresh.page = studio_.page();
-  fresh.material = studio_.session().sheet().material().id;
+  fresh.page.surface = studio_.session().sheet().material().id;
   fresh.color = studio_.session().sheet().color();
   show(std::move(fresh), {}, {});
 }
@@ -197,7 +208,6 @@ void FileActions::adopt(Drawing drawing, const QString& name) {
 }
 
 void FileActions::show(Drawing drawing, const QString& path, const QString& name) {
-  const std::string material = drawing.material;
   const Rgba color = drawing.color;
   const LayerId layer = drawing.layer;
   // Before the signals of open(), so that who hears them sees the right name.
@@ -206,10 +216,9 @@ void FileActions::show(Drawing drawing, const QString& path, const QString& name
   seen_on_disk_ = changed_at(path);
   extras_ = drawing.extras;
   is_showing_ = true;
-  studio_.open(std::move(drawing.document), drawing.page);
+  studio_.open(std::move(drawing.document), drawing.page, drawing.materials);
   is_showing_ = false;
   if (looks_.show) looks_.show(drawing);
-  if (!material.empty()) studio_.apply(SetOption{"sheet.material", material});
   studio_.apply(SetOption{"sheet.color", color_to_text(color)});
   const Layer* in_use = studio_.session().document().layer(layer);
   if (in_use && in_use->visible && !in_use->locked) {

@@ -52,6 +52,10 @@ Journal::Journal(Studio& studio, std::function<Drawing()> current, const QString
                    }});
   connect(&studio, &Studio::modified_changed, this, [this](bool now) { saver_->modified(now); });
   connect(&studio, &Studio::page_changed, this, [this] { saver_->head(current_()); });
+  // A medium of one's own may be what is taken in hand.
+  connect(&studio, &Studio::option_changed, this, [this](const QString& id) {
+    if (id.endsWith(QLatin1String(".material"))) saver_->head(current_());
+  });
 }
 
 Journal::~Journal() {

@@ -86,7 +86,7 @@ TEST(Journal, TheDrawingThatWasOpenedIsItsBase) {
   EXPECT_EQ(recovered.name, "a.felt");
   EXPECT_EQ(recovered.path, desk.at("a.felt").toStdString());
   EXPECT_TRUE(recovered.drawing.document == desk.document());
-  EXPECT_EQ(recovered.drawing.page, desk.studio.page());
+  EXPECT_EQ(recovered.drawing.page, desk.files->drawing().page);
   EXPECT_EQ(recovered.drawing, desk.files->drawing());
 }
 
@@ -100,7 +100,7 @@ TEST(Journal, ADrawingThatOthersOpenIsABaseToo) {
   desk.draw(3);
   const RecoveredDrawing recovered = crashed(desk);
   EXPECT_TRUE(recovered.drawing.document == desk.document());
-  EXPECT_EQ(recovered.drawing.page, desk.studio.page());
+  EXPECT_EQ(recovered.drawing.page, desk.files->drawing().page);
 }
 
 TEST(Journal, ACleanCloseLeavesNothingAndACrashLeavesAStore) {

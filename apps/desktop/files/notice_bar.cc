@@ -69,6 +69,7 @@ NoticeBar::NoticeBar(QWidget* parent)
 void NoticeBar::show_report(const QString& name, const ImportReport& report) {
   list_->clear();
   details_->setChecked(false);
+  details_->show();
   if (report.empty()) return hide();
   const QLocale locale;
   int count = 0;
@@ -84,6 +85,18 @@ void NoticeBar::show_report(const QString& name, const ImportReport& report) {
   text_->setText(tr("Not everything in “%1” could be taken as it is. Left out or changed: %2. "
                     "The file itself is as it was.")
                      .arg(name, locale.toString(count)));
+  announce();
+}
+
+void NoticeBar::show_words(const QString& words) {
+  list_->clear();
+  details_->setChecked(false);
+  details_->hide();
+  text_->setText(words);
+  announce();
+}
+
+void NoticeBar::announce() {
   show();
   QAccessibleEvent alert(this, QAccessible::Alert);
   setAccessibleName(text_->text());

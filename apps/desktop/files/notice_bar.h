@@ -21,11 +21,14 @@ class NoticeBar : public QFrame {
 
   /// `name` is the file's, for people. A report without notices hides the bar.
   void show_report(const QString& name, const ImportReport& report);
+  /// Something else that a person should know, in plain words; it stays until it is closed.
+  void show_words(const QString& words);
 
  protected:
   void keyPressEvent(QKeyEvent* event) override;
 
  private:
+  void announce();
   void show_details(bool on);
 
   QLabel* text_;

@@ -9,11 +9,16 @@
 #include <QPrinter>
 #include <memory>
 
+#include "desktop/engine/grain_setting.h"
+#include "desktop/engine/settings.h"
 #include "desktop/files/export_dialog.h"
 #include "desktop/files/file_actions.h"
 #include "desktop/files/format_texts.h"
 #include "desktop/files/page_dialog.h"
 #include "felt/document/visible_strokes.h"
+#include "felt/formats/drawing_grain.h"
+#include "felt/io/grain_mask.h"
+#include "felt/render/raster.h"
 #include "felt/render/view.h"
 #include "felt/stroke/outline_path.h"
 
@@ -21,6 +26,7 @@ namespace felt::desktop {
 namespace {
 
 constexpr double kPrintToleranceMm = 0.005;
+constexpr double kPrintGrainDpi = 300.0;
 
 QColor color_of(Rgba c) {
   return QColor(c.r, c.g, c.b, c.a);
@@ -52,6 +58,19 @@ QPainterPath path_of(const Stroke& stroke) {
   return path;
 }
 
+/// The picture of its ink where the mask lies.
+void paint_grained(QPainter& painter, const Stroke& stroke, const Grain& grain,
+                   const GrainMask& mask, Rasterizer& rasterizer) {
+  QImage image(mask.width, mask.height, QImage::Format_RGBA8888_Premultiplied);
+  image.fill(Qt::transparent);
+  const Pixels pixels{image.bits(), image.width(), image.height(), image.bytesPerLine(),
+                      PixelOrder::kRgba};
+  const View view{{mask.area.x0, mask.area.y0}, mask.width / mask.area.width()};
+  rasterizer.draw(stroke, view, pixels.rect(), grain, pixels);
+  painter.drawImage(QRectF(mask.area.x0, mask.area.y0, mask.area.width(), mask.area.height()),
+                    image);
+}
+
 /// A printer whose page is the sheet.
 std::unique_ptr<QPrinter> printer_for(const Drawing& drawing, const QString& name) {
   auto printer = std::make_unique<QPrinter>(QPrinter::HighResolution);
@@ -68,7 +87,8 @@ std::unique_ptr<QPrinter> printer_for(const Drawing& drawing, const QString& nam
 
 }  // namespace
 
-void paint_sheet(QPainter& painter, const Drawing& drawing, double dpi) {
+void paint_sheet(QPainter& painter, const Drawing& drawing, double dpi,
+                 const std::optional<Grain>& grain) {
   painter.save();
   painter.setRenderHint(QPainter::Antialiasing);
   painter.scale(dpi / kMmPerInch, dpi / kMmPerInch);
@@ -80,7 +100,16 @@ void paint_sheet(QPainter& painter, const Drawing& drawing, double dpi) {
     painter.fillRect(sheet, color_of(page.paper));
   }
   painter.setPen(Qt::NoPen);
+  std::optional<GrainMasks> masks;
+  if (grain) masks.emplace(GrainPrint{*grain, kPrintGrainDpi}, page.area());
+  Rasterizer rasterizer;
   for (const SketchStroke& s : visible_strokes(drawing.document)) {
+    // Where there is more of it than masks are made, the rest is solid.
+    const auto mask = masks ? masks->of(s.stroke).value_or(std::nullopt) : std::nullopt;
+    if (mask) {
+      paint_grained(painter, s.stroke, *grain, *mask, rasterizer);
+      continue;
+    }
     painter.setBrush(color_of(s.stroke.color()));
     painter.drawPath(path_of(s.stroke));
   }
@@ -89,7 +118,10 @@ void paint_sheet(QPainter& painter, const Drawing& drawing, double dpi) {
 
 void print_drawing(QPrinter& printer, const Drawing& drawing) {
   QPainter painter(&printer);
-  paint_sheet(painter, drawing, printer.resolution());
+  const bool shows = Settings::the().flag(kShowsGrain, kShowsGrainDefault);
+  const Result<Grain> grain = grain_of(drawing);
+  paint_sheet(painter, drawing, printer.resolution(),
+              shows && grain ? std::optional(*grain) : std::nullopt);
 }
 
 OutputActions::OutputActions(FileActions& files, Studio& studio, Actions& actions, QWidget* window)

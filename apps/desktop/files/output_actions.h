@@ -2,10 +2,12 @@
 
 #include <QObject>
 #include <QWidget>
+#include <optional>
 
 #include "desktop/engine/actions.h"
 #include "desktop/engine/studio.h"
 #include "desktop/files/export_file.h"
+#include "felt/render/grain.h"
 
 class QPainter;
 class QPrinter;
@@ -15,10 +17,13 @@ namespace felt::desktop {
 class FileActions;
 
 /// The sheet on paper, in lines and not in pixels: `painter` draws it at its true size where a unit
-/// of its device is 1/dpi of an inch, from the corner of the page on.
-void paint_sheet(QPainter& painter, const Drawing& drawing, double dpi);
+/// of its device is 1/dpi of an inch, from the corner of the page on. With grain, strokes that show
+/// it are pictures.
+void paint_sheet(QPainter& painter, const Drawing& drawing, double dpi,
+                 const std::optional<Grain>& grain = {});
 
-/// Sets the paper that the sheet asks for, and prints it there.
+/// Sets the paper that the sheet asks for, and prints it there, with grain where the screen shows
+/// it.
 void print_drawing(QPrinter& printer, const Drawing& drawing);
 
 /// "file.export", "file.page_setup", "file.print", "file.print_preview".

@@ -18,6 +18,7 @@
 #include "desktop/files/test_desk.h"
 #include "felt/base/read_file.h"
 #include "felt/document/visible_strokes.h"
+#include "felt/formats/drawing_grain.h"
 
 namespace felt::desktop {
 namespace {
@@ -108,6 +109,42 @@ TEST(Print, TheSheetIsPaintedAtItsTrueSize) {
     }
   }
   EXPECT_LT(sum / (600 * 400), 1.0);
+}
+
+// "Grain of the sheet": in every format that is a picture, and on paper.
+TEST(Export, GrainIsThatOfTheSheet) {
+  TestDesk desk;
+  desk.studio.apply(SetOption{"sheet.material", std::string("rough-paper")});
+  desk.draw(3, 6);
+  desk.studio.set_page({60.0, 40.0, {255, 255, 255, 255}, "rough-paper"});
+  const Drawing drawing = desk.files->drawing();
+  EXPECT_EQ(drawing.page.surface, "rough-paper");
+  const auto bytes = [&](FileFormat format, bool grain) {
+    const QString path = desk.at("x");
+    EXPECT_TRUE(export_drawing(path, drawing, {.format = format, .dpi = 100.0, .grain = grain}));
+    return read_file(path.toStdString(), 1 << 24).value();
+  };
+  for (const FileFormat format : {FileFormat::kPng, FileFormat::kSvg, FileFormat::kPdf}) {
+    EXPECT_NE(bytes(format, true), bytes(format, false));
+  }
+  EXPECT_EQ(bytes(FileFormat::kInkml, true), bytes(FileFormat::kInkml, false));
+
+  constexpr double kDpi = 300.0;
+  const Grain grain = grain_of(drawing).value();
+  const QImage ours = sheet_picture(visible_strokes(drawing.document), drawing.page.area(),
+                                    kDpi / 25.4, {255, 255, 255, 255}, grain);
+  QImage painted(ours.size(), QImage::Format_RGBA8888_Premultiplied);
+  painted.fill(Qt::white);
+  QPainter painter(&painted);
+  paint_sheet(painter, drawing, kDpi, grain);
+  painter.end();
+  double sum = 0.0;
+  for (int y = 0; y < ours.height(); ++y) {
+    for (int x = 0; x < ours.width(); ++x) {
+      sum += std::abs(ours.pixelColor(x, y).green() - painted.pixelColor(x, y).green());
+    }
+  }
+  EXPECT_LT(sum / (ours.width() * ours.height()), 1.0);
 }
 
 }  // namespace

@@ -46,7 +46,8 @@ PageDialog::PageDialog(const SheetPage& page, QWidget* parent)
       landscape_(new QRadioButton(tr("&Landscape"), this)),
       color_key_(new QPushButton(this)),
       no_paper_(new QPushButton(tr("&None"), this)),
-      color_(page.paper.r, page.paper.g, page.paper.b, page.paper.a) {
+      color_(page.paper.r, page.paper.g, page.paper.b, page.paper.a),
+      surface_(page.surface) {
   setWindowTitle(tr("Page setup"));
   for (const Preset& preset : kPresets) preset_->addItem(QLatin1String(preset.name));
   preset_->addItem(tr("Custom"));
@@ -90,7 +91,8 @@ SheetPage PageDialog::page() const {
   const auto byte = [](int v) { return static_cast<std::uint8_t>(v); };
   return {width_->value(),
           height_->value(),
-          {byte(color_.red()), byte(color_.green()), byte(color_.blue()), byte(color_.alpha())}};
+          {byte(color_.red()), byte(color_.green()), byte(color_.blue()), byte(color_.alpha())},
+          surface_};
 }
 
 void PageDialog::take_preset() {

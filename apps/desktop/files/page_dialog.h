@@ -2,6 +2,7 @@
 
 #include <QColor>
 #include <QDialog>
+#include <string>
 
 #include "felt/document/sheet_page.h"
 
@@ -36,6 +37,7 @@ class PageDialog : public QDialog {
   QPushButton* color_key_;
   QPushButton* no_paper_;
   QColor color_;
+  std::string surface_;
   bool is_changing_ = false;
 };
 

@@ -5,17 +5,20 @@
 
 #include "felt/base/result.h"
 #include "felt/geometry/rect.h"
+#include "felt/render/grain.h"
 #include "felt/render/image.h"
 #include "felt/stroke/sketch.h"
 
 namespace felt::desktop {
 
-/// Strokes as a picture for widgets and the clipboard: `area` in mm, `px_per_mm` of them. Empty
-/// where it would be too large.
-QImage sheet_picture(const Sketch& sketch, const Rect& area, double px_per_mm, Rgba paper);
+/// Strokes as a picture for widgets and the clipboard: `area` in mm, `px_per_mm` of them, on a
+/// sheet of that grain. Empty where it would be too large.
+QImage sheet_picture(const Sketch& sketch, const Rect& area, double px_per_mm, Rgba paper,
+                     const Grain& grain = Grain());
 
 /// The same, as large as fits into `size` pixels.
-QImage sheet_thumbnail(const Sketch& sketch, const Rect& area, QSize size, Rgba paper);
+QImage sheet_thumbnail(const Sketch& sketch, const Rect& area, QSize size, Rgba paper,
+                       const Grain& grain = Grain());
 
 /// A picture of the library as one of Qt.
 QImage to_qimage(Image image);

@@ -20,7 +20,7 @@ HandScriptOptions hand_of(Studio& studio) {
   options.plane_n_per_m = Pressing(sheet, device).stiffness_n_per_m();
   const Result<OptionValue> id = studio.session().option("pencil.material");
   const auto* name = id ? std::get_if<std::string>(&*id) : nullptr;
-  const ToolMaterial* tool = name ? find_tool_material(*name) : nullptr;
+  const Medium* tool = name ? studio.session().materials().find_medium(*name) : nullptr;
   if (tool) options.friction = friction_of(*tool, sheet);
   return options;
 }
@@ -69,7 +69,7 @@ void ScriptPlayer::tick() {
   HandInput* hand = studio_.device().hand();
   if (hand && track_ && track_->has_poses()) {
     const ScriptPose pose = track_->at(played_ns_);
-    hand->aim(pose.position, pose.pressure, pose.buttons);
+    hand->aim(Aim{pose.position, pose.pressure, pose.buttons, pose.lean_deg});
   }
   studio_.advance(kTickNs);
 }

@@ -14,7 +14,7 @@ constexpr int kFrameMs = 16;
 constexpr std::int64_t kMostNs = 50'000'000;  // of one frame, however late it is
 constexpr qint64 kHurryMs = 10;               // of a frame, where an act is skipped
 constexpr std::int64_t kHurryStepNs = 4'000'000;
-constexpr SheetPage kSheet{.width_mm = 124.0, .height_mm = 140.0};
+constexpr double kSheetWidthMm = 124.0, kSheetHeightMm = 140.0;
 
 struct Act {
   const char* script;
@@ -70,7 +70,7 @@ TourWindow::TourWindow(QWidget* parent)
       player_(*studio_) {
   setWindowTitle(tr("Guided tour"));
   setAttribute(Qt::WA_DeleteOnClose);
-  studio_->set_page(kSheet);
+  studio_->set_page({.width_mm = kSheetWidthMm, .height_mm = kSheetHeightMm});
   canvas_->setFocusPolicy(Qt::NoFocus);
   canvas_->setAccessibleName(tr("The sheet of the tour"));
   make_controls();

@@ -8,6 +8,7 @@
 #include "desktop/engine/studio.h"
 #include "desktop/panels/tool_icons.h"
 #include "desktop/panels/tool_texts.h"
+#include "felt/material/material_fields.h"
 
 namespace felt::desktop {
 namespace {
@@ -90,6 +91,15 @@ TEST(ToolTexts, HoldEveryTextOfTheTables) {
     want_table(tool->info().options);
   }
   want_table(SheetOptions::table());
+  const auto want_fields = [&want](const auto& fields) {
+    for (const auto& field : fields) {
+      want(field.label);
+      want(field.help);
+      for (const std::string_view choice : field.choices) want(choice);
+    }
+  };
+  want_fields(sheet_fields());
+  want_fields(medium_fields());
   for (const SurfaceMaterial& material : surface_materials()) want(material.label);
   std::string missing, surplus;
   for (const std::string& text : wanted) {

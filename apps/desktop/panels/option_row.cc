@@ -235,6 +235,18 @@ void OptionRow::set_number_width(int px) {
   if (spin_) spin_->setFixedWidth(px);
 }
 
+void OptionRow::set_default(const OptionValue& value) {
+  if (const auto* number = std::get_if<double>(&value)) spec_.fallback = *number;
+  if (const auto* on = std::get_if<bool>(&value)) spec_.fallback = *on ? 1.0 : 0.0;
+  if (const auto* choice = std::get_if<std::string>(&value)) {
+    const auto at = std::find(spec_.choices.begin(), spec_.choices.end(), *choice);
+    if (at != spec_.choices.end()) {
+      spec_.fallback = static_cast<double>(at - spec_.choices.begin());
+    }
+  }
+  reset_->setToolTip(tr("Back to %1").arg(value_text(spec_, value)));
+}
+
 void OptionRow::show_value(const OptionValue& value) {
   if (spin_) show_number(std::get<double>(value));
   if (check_) {

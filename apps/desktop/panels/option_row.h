@@ -28,6 +28,8 @@ class OptionRow : public QWidget {
   [[nodiscard]] const OptionSpec& spec() const noexcept { return spec_; }
   /// Shows a value, without saying that it was chosen.
   void show_value(const OptionValue& value);
+  /// What its reset brings back, from now on; show_value() comes next.
+  void set_default(const OptionValue& value);
 
   /// How wide its number wants to be, 0 without one; and is, so that numbers below each other are
   /// alike.

@@ -49,7 +49,8 @@ double OptionScale::value_at(int place) const {
   if (kind_ == Kind::kLog) value = min_ * std::pow(max_ / min_, share);
   if (kind_ == Kind::kSquare) value = min_ + share * share * (max_ - min_);
   // Two digits are enough for a hand, and better to read than six.
-  const double digits = is_share_ ? 0.01 : std::pow(10.0, std::floor(std::log10(value)) - 1.0);
+  const double digits =
+      is_share_ ? 0.01 : std::pow(10.0, std::floor(std::log10(std::abs(value))) - 1.0);
   const double step = std::max(digits, std::pow(10.0, -decimals_) / shown_per_unit());
   return std::clamp(std::round(value / step) * step, min_, max_);
 }

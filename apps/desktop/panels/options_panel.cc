@@ -3,6 +3,7 @@
 #include <QEvent>
 #include <QStyle>
 #include <algorithm>
+#include <utility>
 
 #include "desktop/engine/first_options.h"
 #include "desktop/panels/tool_icons.h"
@@ -30,9 +31,11 @@ QLabel* heading(const QString& text, QWidget* parent) {
 
 }  // namespace
 
-OptionsPanel::OptionsPanel(Studio& studio, QWidget* parent)
+OptionsPanel::OptionsPanel(Studio& studio, QWidget* parent,
+                           std::map<std::string, OptionPicker> pickers)
     : QWidget(parent),
       studio_(studio),
+      pickers_(std::move(pickers)),
       picture_(new QLabel(this)),
       title_(heading({}, this)),
       reset_(new QToolButton(this)),
@@ -114,7 +117,7 @@ OptionsPanel::Page& OptionsPanel::page_of(const ToolInfo& info) {
   for (const OptionSpec& spec : info.options) {
     if (spec.id == kStrength) {
       strength = &spec;
-    } else {
+    } else if (!add_picker(page, lines, tool, spec)) {
       add_row(page, lines, tool, spec);
     }
   }
@@ -129,6 +132,19 @@ OptionsPanel::Page& OptionsPanel::page_of(const ToolInfo& info) {
   pages_box_->insertWidget(0, page.widget);
   show_values(info, page);
   return page;
+}
+
+bool OptionsPanel::add_picker(Page& page, QVBoxLayout* lines, const std::string& tool,
+                              const OptionSpec& spec) {
+  const auto picker = pickers_.find(id_of(tool, spec));
+  if (picker == pickers_.end()) return false;
+  auto* name = new QLabel(translated(spec.label), page.widget);
+  name->setToolTip(translated(spec.help));
+  QWidget* widget = picker->second(page.widget);
+  name->setBuddy(widget);
+  lines->addWidget(name);
+  lines->addWidget(widget);
+  return true;
 }
 
 void OptionsPanel::add_row(Page& page, QVBoxLayout* lines, const std::string& tool,

@@ -5,6 +5,7 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 #include <QWidget>
+#include <functional>
 #include <map>
 #include <string>
 #include <vector>
@@ -14,14 +15,19 @@
 
 namespace felt::desktop {
 
+/// Makes a widget that chooses an option's value by itself, as a child of this one.
+using OptionPicker = std::function<QWidget*(QWidget* parent)>;
+
 /// The options of the tool in hand, made from its table (OptionSpec): a row each, its help as the
 /// tip. Rows that mean nothing with what is chosen are not shown; what is felt comes last. Writes
-/// SetOption events, and follows all that others write.
+/// SetOption events, and follows all that others write. Options that have a picker, by
+/// "tool.option", get that in place of a row, with the option's name above it.
 class OptionsPanel : public QWidget {
   Q_OBJECT
 
  public:
-  explicit OptionsPanel(Studio& studio, QWidget* parent = nullptr);
+  explicit OptionsPanel(Studio& studio, QWidget* parent = nullptr,
+                        std::map<std::string, OptionPicker> pickers = {});
 
   /// A row of the tool in hand by the option's id; null where there is none.
   [[nodiscard]] OptionRow* row(std::string_view id) const;
@@ -37,6 +43,7 @@ class OptionsPanel : public QWidget {
 
   void show_tool();
   Page& page_of(const ToolInfo& info);
+  bool add_picker(Page& page, QVBoxLayout* lines, const std::string& tool, const OptionSpec& spec);
   void add_row(Page& page, QVBoxLayout* lines, const std::string& tool, const OptionSpec& spec);
   /// Shows the value of an option, and the rows that it decides about.
   void follow(const QString& id);
@@ -45,6 +52,7 @@ class OptionsPanel : public QWidget {
   void reset_tool();
 
   Studio& studio_;
+  std::map<std::string, OptionPicker> pickers_;
   QLabel* picture_;
   QLabel* title_;
   QToolButton* reset_;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <utility>
 
 namespace felt::desktop {
 namespace {
@@ -51,6 +52,11 @@ bool KeyboardPen::press(const QKeyEvent& event) {
     return true;
   }
   if (event.isAutoRepeat()) return true;
+  if (canvas_.studio().device().set_pen_down(true)) {
+    held_ = event.key();
+    Q_EMIT said(tr("The pen is down"));
+    return true;
+  }
   const bool down = !hand_.is_down(PenHand::Source::kKeys);
   if (hand_.point_mm(PenHand::Source::kKeys, hand_.place_mm(), canvas_.studio().now_ns(), down,
                      std::nullopt)) {
@@ -61,8 +67,15 @@ bool KeyboardPen::press(const QKeyEvent& event) {
 }
 
 void KeyboardPen::release(const QKeyEvent& event) {
-  if (event.isAutoRepeat() || event.key() != key_) return;
-  key_ = repeats_ = 0;
+  if (event.isAutoRepeat()) return;
+  if (held_ != 0 && event.key() == held_) let_go();
+  if (event.key() == key_) key_ = repeats_ = 0;
+}
+
+void KeyboardPen::let_go() {
+  if (std::exchange(held_, 0) == 0) return;
+  canvas_.studio().device().set_pen_down(false);
+  Q_EMIT said(tr("The pen is up"));
 }
 
 void KeyboardPen::step(const QKeyEvent& event) {

@@ -12,6 +12,9 @@ namespace felt::desktop {
 /// Return, Enter or Insert put it down and lift it; Escape cancels what it draws. Steps are
 /// counted, not timed: the same keys make the same line. The view follows. What it is given must
 /// outlive it.
+///
+/// A person who holds a device that cannot tell whether its pen touches draws while one of the keys
+/// is held that put the pen down.
 class KeyboardPen : public QObject {
   Q_OBJECT
 
@@ -29,6 +32,8 @@ class KeyboardPen : public QObject {
   bool press(const QKeyEvent& event);
   /// The key is up: its next press begins with small steps.
   void release(const QKeyEvent& event);
+  /// No key is held any more, as far as anybody will be told.
+  void let_go();
 
  Q_SIGNALS:
   /// What happened, for who cannot see it.
@@ -42,6 +47,7 @@ class KeyboardPen : public QObject {
   PenHand& hand_;
   int key_ = 0;
   int repeats_ = 0;
+  int held_ = 0;  // the key that holds a device's pen down
 };
 
 }  // namespace felt::desktop

@@ -26,9 +26,9 @@ class PenHand : public QObject {
   /// The hand is there, in pixels of the canvas or on the sheet. `time_ns`: of the studio's clock.
   /// False: another one has the pen down, and this is ignored.
   bool point(Source source, QPointF px, std::int64_t time_ns, bool touching,
-             std::optional<double> pressure);
+             std::optional<double> pressure, std::optional<double> lean_deg = {});
   bool point_mm(Source source, Point mm, std::int64_t time_ns, bool touching,
-                std::optional<double> pressure);
+                std::optional<double> pressure, std::optional<double> lean_deg = {});
   /// The pen is lifted where it is, whatever keeps it down. Nothing where it is not down.
   void lift();
   /// What it was doing never was; the pen must be lifted before it does anything more.
@@ -66,7 +66,7 @@ class PenHand : public QObject {
   bool down_ = false;
   bool is_known_ = false;
   Point place_;
-  std::optional<double> pressure_;
+  std::optional<double> pressure_, lean_deg_;
   std::uint32_t keys_ = 0, held_ = 0, locked_ = 0;
   std::uint32_t borrowing_ = 0;  // roles that hold a tool, as bits
   int owed_ = 0;                 // tools that go back when the lift has been seen

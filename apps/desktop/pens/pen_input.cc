@@ -198,6 +198,7 @@ void PenInput::let_go() {
   hand_.lift();
   tablet_.let_go();
   mouse_.let_go();
+  keys_.let_go();
   hand_.release_all();
   hand_.set_keys(Qt::NoModifier);
   space_ = false;

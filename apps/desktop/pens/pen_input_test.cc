@@ -175,6 +175,35 @@ TEST_F(PenInputTest, EveryPlaceIsASample) {
   }
 }
 
+// A tablet that senses tilt tells how the pen leans; one that does not says nothing of it, whatever
+// its events hold.
+TEST_F(PenInputTest, ThePenLeansAsTheTabletSays) {
+  const auto* tilting =
+      new QPointingDevice(QStringLiteral("tilting pen"), 13, QInputDevice::DeviceType::Stylus,
+                          QPointingDevice::PointerType::Pen,
+                          QInputDevice::Capability::Position | QInputDevice::Capability::Pressure |
+                              QInputDevice::Capability::XTilt | QInputDevice::Capability::YTilt,
+                          1, 3, {}, QPointingDeviceUniqueId::fromNumericId(2), qApp);
+  const auto lean = [this](const QPointingDevice& pen, float x_deg, float y_deg) {
+    const QPointF at(200, 200);
+    QTabletEvent event(QEvent::TabletMove, &pen, at, at, 0.0, x_deg, y_deg, 0, 0, 0, Qt::NoModifier,
+                       Qt::NoButton, Qt::NoButton);
+    event.setTimestamp(1000 + static_cast<quint64>(studio_.now_ns() / kMs));
+    QApplication::sendEvent(&canvas_, &event);
+    wait(60);
+    return samples_.back().lean_deg;
+  };
+  EXPECT_EQ(lean(*tilting, 0, 0), 0.0);
+  EXPECT_EQ(lean(*tilting, 30, 0), 30.0);
+  EXPECT_EQ(lean(*tilting, 0, -60), 60.0);
+  EXPECT_EQ(lean(*tilting, -45, 45), 54.7);
+  EXPECT_EQ(lean(pen_device(QPointingDevice::PointerType::Pen), 30, 0), std::nullopt);
+  leave_proximity();
+  mouse(QEvent::MouseMove, {220, 200}, Qt::NoButton, Qt::NoButton);
+  wait(60);
+  EXPECT_EQ(samples_.back().lean_deg, std::nullopt);
+}
+
 // However a stroke ends, the pen is up then, and the ink is there.
 TEST_F(PenInputTest, NoPenStaysDown) {
   const std::vector<std::function<void()>> ends = {
@@ -423,6 +452,72 @@ TEST_F(PenInputTest, AFingerDrawsWhereItMay) {
   drag(300);
   EXPECT_EQ(strokes(), 1u);
   EXPECT_NE(canvas_.view(), before);
+}
+
+/// A device that moves in the plane only, held by a person who draws a line to the right with it.
+class PlanarPen final : public PenDevice, public Device {
+ public:
+  explicit PlanarPen(PenDeviceInfo info) : info_(std::move(info)) {}
+  [[nodiscard]] const PenDeviceInfo& info() const noexcept override { return info_; }
+  [[nodiscard]] Device& device() noexcept override { return *this; }
+  [[nodiscard]] HandInput* hand() noexcept override { return nullptr; }
+  [[nodiscard]] const HandScriptOptions& hand_options() const noexcept override { return options_; }
+  bool set_pen_down(bool is_down) noexcept override {
+    is_down_ = is_down;
+    return true;
+  }
+
+  [[nodiscard]] std::string_view name() const noexcept override { return "planar"; }
+  [[nodiscard]] const Capabilities& capabilities() const noexcept override {
+    return info_.capabilities;
+  }
+  tl::expected<PenSample, DeviceFault> read(std::int64_t now_ns) noexcept override {
+    const double x_mm = 20.0 + 1e-8 * static_cast<double>(now_ns);  // 10 mm/s
+    return PenSample{now_ns, {x_mm, 40.0, is_down_ ? -0.25 : 0.25}, {10, 0, 0}, {}, 0};
+  }
+  tl::expected<void, DeviceFault> write(const Force&) noexcept override { return {}; }
+  void stop() noexcept override {}
+
+ private:
+  PenDeviceInfo info_;
+  HandScriptOptions options_;
+  bool is_down_ = false;
+};
+
+// What the person with a 2DIY does: one hand leads it, the other holds a key while it draws.
+TEST_F(PenInputTest, AKeyThatIsHeldPutsAPlanarDevicesPenDown) {
+  PenDeviceInfo info;
+  info.id = QStringLiteral("planar:1");
+  info.label = info.note = QStringLiteral("Planar");
+  info.capabilities.sensed_axes = info.capabilities.actuated_axes = 2;
+  info.capabilities.workspace_min = {0, 0, -1};
+  info.capabilities.workspace_max = {100, 80, 1};
+  info.has_own_frame = true;  // as the 2DIY: it is seen through its person's plane
+  const int driver = add_pen_driver(
+      {[info] { return std::vector<PenDeviceInfo>{info}; },
+       [info](const QString&, const OpenOptions& asked) -> Result<std::unique_ptr<PenDevice>> {
+         EXPECT_FALSE(asked.pen_begins_down);
+         return std::make_unique<PlanarPen>(info);
+       }});
+  ASSERT_TRUE(studio_.use_device(info.id));
+  wait(300);
+  EXPECT_EQ(studio_.session().document().stroke_count(), 0U) << "the pen is up by itself";
+  for (int line = 1; line <= 2; ++line) {
+    key(QEvent::KeyPress, Qt::Key_Return);
+    wait(200);
+    key(QEvent::KeyPress, Qt::Key_Return, Qt::NoModifier, true);  // the keyboard repeats it
+    wait(200);
+    if (line == 1) {
+      key(QEvent::KeyRelease, Qt::Key_Return);
+    } else {  // the window is left: nobody says that the key was let go
+      QFocusEvent out(QEvent::FocusOut);
+      QApplication::sendEvent(&canvas_, &out);
+    }
+    wait(300);
+    EXPECT_EQ(studio_.session().document().stroke_count(), static_cast<std::size_t>(line));
+  }
+  ASSERT_TRUE(studio_.use_device(QString::fromLatin1(kPenDeviceDefault)));
+  remove_pen_driver(driver);
 }
 
 // Keys alone: a line, an eraser across it, undone; and the same keys make the same line.

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "desktop/engine/tablet_lean.h"
+
 namespace felt::desktop {
 namespace {
 
@@ -26,6 +28,7 @@ bool senses(const QTabletEvent& event) {
 }  // namespace
 
 PenTestArea::PenTestArea(QWidget* parent) : QWidget(parent) {
+  setTabletTracking(true);  // how it leans is shown before it touches
   setAccessibleName(tr("Test area"));
   setAccessibleDescription(tr("Scribble here to try the pen; nothing of it is kept."));
   setCursor(Qt::CrossCursor);
@@ -108,6 +111,7 @@ void PenTestArea::tabletEvent(QTabletEvent* event) {
                    !(event->type() == QEvent::TabletRelease && event->button() == Qt::LeftButton);
   point(event->position(), tip, senses(*event) ? std::optional(event->pressure()) : std::nullopt,
         event->timestamp());
+  Q_EMIT leaned(lean_of(*event));
   event->accept();
 }
 
@@ -117,6 +121,7 @@ void PenTestArea::mousePressEvent(QMouseEvent* event) {
 
 void PenTestArea::mouseMoveEvent(QMouseEvent* event) {
   if (event->source() != Qt::MouseEventNotSynthesized) return;
+  Q_EMIT leaned(std::nullopt);
   point(event->position(), event->buttons().testFlag(Qt::LeftButton), std::nullopt,
         event->timestamp());
 }

@@ -25,6 +25,8 @@ class PenTestArea : public QWidget {
   /// The pen presses: what the tablet says (none: a mouse), and what becomes of it, 0..1. Both 0:
   /// it was lifted.
   void pressed(std::optional<double> raw, double curved);
+  /// How far the pen leans from the upright, degrees; none: it does not say.
+  void leaned(std::optional<double> lean_deg);
 
  protected:
   void paintEvent(QPaintEvent* event) override;

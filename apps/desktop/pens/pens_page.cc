@@ -109,17 +109,23 @@ QWidget* PensPage::make_test() {
   numbers_ = new QLabel;
   numbers_->setMinimumWidth(numbers_->fontMetrics().horizontalAdvance(
       tr("pen %1, line %2").arg(percent(1.0), percent(1.0)) + QStringLiteral("  ")));
+  lean_ = new QLabel;
+  lean_->setToolTip(
+      tr("Charcoal, chalk and pencils draw broader with a pen that leans, where it can say so."));
   auto* wipe = new QPushButton(tr("&Wipe"));
   wipe->setToolTip(tr("Takes what was scribbled away."));
   connect(wipe, &QPushButton::clicked, area_, &PenTestArea::clear);
   connect(area_, &PenTestArea::pressed, this, &PensPage::show_pressure);
+  connect(area_, &PenTestArea::leaned, this, &PensPage::show_lean);
   layout->addWidget(area_, 0, 0, 1, 3);
   layout->addWidget(bar_, 1, 0);
   layout->addWidget(numbers_, 1, 1);
   layout->addWidget(wipe, 1, 2);
+  layout->addWidget(lean_, 2, 0, 1, 3);
   layout->setColumnStretch(0, 1);
   layout->setRowStretch(0, 1);
   show_pressure(0.0, 0.0);
+  show_lean({});
   return box;
 }
 
@@ -202,6 +208,11 @@ void PensPage::show_pressure(std::optional<double> raw, double curved) {
   editor_->show_raw(raw.value_or(0.0));
   numbers_->setText(raw ? tr("pen %1, line %2").arg(percent(*raw), percent(curved))
                         : tr("mouse, line %1").arg(percent(curved)));
+}
+
+void PensPage::show_lean(std::optional<double> lean_deg) {
+  lean_->setText(lean_deg ? tr("The pen leans by %L1°").arg(*lean_deg, 0, 'f', 0)
+                          : tr("How far the pen leans is not known"));
 }
 
 }  // namespace felt::desktop

@@ -31,6 +31,7 @@ class PensPage : public QWidget {
   QComboBox* make_choice(const char* key, const QString& name);
   void set_curve(PressureCurve curve);
   void show_pressure(std::optional<double> raw, double curved);
+  void show_lean(std::optional<double> lean_deg);
   void load();
 
   QCheckBox* pressure_on_;
@@ -41,6 +42,7 @@ class PensPage : public QWidget {
   PenTestArea* area_;
   QProgressBar* bar_;
   QLabel* numbers_;
+  QLabel* lean_;
   bool loads_ = false;
 };
 

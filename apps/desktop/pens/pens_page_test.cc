@@ -3,8 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <QApplication>
+#include <QLabel>
 #include <QMouseEvent>
+#include <QTabletEvent>
 #include <QTest>
+#include <algorithm>
 #include <cmath>
 
 #include "desktop/engine/settings.h"
@@ -58,6 +61,34 @@ TEST(PensPage, TheCurveFollowsSlidersHandlesAndKeys) {
   EXPECT_TRUE((now.first() - QPointF(0.5, 0.5)).manhattanLength() < 0.02 ||
               (now.second() - QPointF(0.5, 0.5)).manhattanLength() < 0.02);
   PressureCurve().store();
+}
+
+/// With a tablet that senses it, and with one that does not.
+TEST(PensPage, ShowsHowThePenLeans) {
+  PensPage page;
+  page.resize(700, 600);
+  page.show();
+  auto* area = page.findChild<PenTestArea*>();
+  ASSERT_NE(area, nullptr);
+  const auto says = [&page](const QString& words) {
+    const QList<QLabel*> labels = page.findChildren<QLabel*>();
+    return std::any_of(labels.begin(), labels.end(),
+                       [&](const QLabel* label) { return label->text() == words; });
+  };
+  const auto lean = [&](QInputDevice::Capabilities more) {
+    const QPointingDevice pen(QStringLiteral("test pen"), 21, QInputDevice::DeviceType::Stylus,
+                              QPointingDevice::PointerType::Pen,
+                              QInputDevice::Capability::Position | more, 1, 3);
+    QTabletEvent event(QEvent::TabletMove, &pen, {20, 20}, {20, 20}, 0.0, 45, 0, 0, 0, 0,
+                       Qt::NoModifier, Qt::NoButton, Qt::NoButton);
+    QApplication::sendEvent(area, &event);
+  };
+  const QString none = QStringLiteral("How far the pen leans is not known");
+  EXPECT_TRUE(says(none));
+  lean(QInputDevice::Capability::XTilt | QInputDevice::Capability::YTilt);
+  EXPECT_TRUE(says(QStringLiteral("The pen leans by 45°")));
+  lean({});
+  EXPECT_TRUE(says(none));
 }
 
 TEST(PensPage, TheTestAreaShowsWhatTheMouseDoes) {

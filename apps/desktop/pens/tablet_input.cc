@@ -3,6 +3,8 @@
 #include <QPointingDevice>
 #include <utility>
 
+#include "desktop/engine/tablet_lean.h"
+
 namespace felt::desktop {
 namespace {
 
@@ -57,7 +59,7 @@ void TabletInput::take(const QTabletEvent& event) {
   std::optional<double> pressure;
   if (!settings_.pressure_on) pressure = kMiddlePressure;
   if (settings_.pressure_on && senses) pressure = settings_.curve(raw);
-  hand_.point(PenHand::Source::kTablet, px, time_ns, touching, pressure);
+  hand_.point(PenHand::Source::kTablet, px, time_ns, touching, pressure, lean_of(event));
 }
 
 void TabletInput::note_pressure(const QTabletEvent& event, bool touching) {

@@ -12,8 +12,9 @@
 
 namespace felt::desktop {
 
-/// A pen of a tablet as the hand: pressure by the person's curve, the eraser end and the buttons on
-/// its side as borrowed tools, times of the device. What it is given must outlive it.
+/// A pen of a tablet as the hand: pressure by the person's curve, lean as it is, the eraser end and
+/// the buttons on its side as borrowed tools, times of the device. What it is given must outlive
+/// it.
 class TabletInput : public QObject {
   Q_OBJECT
 

@@ -103,6 +103,81 @@
     </message>
 </context>
 <context>
+    <name>DeviceWords</name>
+    <message>
+        <source>the device is not connected any more</source>
+        <translation>das Gerät ist nicht mehr angeschlossen</translation>
+    </message>
+    <message>
+        <source>the device does not know where its arm is</source>
+        <translation>das Gerät weiß nicht, wo sein Arm ist</translation>
+    </message>
+    <message>
+        <source>the device has switched its forces off</source>
+        <translation>das Gerät hat seine Kräfte abgeschaltet</translation>
+    </message>
+    <message>
+        <source>its motors are warm</source>
+        <translation>seine Motoren sind warm</translation>
+    </message>
+    <message>
+        <source>the device says what cannot be</source>
+        <translation>das Gerät meldet Unmögliches</translation>
+    </message>
+    <message>
+        <source>the device reports a fault</source>
+        <translation>das Gerät meldet einen Fehler</translation>
+    </message>
+    <message>
+        <source>%1 is not connected any more.</source>
+        <translation>%1 ist nicht mehr angeschlossen.</translation>
+    </message>
+    <message>
+        <source>Draw on with mouse or tablet; nothing is lost. Look at its cable and its power.</source>
+        <translation>Mit Maus oder Tablett weiterzeichnen; nichts ist verloren. Kabel und Stromversorgung prüfen.</translation>
+    </message>
+    <message>
+        <source>%1 does not know where its arm is.</source>
+        <translation>%1 weiß nicht, wo sein Arm ist.</translation>
+    </message>
+    <message>
+        <source>Draw on with mouse or tablet until it has found its home.</source>
+        <translation>Mit Maus oder Tablett weiterzeichnen, bis es seine Ausgangslage gefunden hat.</translation>
+    </message>
+    <message>
+        <source>%1 has switched its forces off.</source>
+        <translation>%1 hat seine Kräfte abgeschaltet.</translation>
+    </message>
+    <message>
+        <source>Its button or its own guard did that. Draw on without forces, or switch them on again there and here.</source>
+        <translation>Das war sein Knopf oder sein eigener Schutz. Ohne Kräfte weiterzeichnen oder sie dort und hier wieder einschalten.</translation>
+    </message>
+    <message>
+        <source>The motors of %1 are warm.</source>
+        <translation>Die Motoren von %1 sind warm.</translation>
+    </message>
+    <message>
+        <source>Draw on without forces. After some minutes of rest they can be switched on again.</source>
+        <translation>Ohne Kräfte weiterzeichnen. Nach einigen Minuten Ruhe lassen sie sich wieder einschalten.</translation>
+    </message>
+    <message>
+        <source>%1 says what cannot be.</source>
+        <translation>%1 meldet Unmögliches.</translation>
+    </message>
+    <message>
+        <source>%1 reports a fault.</source>
+        <translation>%1 meldet einen Fehler.</translation>
+    </message>
+    <message>
+        <source>Draw on without forces.</source>
+        <translation>Ohne Kräfte weiterzeichnen.</translation>
+    </message>
+    <message>
+        <source>Draw on with mouse or tablet. Look at its cable, switch it off and on, and try again.</source>
+        <translation>Mit Maus oder Tablett weiterzeichnen. Das Kabel prüfen, das Gerät aus- und einschalten und es noch einmal versuchen.</translation>
+    </message>
+</context>
+<context>
     <name>EditActions</name>
     <message>
         <source>&amp;Undo</source>
@@ -223,10 +298,6 @@
         <translation>Die Kräfte sind aus. Im Feld „Gefühl“ schaltet man sie wieder ein.</translation>
     </message>
     <message>
-        <source>S&amp;ound of the pen</source>
-        <translation>&amp;Ton des Stifts</translation>
-    </message>
-    <message>
         <source>Hear the pen rub on the sheet</source>
         <translation>Den Stift auf dem Blatt reiben hören</translation>
     </message>
@@ -245,6 +316,10 @@
     <message>
         <source>Stop forces, &amp;never start (Esc twice)</source>
         <translation>Kräfte anhalten, &amp;nie einschalten (Esc zweimal)</translation>
+    </message>
+    <message>
+        <source>S&amp;ound of drawing</source>
+        <translation>&amp;Ton beim Zeichnen</translation>
     </message>
 </context>
 <context>
@@ -477,6 +552,98 @@
     <message>
         <source>%1, %2, %3.</source>
         <translation>%1, %2, %3.</translation>
+    </message>
+    <message>
+        <source>Rough paper</source>
+        <translation>Raues Papier</translation>
+    </message>
+    <message>
+        <source>Watercolour paper</source>
+        <translation>Aquarellpapier</translation>
+    </message>
+    <message>
+        <source>Canvas</source>
+        <translation>Leinwand</translation>
+    </message>
+    <message>
+        <source>Wood</source>
+        <translation>Holz</translation>
+    </message>
+    <message>
+        <source>matted fibres</source>
+        <translation>verfilzte Fasern</translation>
+    </message>
+    <message>
+        <source>grain along the board</source>
+        <translation>Maserung längs des Bretts</translation>
+    </message>
+    <message>
+        <source>hilly grain</source>
+        <translation>hügeliges Korn</translation>
+    </message>
+    <message>
+        <source>Pencil</source>
+        <translation>Bleistift</translation>
+    </message>
+    <message>
+        <source>Hard pencil</source>
+        <translation>Harter Bleistift</translation>
+    </message>
+    <message>
+        <source>Soft pencil</source>
+        <translation>Weicher Bleistift</translation>
+    </message>
+    <message>
+        <source>Charcoal</source>
+        <translation>Kohle</translation>
+    </message>
+    <message>
+        <source>Chalk</source>
+        <translation>Kreide</translation>
+    </message>
+    <message>
+        <source>Crayon</source>
+        <translation>Wachskreide</translation>
+    </message>
+    <message>
+        <source>Felt-tip</source>
+        <translation>Filzstift</translation>
+    </message>
+    <message>
+        <source>Ink pen</source>
+        <translation>Tuschestift</translation>
+    </message>
+    <message>
+        <source>Brush pen</source>
+        <translation>Pinselstift</translation>
+    </message>
+    <message>
+        <source>Eraser</source>
+        <translation>Radierer</translation>
+    </message>
+    <message>
+        <source>hides the grain</source>
+        <translation>deckt die Körnung zu</translation>
+    </message>
+    <message>
+        <source>grain to feel, not to see</source>
+        <translation>Körnung zu fühlen, nicht zu sehen</translation>
+    </message>
+    <message>
+        <source>fills the grain</source>
+        <translation>füllt die Körnung</translation>
+    </message>
+    <message>
+        <source>shows the grain</source>
+        <translation>zeigt die Körnung</translation>
+    </message>
+    <message>
+        <source>%1 to %2 mm</source>
+        <translation>%1 bis %2 mm</translation>
+    </message>
+    <message>
+        <source>%1, %2, lines of %3.</source>
+        <translation>%1, %2, Linien von %3.</translation>
     </message>
 </context>
 <context>
@@ -713,6 +880,10 @@
         <source>Simulated %1</source>
         <translation>%1, simuliert</translation>
     </message>
+    <message>
+        <source>A person holds it, and feels the forces.</source>
+        <translation>Man hält es in der Hand und fühlt die Kräfte.</translation>
+    </message>
 </context>
 <context>
     <name>SafetyWords</name>
@@ -891,6 +1062,61 @@
     <message>
         <source>Other</source>
         <translation>Andere</translation>
+    </message>
+    <message>
+        <source>Drawing goes on. Switch them on at the device, lift the pen, and switch them on here.</source>
+        <translation>Das Zeichnen geht weiter. Am Gerät einschalten, den Stift heben und hier einschalten.</translation>
+    </message>
+    <message>
+        <source>Drawing goes on. Let the device rest for some minutes, then switch the forces on again.</source>
+        <translation>Das Zeichnen geht weiter. Das Gerät einige Minuten ruhen lassen, dann die Kräfte wieder einschalten.</translation>
+    </message>
+</context>
+<context>
+    <name>Stability</name>
+    <message>
+        <source>Stable, as wished</source>
+        <translation>Stabil, wie gewünscht</translation>
+    </message>
+    <message>
+        <source>Close to trembling</source>
+        <translation>Kurz vor dem Zittern</translation>
+    </message>
+    <message>
+        <source>Trembles</source>
+        <translation>Zittert</translation>
+    </message>
+    <message>
+        <source>Stable, but less than wished</source>
+        <translation>Stabil, aber weniger als gewünscht</translation>
+    </message>
+    <message>
+        <source>Too much for this device</source>
+        <translation>Zu viel für dieses Gerät</translation>
+    </message>
+    <message>
+        <source>The safety chain would switch forces off.</source>
+        <translation>Die Sicherheitskette würde die Kräfte abschalten.</translation>
+    </message>
+    <message>
+        <source>A pen that rests trembles with %1 N above 30 Hz; 0.04 N can be felt. Less hardness, less friction or more damping helps.</source>
+        <translation>Ein ruhender Stift zittert mit %1 N über 30 Hz; 0,04 N sind zu spüren. Weniger Härte, weniger Reibung oder mehr Dämpfung hilft.</translation>
+    </message>
+    <message>
+        <source>%1 has no motors: nothing is felt. The figures are those of a 3D Systems Touch.</source>
+        <translation>%1 hat keine Motoren: Nichts ist zu spüren. Die Werte sind die eines 3D Systems Touch.</translation>
+    </message>
+    <message>
+        <source>%1 % of what the device bears</source>
+        <translation>%1 % dessen, was das Gerät verträgt</translation>
+    </message>
+    <message>
+        <source>Hardness: this device makes it %1 of your %2 N/m.</source>
+        <translation>Härte: Dieses Gerät macht daraus %1 von Ihren %2 N/m.</translation>
+    </message>
+    <message>
+        <source>Grain: its hills are steeper than this loop can follow; felt are %1 of your %2 µm.</source>
+        <translation>Körnung: Ihre Hügel sind steiler, als diese Regelschleife folgen kann; zu fühlen sind %1 von Ihren %2 µm.</translation>
     </message>
 </context>
 <context>
@@ -1632,6 +1858,71 @@
     </message>
 </context>
 <context>
+    <name>felt::desktop::CuePlayer</name>
+    <message>
+        <source>%1 is gone. It plays again when it is back.</source>
+        <translation>%1 ist weg. Es spielt wieder, sobald es zurück ist.</translation>
+    </message>
+</context>
+<context>
+    <name>felt::desktop::DeviceCare</name>
+    <message>
+        <source>Find its &amp;home…</source>
+        <translation>&amp;Ausgangslage suchen …</translation>
+    </message>
+    <message>
+        <source>&amp;Use it again</source>
+        <translation>Wieder &amp;benutzen</translation>
+    </message>
+    <message>
+        <source>Plugged in again it is used again, without forces at first.</source>
+        <translation>Wieder angesteckt wird es wieder benutzt, zunächst ohne Kräfte.</translation>
+    </message>
+    <message>
+        <source>%1 is in use in another window.</source>
+        <translation>%1 wird in einem anderen Fenster benutzt.</translation>
+    </message>
+    <message>
+        <source>%1 does not open.</source>
+        <translation>%1 lässt sich nicht öffnen.</translation>
+    </message>
+    <message>
+        <source>&amp;Try again</source>
+        <translation>Noch einmal &amp;versuchen</translation>
+    </message>
+    <message>
+        <source>%1 is there. It must find its home before it is used.</source>
+        <translation>%1 ist da. Vor dem Benutzen muss es seine Ausgangslage finden.</translation>
+    </message>
+    <message>
+        <source>%1 is in use. Its forces are off until you switch them on.</source>
+        <translation>%1 wird benutzt. Seine Kräfte sind aus, bis Sie sie einschalten.</translation>
+    </message>
+    <message>
+        <source>Switch &amp;forces on</source>
+        <translation>Kräfte &amp;einschalten</translation>
+    </message>
+</context>
+<context>
+    <name>felt::desktop::DeviceNotice</name>
+    <message>
+        <source>&amp;Details</source>
+        <translation>&amp;Einzelheiten</translation>
+    </message>
+    <message>
+        <source>What the device itself says</source>
+        <translation>Was das Gerät selbst sagt</translation>
+    </message>
+    <message>
+        <source>Close this message</source>
+        <translation>Diese Meldung schließen</translation>
+    </message>
+    <message>
+        <source>The device says: %1</source>
+        <translation>Das Gerät sagt: %1</translation>
+    </message>
+</context>
+<context>
     <name>felt::desktop::DevicePage</name>
     <message>
         <source>Feels pressure, if the pen does. No motors.</source>
@@ -1644,10 +1935,6 @@
     <message>
         <source>Pushes with up to %L1 N, for long with %L2 N. Loop of %L3 Hz.</source>
         <translation>Drückt mit bis zu %L1 N, auf Dauer mit %L2 N. Schleife mit %L3 Hz.</translation>
-    </message>
-    <message>
-        <source>Set the drawing plane…</source>
-        <translation>Zeichenebene einrichten …</translation>
     </message>
     <message>
         <source>Device</source>
@@ -1674,12 +1961,234 @@
         <translation>Die Kräfte bleiben aus, bis Sie sie einschalten.</translation>
     </message>
     <message>
-        <source>The drawing plane is set.</source>
-        <translation>Die Zeichenebene ist eingerichtet.</translation>
+        <source>&amp;Use this device</source>
+        <translation>Dieses Gerät &amp;benutzen</translation>
     </message>
     <message>
-        <source>The drawing plane has not been set yet.</source>
-        <translation>Die Zeichenebene ist noch nicht eingerichtet.</translation>
+        <source>Vibrations</source>
+        <translation>Vibrationen</translation>
+    </message>
+    <message>
+        <source>A haptic pen, mouse, touchpad or game controller that hums and ticks with what you draw, whatever the pen is</source>
+        <translation>Ein haptischer Stift, eine Maus, ein Touchpad oder ein Spielregler, der mit der Zeichnung summt und tickt, gleich welcher Stift zeichnet</translation>
+    </message>
+    <message>
+        <source>&amp;Vibrations</source>
+        <translation>&amp;Vibrationen</translation>
+    </message>
+    <message>
+        <source>In use; %1</source>
+        <translation>Benutzt; %1</translation>
+    </message>
+    <message>
+        <source>In use, forces off</source>
+        <translation>Benutzt, Kräfte aus</translation>
+    </message>
+    <message>
+        <source>In use</source>
+        <translation>Benutzt</translation>
+    </message>
+    <message>
+        <source>Not connected; used again when it is</source>
+        <translation>Nicht angeschlossen; wird wieder benutzt, sobald es das ist</translation>
+    </message>
+    <message>
+        <source>In use in another window</source>
+        <translation>In einem anderen Fenster benutzt</translation>
+    </message>
+    <message>
+        <source>Its software is here; whether it is connected shows when it is used</source>
+        <translation>Seine Software ist da; ob es angeschlossen ist, zeigt sich beim Benutzen</translation>
+    </message>
+    <message>
+        <source>Connected; its settings cannot be read</source>
+        <translation>Angeschlossen; seine Einstellungen sind nicht lesbar</translation>
+    </message>
+    <message>
+        <source>Connected</source>
+        <translation>Angeschlossen</translation>
+    </message>
+    <message>
+        <source>Connected; its drawing plane is not set yet</source>
+        <translation>Angeschlossen; seine Zeichenebene ist noch nicht festgelegt</translation>
+    </message>
+    <message>
+        <source>Another haptic device…</source>
+        <translation>Ein anderes haptisches Gerät …</translation>
+    </message>
+    <message>
+        <source>A haptic device…</source>
+        <translation>Ein haptisches Gerät …</translation>
+    </message>
+    <message>
+        <source>Not here? See what is missing, step by step</source>
+        <translation>Nicht dabei? Schritt für Schritt sehen, was fehlt</translation>
+    </message>
+    <message>
+        <source>Mend that line, or remove the file.</source>
+        <translation>Diese Zeile berichtigen oder die Datei entfernen.</translation>
+    </message>
+    <message>
+        <source>Look at its cable and its power.</source>
+        <translation>Kabel und Stromversorgung prüfen.</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>Keine</translation>
+    </message>
+    <message>
+        <source>%1 (not connected)</source>
+        <translation>%1 (nicht angeschlossen)</translation>
+    </message>
+</context>
+<context>
+    <name>felt::desktop::DeviceSettings</name>
+    <message>
+        <source>&amp;Set the drawing plane…</source>
+        <translation>&amp;Zeichenebene festlegen …</translation>
+    </message>
+    <message>
+        <source>Fit to the s&amp;heet</source>
+        <translation>An das &amp;Blatt anpassen</translation>
+    </message>
+    <message>
+        <source>Name of the device</source>
+        <translation>Name des Geräts</translation>
+    </message>
+    <message>
+        <source>Right hand</source>
+        <translation>Rechte Hand</translation>
+    </message>
+    <message>
+        <source>Left hand</source>
+        <translation>Linke Hand</translation>
+    </message>
+    <message>
+        <source>The hand that holds it</source>
+        <translation>Die Hand, die es hält</translation>
+    </message>
+    <message>
+        <source> N</source>
+        <translation> N</translation>
+    </message>
+    <message>
+        <source>No force is ever larger than this, whatever a tool asks for</source>
+        <translation>Keine Kraft ist je größer, was auch immer ein Werkzeug verlangt</translation>
+    </message>
+    <message>
+        <source>Largest force</source>
+        <translation>Größte Kraft</translation>
+    </message>
+    <message>
+        <source>as it can</source>
+        <translation>was es kann</translation>
+    </message>
+    <message>
+        <source> N/m</source>
+        <translation> N/m</translation>
+    </message>
+    <message>
+        <source>Lower it where the sheet hums or trembles under the pen</source>
+        <translation>Senken, wenn das Blatt unter dem Stift brummt oder zittert</translation>
+    </message>
+    <message>
+        <source>Stiffest sheet</source>
+        <translation>Steifstes Blatt</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation> %</translation>
+    </message>
+    <message>
+        <source>100 %: a millimetre of the hand is one of the sheet. 200 %: it is two, and the hand has half the way.</source>
+        <translation>100 %: ein Millimeter der Hand ist einer auf dem Blatt. 200 %: es sind zwei, und die Hand hat den halben Weg.</translation>
+    </message>
+    <message>
+        <source>Size of a movement on the sheet</source>
+        <translation>Größe einer Bewegung auf dem Blatt</translation>
+    </message>
+    <message>
+        <source>The middle of the drawing area on the middle of the sheet, and so large that the whole sheet can be reached</source>
+        <translation>Die Mitte der Zeichenfläche auf der Mitte des Blatts und so groß, dass das ganze Blatt erreichbar ist</translation>
+    </message>
+    <message>
+        <source>&amp;Name</source>
+        <translation>&amp;Name</translation>
+    </message>
+    <message>
+        <source>&amp;Hand</source>
+        <translation>&amp;Hand</translation>
+    </message>
+    <message>
+        <source>&amp;Largest force</source>
+        <translation>&amp;Größte Kraft</translation>
+    </message>
+    <message>
+        <source>S&amp;tiffest sheet</source>
+        <translation>&amp;Steifstes Blatt</translation>
+    </message>
+    <message>
+        <source>Drawing plane</source>
+        <translation>Zeichenebene</translation>
+    </message>
+    <message>
+        <source>S&amp;ize on the sheet</source>
+        <translation>Größe au&amp;f dem Blatt</translation>
+    </message>
+    <message>
+        <source>Not set yet: as such a device usually stands.</source>
+        <translation>Noch nicht festgelegt: so, wie ein solches Gerät meist steht.</translation>
+    </message>
+    <message>
+        <source>Set: %L1 × %L2 mm.</source>
+        <translation>Festgelegt: %L1 × %L2 mm.</translation>
+    </message>
+    <message>
+        <source>Set.</source>
+        <translation>Festgelegt.</translation>
+    </message>
+    <message>
+        <source>Each hand has a drawing plane of its own: for the other one the device stands on the other side</source>
+        <translation>Jede Hand hat ihre eigene Zeichenebene: für die andere steht das Gerät auf der anderen Seite</translation>
+    </message>
+</context>
+<context>
+    <name>felt::desktop::DoctorDialog</name>
+    <message>
+        <source>Setting up a haptic device</source>
+        <translation>Ein haptisches Gerät einrichten</translation>
+    </message>
+    <message>
+        <source>A device pushes your hand only once its maker&apos;s software is installed and you may use its port. Feltline has looked at this computer. Work from the top down; a line with a dash is of a device that you may not own, and needs nothing.</source>
+        <translation>Ein Gerät schiebt die Hand erst, wenn die Software seines Herstellers installiert ist und Sie seinen Anschluss benutzen dürfen. Feltline hat diesen Rechner untersucht. Arbeiten Sie von oben nach unten; eine Zeile mit Strich betrifft ein Gerät, das Sie vielleicht nicht besitzen, und braucht nichts.</translation>
+    </message>
+    <message>
+        <source>What was found</source>
+        <translation>Was gefunden wurde</translation>
+    </message>
+    <message>
+        <source>&amp;Look again</source>
+        <translation>&amp;Noch einmal nachsehen</translation>
+    </message>
+    <message>
+        <source>&amp;Copy all</source>
+        <translation>Alles &amp;kopieren</translation>
+    </message>
+    <message>
+        <source>As plain text, to ask somebody who knows</source>
+        <translation>Als einfacher Text, um jemanden zu fragen, der sich auskennt</translation>
+    </message>
+    <message>
+        <source>Looking…</source>
+        <translation>Wird nachgesehen …</translation>
+    </message>
+    <message>
+        <source>This build of Feltline has no drivers.</source>
+        <translation>Dieses Feltline wurde ohne Treiber gebaut.</translation>
+    </message>
+    <message>
+        <source>Nothing to say.</source>
+        <translation>Nichts zu sagen.</translation>
     </message>
 </context>
 <context>
@@ -1744,6 +2253,14 @@
         <source>Keeps:</source>
         <translation>Bewahrt:</translation>
     </message>
+    <message>
+        <source>&amp;Grain of the sheet in dry ink</source>
+        <translation>&amp;Körnung des Blattes in trockener Tinte</translation>
+    </message>
+    <message>
+        <source>As on the screen. Lines stay lines: other programs show them through a picture of the grain</source>
+        <translation>Wie auf dem Bildschirm. Linien bleiben Linien: Andere Programme zeigen sie durch ein Bild der Körnung</translation>
+    </message>
 </context>
 <context>
     <name>felt::desktop::FeelPanel</name>
@@ -1786,6 +2303,41 @@
     <message>
         <source>Esc twice stops them too.</source>
         <translation>Auch Esc zweimal hält sie an.</translation>
+    </message>
+    <message>
+        <source>Edit…</source>
+        <translation>Bearbeiten …</translation>
+    </message>
+    <message>
+        <source>Change what sheets and media feel, look and sound like</source>
+        <translation>Ändern, wie Blätter und Zeichenmittel sich anfühlen, aussehen und klingen</translation>
+    </message>
+    <message>
+        <source>Edit sheets and media</source>
+        <translation>Blätter und Zeichenmittel bearbeiten</translation>
+    </message>
+</context>
+<context>
+    <name>felt::desktop::FeltPlot</name>
+    <message>
+        <source>Plot of what a stroke of 40 mm feels like</source>
+        <translation>Kurve dessen, was ein Strich von 40 mm fühlen lässt</translation>
+    </message>
+    <message>
+        <source>%1 N of drag; the grain changes it by up to %2 N, which can be felt.</source>
+        <translation>%1 N Reibung; die Körnung ändert sie um bis zu %2 N, was zu spüren ist.</translation>
+    </message>
+    <message>
+        <source>%1 N of drag; it changes by up to %2 N, which nobody feels.</source>
+        <translation>%1 N Reibung; sie ändert sich um bis zu %2 N, was niemand spürt.</translation>
+    </message>
+    <message>
+        <source>%1 N</source>
+        <translation>%1 N</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
     </message>
 </context>
 <context>
@@ -2009,6 +2561,14 @@ Ihre Zeichnung ist noch da: speichern Sie sie anderswo.</translation>
         <translation>Gewöhnlicher Betrieb: spät, wenn der Rechner beschäftigt ist.</translation>
     </message>
     <message>
+        <source>The loop stands still: the device does not answer.</source>
+        <translation>Die Schleife steht still: Das Gerät antwortet nicht.</translation>
+    </message>
+    <message>
+        <source>The device&apos;s own software runs the loop.</source>
+        <translation>Die Schleife läuft in der Software des Geräts.</translation>
+    </message>
+    <message>
         <source>Forces</source>
         <translation>Kräfte</translation>
     </message>
@@ -2190,6 +2750,26 @@ Ihre Zeichnung ist noch da: speichern Sie sie anderswo.</translation>
         <source>Where no file is named</source>
         <translation>Wenn keine Datei genannt ist</translation>
     </message>
+    <message>
+        <source>So&amp;und of drawing</source>
+        <translation>&amp;Ton beim Zeichnen</translation>
+    </message>
+    <message>
+        <source>Hear the pen rub on the sheet</source>
+        <translation>Den Stift auf dem Blatt reiben hören</translation>
+    </message>
+    <message>
+        <source>Volume of the sound of drawing</source>
+        <translation>Lautstärke des Tons beim Zeichnen</translation>
+    </message>
+    <message>
+        <source>Sound:</source>
+        <translation>Ton:</translation>
+    </message>
+    <message>
+        <source>&amp;Volume:</source>
+        <translation>La&amp;utstärke:</translation>
+    </message>
 </context>
 <context>
     <name>felt::desktop::GuideDialog</name>
@@ -2309,6 +2889,69 @@ Ihre Zeichnung ist noch da: speichern Sie sie anderswo.</translation>
     <message>
         <source>Steps</source>
         <translation>Schritte</translation>
+    </message>
+</context>
+<context>
+    <name>felt::desktop::HomingDialog</name>
+    <message>
+        <source>Bring %1 home</source>
+        <translation>%1 in die Ausgangslage bringen</translation>
+    </message>
+    <message>
+        <source>Finding home</source>
+        <translation>Ausgangslage wird gesucht</translation>
+    </message>
+    <message>
+        <source>Let it &amp;move</source>
+        <translation>Es darf sich &amp;bewegen</translation>
+    </message>
+    <message>
+        <source>It is &amp;there</source>
+        <translation>Es ist &amp;dort</translation>
+    </message>
+    <message>
+        <source>&amp;Not now</source>
+        <translation>&amp;Nicht jetzt</translation>
+    </message>
+    <message>
+        <source>May its arm move by itself?</source>
+        <translation>Darf sich der Arm von selbst bewegen?</translation>
+    </message>
+    <message>
+        <source>%1 must find out where its arm is, and moves it for that: for some seconds, as far as it reaches, with the force that it needs. Let go of it, clear the space around it, and keep hair, sleeves and cups away. You can stop it at any time by its power switch.</source>
+        <translation>%1 muss herausfinden, wo sein Arm ist, und bewegt ihn dazu: einige Sekunden lang, so weit er reicht, mit der Kraft, die er braucht. Lassen Sie ihn los, machen Sie ringsum Platz und halten Sie Haare, Ärmel und Tassen fern. Mit dem Netzschalter des Geräts lässt er sich jederzeit anhalten.</translation>
+    </message>
+    <message>
+        <source>Bring the arm to its rest pose</source>
+        <translation>Den Arm in die Ruhelage bringen</translation>
+    </message>
+    <message>
+        <source>%1 takes the pose that it rests in as its home. Nothing moves by itself.</source>
+        <translation>%1 nimmt die Lage, in der es ruht, als Ausgangslage. Nichts bewegt sich von selbst.</translation>
+    </message>
+    <message>
+        <source>Put the stylus into the inkwell</source>
+        <translation>Den Stift ins Tintenfass stecken</translation>
+    </message>
+    <message>
+        <source>%1 finds out where it is while its stylus is in the inkwell, the hole in its foot. Nothing moves by itself.</source>
+        <translation>%1 findet heraus, wo es ist, während sein Stift im Tintenfass steckt, dem Loch in seinem Fuß. Nichts bewegt sich von selbst.</translation>
+    </message>
+    <message>
+        <source>It is moving: hands off</source>
+        <translation>Es bewegt sich: Hände weg</translation>
+    </message>
+    <message>
+        <source>One moment: hold it still</source>
+        <translation>Einen Moment: still halten</translation>
+    </message>
+    <message>
+        <source>It did not find its home. Try again.</source>
+        <translation>Es hat seine Ausgangslage nicht gefunden. Versuchen Sie es noch einmal.</translation>
+    </message>
+    <message>
+        <source>That did not work: %1</source>
+        <translation>Das ging nicht: %1</translation>
     </message>
 </context>
 <context>
@@ -2506,6 +3149,349 @@ Doppelklick benennt um, Ziehen verschiebt</translation>
         <source>Closes all windows</source>
         <translation>Schließt alle Fenster</translation>
     </message>
+    <message>
+        <source>These of your own materials could not be read:</source>
+        <translation>Diese Ihrer eigenen Materialien konnten nicht gelesen werden:</translation>
+    </message>
+    <message>
+        <source>Ma&amp;terials…</source>
+        <translation>Ma&amp;terialien …</translation>
+    </message>
+    <message>
+        <source>Change what sheets and media feel, look and sound like, and make your own</source>
+        <translation>Ändern, wie Blätter und Zeichenmittel sich anfühlen, aussehen und klingen, und eigene machen</translation>
+    </message>
+    <message>
+        <source>&amp;Compare materials A and B</source>
+        <translation>Materialien A und B &amp;vergleichen</translation>
+    </message>
+    <message>
+        <source>Feel, see and hear the other one of the two that the editor compares</source>
+        <translation>Das andere der beiden fühlen, sehen und hören, die der Editor vergleicht</translation>
+    </message>
+</context>
+<context>
+    <name>felt::desktop::MaterialDesk</name>
+    <message>
+        <source>Figures of %1</source>
+        <translation>Werte von %1</translation>
+    </message>
+    <message>
+        <source>Relief of a picture</source>
+        <translation>Relief eines Bildes</translation>
+    </message>
+    <message>
+        <source>Friction of a pair</source>
+        <translation>Reibung eines Paares</translation>
+    </message>
+    <message>
+        <source>Revert</source>
+        <translation>Zurücksetzen</translation>
+    </message>
+    <message>
+        <source>%1, my own</source>
+        <translation>%1, eigenes</translation>
+    </message>
+    <message>
+        <source>Save as %1</source>
+        <translation>Speichern als %1</translation>
+    </message>
+    <message>
+        <source>Rename</source>
+        <translation>Umbenennen</translation>
+    </message>
+    <message>
+        <source>Delete %1</source>
+        <translation>%1 löschen</translation>
+    </message>
+    <message>
+        <source>Import %1</source>
+        <translation>%1 importieren</translation>
+    </message>
+</context>
+<context>
+    <name>felt::desktop::MaterialEditor</name>
+    <message>
+        <source>Materials</source>
+        <translation>Materialien</translation>
+    </message>
+    <message>
+        <source>S&amp;tart from:</source>
+        <translation>&amp;Ausgehen von:</translation>
+    </message>
+    <message>
+        <source>Take the figures of another one</source>
+        <translation>Die Werte eines anderen nehmen</translation>
+    </message>
+    <message>
+        <source>Sets all figures to those of another one; they can be changed then</source>
+        <translation>Setzt alle Werte auf die eines anderen; sie lassen sich dann ändern</translation>
+    </message>
+    <message>
+        <source>Figures of…</source>
+        <translation>Werte von …</translation>
+    </message>
+    <message>
+        <source>Figures</source>
+        <translation>Werte</translation>
+    </message>
+    <message>
+        <source>Relief from a picture…</source>
+        <translation>Relief aus einem Bild …</translation>
+    </message>
+    <message>
+        <source>A PNG of 8 or 16 bits: white is high. It is fitted into a square of 32 widths of the grain, and repeats without a seam</source>
+        <translation>Ein PNG mit 8 oder 16 Bit: Weiß ist hoch. Es wird in ein Quadrat von 32 Körnungsweiten eingepasst und wiederholt sich ohne Naht</translation>
+    </message>
+    <message>
+        <source>Light, firm, hard</source>
+        <translation>Leicht, fest, kräftig</translation>
+    </message>
+    <message>
+        <source>What a stroke feels like</source>
+        <translation>Wie ein Strich sich anfühlt</translation>
+    </message>
+    <message>
+        <source>Hatched: changes below 0.04 N, which nobody feels.</source>
+        <translation>Schraffiert: Änderungen unter 0,04 N, die niemand spürt.</translation>
+    </message>
+    <message>
+        <source>What the pen feels now</source>
+        <translation>Was der Stift jetzt fühlt</translation>
+    </message>
+    <message>
+        <source>What comes of it</source>
+        <translation>Was daraus wird</translation>
+    </message>
+    <message>
+        <source>Comes with Feltline. A change makes a copy of your own.</source>
+        <translation>Gehört zu Feltline. Eine Änderung macht eine eigene Kopie.</translation>
+    </message>
+    <message>
+        <source>Your own, not saved. It is kept all the same.</source>
+        <translation>Ihr eigenes, nicht gespeichert. Es bleibt trotzdem erhalten.</translation>
+    </message>
+    <message>
+        <source>Your own, saved.</source>
+        <translation>Ihr eigenes, gespeichert.</translation>
+    </message>
+    <message>
+        <source>Undo: %1</source>
+        <translation>Rückgängig: %1</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>Rückgängig</translation>
+    </message>
+    <message>
+        <source>Redo: %1</source>
+        <translation>Wiederherstellen: %1</translation>
+    </message>
+    <message>
+        <source>Redo</source>
+        <translation>Wiederherstellen</translation>
+    </message>
+    <message>
+        <source>Compare: A = B</source>
+        <translation>Vergleich: A = B</translation>
+    </message>
+    <message>
+        <source>Compare: %1</source>
+        <translation>Vergleich: %1</translation>
+    </message>
+    <message>
+        <source>You feel, see and hear %1. Press B for %2.</source>
+        <translation>Sie fühlen, sehen und hören %1. B drücken für %2.</translation>
+    </message>
+    <message>
+        <source>Copy %1 to %2</source>
+        <translation>%1 nach %2 kopieren</translation>
+    </message>
+    <message>
+        <source>Revert</source>
+        <translation>Zurücksetzen</translation>
+    </message>
+    <message>
+        <source>All figures as they were at first, or when last saved</source>
+        <translation>Alle Werte wie am Anfang oder wie zuletzt gespeichert</translation>
+    </message>
+    <message>
+        <source>The other one gets these figures</source>
+        <translation>Das andere bekommt diese Werte</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>Speichern</translation>
+    </message>
+    <message>
+        <source>Save as a file of your own</source>
+        <translation>Als eigene Datei speichern</translation>
+    </message>
+    <message>
+        <source>%1 is saved.</source>
+        <translation>%1 ist gespeichert.</translation>
+    </message>
+    <message>
+        <source>Save as…</source>
+        <translation>Speichern unter …</translation>
+    </message>
+    <message>
+        <source>Save under another name, as your own</source>
+        <translation>Unter einem anderen Namen als eigenes speichern</translation>
+    </message>
+    <message>
+        <source>Rename…</source>
+        <translation>Umbenennen …</translation>
+    </message>
+    <message>
+        <source>Another name</source>
+        <translation>Ein anderer Name</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Löschen</translation>
+    </message>
+    <message>
+        <source>Takes it away, and its file; undo brings it back</source>
+        <translation>Nimmt es und seine Datei weg; Rückgängig bringt beide zurück</translation>
+    </message>
+    <message>
+        <source>%1 is deleted. Undo brings it back.</source>
+        <translation>%1 ist gelöscht. Rückgängig bringt es zurück.</translation>
+    </message>
+    <message>
+        <source>Import…</source>
+        <translation>Importieren …</translation>
+    </message>
+    <message>
+        <source>Take up a material of a file</source>
+        <translation>Ein Material aus einer Datei aufnehmen</translation>
+    </message>
+    <message>
+        <source>Export…</source>
+        <translation>Exportieren …</translation>
+    </message>
+    <message>
+        <source>Write a file for others</source>
+        <translation>Eine Datei für andere schreiben</translation>
+    </message>
+    <message>
+        <source>More</source>
+        <translation>Mehr</translation>
+    </message>
+    <message>
+        <source>More commands</source>
+        <translation>Weitere Befehle</translation>
+    </message>
+    <message>
+        <source>Relief from a picture</source>
+        <translation>Relief aus einem Bild</translation>
+    </message>
+    <message>
+        <source>Pictures (*.png)</source>
+        <translation>Bilder (*.png)</translation>
+    </message>
+    <message>
+        <source>Save as</source>
+        <translation>Speichern unter</translation>
+    </message>
+    <message>
+        <source>Name:</source>
+        <translation>Name:</translation>
+    </message>
+    <message>
+        <source>Rename</source>
+        <translation>Umbenennen</translation>
+    </message>
+    <message>
+        <source>Import</source>
+        <translation>Importieren</translation>
+    </message>
+    <message>
+        <source>Materials (*.toml)</source>
+        <translation>Materialien (*.toml)</translation>
+    </message>
+    <message>
+        <source>It is yours now, and not saved yet.</source>
+        <translation>Es gehört jetzt Ihnen und ist noch nicht gespeichert.</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>Exportieren</translation>
+    </message>
+    <message>
+        <source>%1 is written.</source>
+        <translation>%1 ist geschrieben.</translation>
+    </message>
+</context>
+<context>
+    <name>felt::desktop::MaterialFieldsView</name>
+    <message>
+        <source>Another</source>
+        <translation>Andere</translation>
+    </message>
+    <message>
+        <source>Another seed</source>
+        <translation>Ein anderer Startwert</translation>
+    </message>
+    <message>
+        <source>General</source>
+        <translation>Allgemein</translation>
+    </message>
+    <message>
+        <source>In the hand</source>
+        <translation>In der Hand</translation>
+    </message>
+    <message>
+        <source>Grain</source>
+        <translation>Körnung</translation>
+    </message>
+    <message>
+        <source>Line</source>
+        <translation>Linie</translation>
+    </message>
+    <message>
+        <source>To the eye</source>
+        <translation>Für das Auge</translation>
+    </message>
+    <message>
+        <source>To the ear</source>
+        <translation>Für das Ohr</translation>
+    </message>
+</context>
+<context>
+    <name>felt::desktop::MaterialList</name>
+    <message>
+        <source>Sheets and media</source>
+        <translation>Blätter und Zeichenmittel</translation>
+    </message>
+    <message>
+        <source>Sheets</source>
+        <translation>Blätter</translation>
+    </message>
+    <message>
+        <source>My own sheets</source>
+        <translation>Eigene Blätter</translation>
+    </message>
+    <message>
+        <source>Media</source>
+        <translation>Zeichenmittel</translation>
+    </message>
+    <message>
+        <source>My own media</source>
+        <translation>Eigene Zeichenmittel</translation>
+    </message>
+    <message>
+        <source>%1 • not saved</source>
+        <translation>%1 • nicht gespeichert</translation>
+    </message>
+</context>
+<context>
+    <name>felt::desktop::MediaPicker</name>
+    <message>
+        <source>What is drawn with</source>
+        <translation>Womit gezeichnet wird</translation>
+    </message>
 </context>
 <context>
     <name>felt::desktop::NoticeBar</name>
@@ -2687,6 +3673,37 @@ Doppelklick benennt um, Ziehen verschiebt</translation>
     </message>
 </context>
 <context>
+    <name>felt::desktop::PairTable</name>
+    <message>
+        <source>Friction on each sheet</source>
+        <translation>Reibung auf jedem Blatt</translation>
+    </message>
+    <message>
+        <source>Bold numbers are the medium&apos;s own for that sheet</source>
+        <translation>Fette Zahlen sind die eigenen des Zeichenmittels auf diesem Blatt</translation>
+    </message>
+    <message>
+        <source>Double-click a number, or press F2, to set the friction on that sheet</source>
+        <translation>Eine Zahl doppelt anklicken oder F2 drücken, um die Reibung auf diesem Blatt zu setzen</translation>
+    </message>
+    <message>
+        <source>Sheet</source>
+        <translation>Blatt</translation>
+    </message>
+    <message>
+        <source>Friction</source>
+        <translation>Reibung</translation>
+    </message>
+    <message>
+        <source>By the rule</source>
+        <translation>Nach der Regel</translation>
+    </message>
+    <message>
+        <source>Friction of the medium times that of the sheet, again</source>
+        <translation>Wieder die Reibung des Zeichenmittels mal die des Blattes</translation>
+    </message>
+</context>
+<context>
     <name>felt::desktop::PenInput</name>
     <message>
         <source>Pressure is switched off.</source>
@@ -2779,6 +3796,10 @@ Doppelklick benennt um, Ziehen verschiebt</translation>
         <translation>Stift %1, Linie %2</translation>
     </message>
     <message>
+        <source>Charcoal, chalk and pencils draw broader with a pen that leans, where it can say so.</source>
+        <translation>Kohle, Kreide und Bleistifte zeichnen breiter, wenn der Stift sich neigt, sofern er das sagen kann.</translation>
+    </message>
+    <message>
         <source>&amp;Wipe</source>
         <translation>&amp;Wischen</translation>
     </message>
@@ -2857,6 +3878,14 @@ Doppelklick benennt um, Ziehen verschiebt</translation>
     <message>
         <source>mouse, line %1</source>
         <translation>Maus, Linie %1</translation>
+    </message>
+    <message>
+        <source>The pen leans by %L1°</source>
+        <translation>Der Stift ist um %L1° geneigt</translation>
+    </message>
+    <message>
+        <source>How far the pen leans is not known</source>
+        <translation>Wie weit der Stift geneigt ist, ist nicht bekannt</translation>
     </message>
 </context>
 <context>
@@ -3114,6 +4143,24 @@ Doppelklick benennt um, Ziehen verschiebt</translation>
     </message>
 </context>
 <context>
+    <name>felt::desktop::SoundState</name>
+    <message>
+        <source>There is no sound device now, so nothing is heard. It is heard once there is one.</source>
+        <translation>Es gibt gerade kein Tongerät, daher ist nichts zu hören. Sobald es eines gibt, ist es zu hören.</translation>
+    </message>
+    <message>
+        <source>This program was built without sound.</source>
+        <translation>Dieses Programm wurde ohne Ton gebaut.</translation>
+    </message>
+</context>
+<context>
+    <name>felt::desktop::StabilitySign</name>
+    <message>
+        <source>Stability</source>
+        <translation>Stabilität</translation>
+    </message>
+</context>
+<context>
     <name>felt::desktop::StatusLine</name>
     <message>
         <source>Hint</source>
@@ -3158,6 +4205,36 @@ Doppelklick benennt um, Ziehen verschiebt</translation>
     <message>
         <source>Not saved</source>
         <translation>Nicht gespeichert</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>%1, %L2 Hz</source>
+        <translation>%1, %L2 Hz</translation>
+    </message>
+</context>
+<context>
+    <name>felt::desktop::StrokePreview</name>
+    <message>
+        <source>Three strokes: light, firm, hard</source>
+        <translation>Drei Striche: leicht, fest, kräftig</translation>
+    </message>
+    <message>
+        <source>%1 on %2</source>
+        <translation>%1 auf %2</translation>
+    </message>
+</context>
+<context>
+    <name>felt::desktop::Studio</name>
+    <message>
+        <source>%1 hangs in its maker&apos;s software and was given up. The drawing is kept. Start Feltline anew to use it again.</source>
+        <translation>%1 hängt in der Software des Herstellers und wurde aufgegeben. Die Zeichnung ist erhalten. Starten Sie Feltline neu, um es wieder zu benutzen.</translation>
+    </message>
+    <message>
+        <source>The sheet “%1” is not known here: it feels as the one before.</source>
+        <translation>Das Blatt „%1“ ist hier nicht bekannt: Es fühlt sich an wie das vorige.</translation>
     </message>
 </context>
 <context>
@@ -3230,6 +4307,18 @@ Doppelklick benennt um, Ziehen verschiebt</translation>
     <message>
         <source>What the sheet feels and looks like</source>
         <translation>Wie sich das Blatt anfühlt und aussieht</translation>
+    </message>
+    <message>
+        <source>Pen:</source>
+        <translation>Stift:</translation>
+    </message>
+    <message>
+        <source>What is drawn with</source>
+        <translation>Womit gezeichnet wird</translation>
+    </message>
+    <message>
+        <source>What the pen is made of: how it looks, feels and sounds</source>
+        <translation>Woraus der Stift ist: wie er aussieht, sich anfühlt und klingt</translation>
     </message>
 </context>
 <context>
@@ -3426,6 +4515,10 @@ Doppelklick benennt um, Ziehen verschiebt</translation>
         <translation>Wie weit die fertige Linie von der geglätteten abweichen darf, für weniger Segmente.</translation>
     </message>
     <message>
+        <source>How far the pen leans, from upright, where the device does not say: some media draw broader and softer with their side.</source>
+        <translation>Wie weit der Stift aus der Senkrechten geneigt ist, wenn das Gerät es nicht sagt: manche Zeichenmittel zeichnen mit ihrer Seite breiter und weicher.</translation>
+    </message>
+    <message>
         <source>How fast it irons; pressing harder irons faster too.</source>
         <translation>Wie schnell es glättet; fester drücken glättet auch schneller.</translation>
     </message>
@@ -3464,6 +4557,10 @@ Doppelklick benennt um, Ziehen verschiebt</translation>
     <message>
         <source>Lasso</source>
         <translation>Lasso</translation>
+    </message>
+    <message>
+        <source>Lean of a mouse&apos;s pen</source>
+        <translation>Neigung des Stifts einer Maus</translation>
     </message>
     <message>
         <source>Leave the end where it is let go</source>
@@ -3940,6 +5037,354 @@ Doppelklick benennt um, Ziehen verschiebt</translation>
     <message>
         <source>towed</source>
         <translation>geschleppt</translation>
+    </message>
+    <message>
+        <source>Canvas</source>
+        <translation>Leinwand</translation>
+    </message>
+    <message>
+        <source>Rough paper</source>
+        <translation>Raues Papier</translation>
+    </message>
+    <message>
+        <source>Watercolour paper</source>
+        <translation>Aquarellpapier</translation>
+    </message>
+    <message>
+        <source>Wood</source>
+        <translation>Holz</translation>
+    </message>
+    <message>
+        <source>canvas</source>
+        <translation>Leinwand</translation>
+    </message>
+    <message>
+        <source>rough-paper</source>
+        <translation>Raues Papier</translation>
+    </message>
+    <message>
+        <source>watercolour</source>
+        <translation>Aquarellpapier</translation>
+    </message>
+    <message>
+        <source>wood</source>
+        <translation>Holz</translation>
+    </message>
+    <message>
+        <source>Above 1 a light hand stays pale for longer, below 1 it darkens sooner.</source>
+        <translation>Über 1 bleibt eine leichte Hand länger blass, unter 1 wird sie früher dunkel.</translation>
+    </message>
+    <message>
+        <source>Another one makes another relief of its kind.</source>
+        <translation>Ein anderer macht ein anderes Relief dieser Art.</translation>
+    </message>
+    <message>
+        <source>Brightness of the sound</source>
+        <translation>Helligkeit des Klangs</translation>
+    </message>
+    <message>
+        <source>Character of the grain</source>
+        <translation>Art der Körnung</translation>
+    </message>
+    <message>
+        <source>Coefficient of friction of the pencil on it.</source>
+        <translation>Reibungszahl des Bleistifts darauf.</translation>
+    </message>
+    <message>
+        <source>Coefficient of friction on paper; pairs may say otherwise.</source>
+        <translation>Reibungszahl auf Papier; Paare können es anders sagen.</translation>
+    </message>
+    <message>
+        <source>Colour</source>
+        <translation>Farbe</translation>
+    </message>
+    <message>
+        <source>Colour of the sheet; a page of another keeps its own.</source>
+        <translation>Farbe des Blattes; eine Seite von anderer Farbe behält ihre.</translation>
+    </message>
+    <message>
+        <source>Crumbs</source>
+        <translation>Krümel</translation>
+    </message>
+    <message>
+        <source>Damping</source>
+        <translation>Dämpfung</translation>
+    </message>
+    <message>
+        <source>Damping of that.</source>
+        <translation>Dämpfung davon.</translation>
+    </message>
+    <message>
+        <source>Damping of the hold</source>
+        <translation>Dämpfung des Haltens</translation>
+    </message>
+    <message>
+        <source>Dark rim</source>
+        <translation>Dunkler Rand</translation>
+    </message>
+    <message>
+        <source>Depth, heavy</source>
+        <translation>Tiefe, kräftig</translation>
+    </message>
+    <message>
+        <source>Depth, light</source>
+        <translation>Tiefe, leicht</translation>
+    </message>
+    <message>
+        <source>Draws</source>
+        <translation>Zeichnet</translation>
+    </message>
+    <message>
+        <source>False for what rubs out: it is no choice for drawing.</source>
+        <translation>Aus bei dem, was radiert: Es steht zum Zeichnen nicht zur Wahl.</translation>
+    </message>
+    <message>
+        <source>Friction</source>
+        <translation>Reibung</translation>
+    </message>
+    <message>
+        <source>From dull to bright.</source>
+        <translation>Von dumpf bis hell.</translation>
+    </message>
+    <message>
+        <source>From hill to hill; a relief of one&apos;s own is 32 of it wide.</source>
+        <translation>Von Hügel zu Hügel; ein eigenes Relief ist 32 davon breit.</translation>
+    </message>
+    <message>
+        <source>Grain in the eye</source>
+        <translation>Körnung für das Auge</translation>
+    </message>
+    <message>
+        <source>Grain in the hand</source>
+        <translation>Körnung in der Hand</translation>
+    </message>
+    <message>
+        <source>Half of the width of the edge of a grain.</source>
+        <translation>Halbe Breite der Kante eines Korns.</translation>
+    </message>
+    <message>
+        <source>Hardness</source>
+        <translation>Härte</translation>
+    </message>
+    <message>
+        <source>Height of the grain</source>
+        <translation>Höhe der Körnung</translation>
+    </message>
+    <message>
+        <source>Hold</source>
+        <translation>Haften</translation>
+    </message>
+    <message>
+        <source>How far a line falls apart into hairs along its way.</source>
+        <translation>Wie weit eine Linie längs in Haare zerfällt.</translation>
+    </message>
+    <message>
+        <source>How far the rim of the line is soft, in shares of its radius.</source>
+        <translation>Wie weit der Rand der Linie weich ist, in Teilen ihres Radius.</translation>
+    </message>
+    <message>
+        <source>How hard it pushes back, where the device bears as much.</source>
+        <translation>Wie fest es zurückdrückt, soweit das Gerät so viel verträgt.</translation>
+    </message>
+    <message>
+        <source>How loud a pen is on it; 0 is silent.</source>
+        <translation>Wie laut ein Stift darauf ist; 0 ist still.</translation>
+    </message>
+    <message>
+        <source>How loud it rubs; 0 is silent.</source>
+        <translation>Wie laut es reibt; 0 ist still.</translation>
+    </message>
+    <message>
+        <source>How much at full pressure.</source>
+        <translation>Wie viel bei vollem Druck.</translation>
+    </message>
+    <message>
+        <source>How much darker a wet line dries at its rim.</source>
+        <translation>Wie viel dunkler eine nasse Linie am Rand trocknet.</translation>
+    </message>
+    <message>
+        <source>How much is laid on without pressure.</source>
+        <translation>Wie viel ohne Druck aufgetragen wird.</translation>
+    </message>
+    <message>
+        <source>How much it swallows of a push.</source>
+        <translation>Wie viel es von einem Druck schluckt.</translation>
+    </message>
+    <message>
+        <source>How much of the sheet&apos;s relief is seen; 0 for what is wet.</source>
+        <translation>Wie viel vom Relief des Blattes zu sehen ist; 0 für Nasses.</translation>
+    </message>
+    <message>
+        <source>How much of the sheet&apos;s relief the hand feels through it.</source>
+        <translation>Wie viel vom Relief des Blattes die Hand dadurch fühlt.</translation>
+    </message>
+    <message>
+        <source>How readily stick and slip sing.</source>
+        <translation>Wie leicht Haften und Gleiten singen.</translation>
+    </message>
+    <message>
+        <source>How stiffly it holds before it slides.</source>
+        <translation>Wie steif es haftet, bevor es gleitet.</translation>
+    </message>
+    <message>
+        <source>In tones of an upright one.</source>
+        <translation>In Tönen eines aufrechten.</translation>
+    </message>
+    <message>
+        <source>In widths of an upright one.</source>
+        <translation>In Breiten eines aufrechten.</translation>
+    </message>
+    <message>
+        <source>Its usual colour.</source>
+        <translation>Seine übliche Farbe.</translation>
+    </message>
+    <message>
+        <source>Loudness</source>
+        <translation>Lautstärke</translation>
+    </message>
+    <message>
+        <source>Of what is inked, at tone 0.</source>
+        <translation>Dessen, was eingefärbt ist, bei Ton 0.</translation>
+    </message>
+    <message>
+        <source>Of what is inked, at tone 1.</source>
+        <translation>Dessen, was eingefärbt ist, bei Ton 1.</translation>
+    </message>
+    <message>
+        <source>Opacity, heavy</source>
+        <translation>Deckkraft, kräftig</translation>
+    </message>
+    <message>
+        <source>Opacity, light</source>
+        <translation>Deckkraft, leicht</translation>
+    </message>
+    <message>
+        <source>Pressure curve of the tone</source>
+        <translation>Druckkurve des Tons</translation>
+    </message>
+    <message>
+        <source>Pressure curve of the width</source>
+        <translation>Druckkurve der Breite</translation>
+    </message>
+    <message>
+        <source>Root mean square of its heights; 0 is smooth.</source>
+        <translation>Effektivwert ihrer Höhen; 0 ist glatt.</translation>
+    </message>
+    <message>
+        <source>Seed of the grain</source>
+        <translation>Startwert der Körnung</translation>
+    </message>
+    <message>
+        <source>Share of its own coarseness: dust and crumbs.</source>
+        <translation>Anteil der eigenen Grobheit: Staub und Krümel.</translation>
+    </message>
+    <message>
+        <source>Share of the relief that a firm push flattens, for hand and eye.</source>
+        <translation>Anteil des Reliefs, den ein fester Druck einebnet, für Hand und Auge.</translation>
+    </message>
+    <message>
+        <source>Size of the crumbs</source>
+        <translation>Größe der Krümel</translation>
+    </message>
+    <message>
+        <source>Soft edge</source>
+        <translation>Weicher Rand</translation>
+    </message>
+    <message>
+        <source>Softness of the grain</source>
+        <translation>Weichheit der Körnung</translation>
+    </message>
+    <message>
+        <source>Squeak</source>
+        <translation>Quietschen</translation>
+    </message>
+    <message>
+        <source>Streaks</source>
+        <translation>Streifen</translation>
+    </message>
+    <message>
+        <source>The same at tone 1.</source>
+        <translation>Dasselbe bei Ton 1.</translation>
+    </message>
+    <message>
+        <source>Their wavelength.</source>
+        <translation>Ihre Wellenlänge.</translation>
+    </message>
+    <message>
+        <source>Tone of a heavy hand</source>
+        <translation>Ton einer kräftigen Hand</translation>
+    </message>
+    <message>
+        <source>Tone of a leaning pen</source>
+        <translation>Ton eines geneigten Stifts</translation>
+    </message>
+    <message>
+        <source>Tone of a light hand</source>
+        <translation>Ton einer leichten Hand</translation>
+    </message>
+    <message>
+        <source>Wear of the grain</source>
+        <translation>Abrieb der Körnung</translation>
+    </message>
+    <message>
+        <source>What lies below so many heights of the grain stays bare, at tone 0.</source>
+        <translation>Was unter so vielen Höhen der Körnung liegt, bleibt frei, bei Ton 0.</translation>
+    </message>
+    <message>
+        <source>What the relief looks like.</source>
+        <translation>Wie das Relief aussieht.</translation>
+    </message>
+    <message>
+        <source>Width of a leaning pen</source>
+        <translation>Breite eines geneigten Stifts</translation>
+    </message>
+    <message>
+        <source>Width of a line at full pressure.</source>
+        <translation>Breite einer Linie bei vollem Druck.</translation>
+    </message>
+    <message>
+        <source>Width of the grain</source>
+        <translation>Weite der Körnung</translation>
+    </message>
+    <message>
+        <source>fibres</source>
+        <translation>Fasern</translation>
+    </message>
+    <message>
+        <source>grain</source>
+        <translation>Korn</translation>
+    </message>
+    <message>
+        <source>picture</source>
+        <translation>Bild</translation>
+    </message>
+    <message>
+        <source>rough</source>
+        <translation>rau</translation>
+    </message>
+    <message>
+        <source>weave</source>
+        <translation>Gewebe</translation>
+    </message>
+    <message>
+        <source>brush-pen</source>
+        <translation>Pinselstift</translation>
+    </message>
+    <message>
+        <source>charcoal</source>
+        <translation>Kohle</translation>
+    </message>
+    <message>
+        <source>ink-pen</source>
+        <translation>Tuschestift</translation>
+    </message>
+    <message>
+        <source>pencil-hard</source>
+        <translation>harter Bleistift</translation>
+    </message>
+    <message>
+        <source>pencil-soft</source>
+        <translation>weicher Bleistift</translation>
     </message>
 </context>
 </TS>

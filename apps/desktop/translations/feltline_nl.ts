@@ -103,6 +103,81 @@
     </message>
 </context>
 <context>
+    <name>DeviceWords</name>
+    <message>
+        <source>the device is not connected any more</source>
+        <translation>het apparaat is niet meer aangesloten</translation>
+    </message>
+    <message>
+        <source>the device does not know where its arm is</source>
+        <translation>het apparaat weet niet waar zijn arm is</translation>
+    </message>
+    <message>
+        <source>the device has switched its forces off</source>
+        <translation>het apparaat heeft zijn krachten uitgezet</translation>
+    </message>
+    <message>
+        <source>its motors are warm</source>
+        <translation>de motoren zijn warm</translation>
+    </message>
+    <message>
+        <source>the device says what cannot be</source>
+        <translation>het apparaat meldt wat niet kan</translation>
+    </message>
+    <message>
+        <source>the device reports a fault</source>
+        <translation>het apparaat meldt een fout</translation>
+    </message>
+    <message>
+        <source>%1 is not connected any more.</source>
+        <translation>%1 is niet meer aangesloten.</translation>
+    </message>
+    <message>
+        <source>Draw on with mouse or tablet; nothing is lost. Look at its cable and its power.</source>
+        <translation>Teken door met muis of tablet; er is niets verloren. Kijk naar de kabel en de voeding.</translation>
+    </message>
+    <message>
+        <source>%1 does not know where its arm is.</source>
+        <translation>%1 weet niet waar zijn arm is.</translation>
+    </message>
+    <message>
+        <source>Draw on with mouse or tablet until it has found its home.</source>
+        <translation>Teken door met muis of tablet tot het zijn uitgangsstand heeft gevonden.</translation>
+    </message>
+    <message>
+        <source>%1 has switched its forces off.</source>
+        <translation>%1 heeft zijn krachten uitgezet.</translation>
+    </message>
+    <message>
+        <source>Its button or its own guard did that. Draw on without forces, or switch them on again there and here.</source>
+        <translation>Dat deed de knop of de eigen beveiliging. Teken door zonder krachten, of zet ze daar en hier weer aan.</translation>
+    </message>
+    <message>
+        <source>The motors of %1 are warm.</source>
+        <translation>De motoren van %1 zijn warm.</translation>
+    </message>
+    <message>
+        <source>Draw on without forces. After some minutes of rest they can be switched on again.</source>
+        <translation>Teken door zonder krachten. Na enkele minuten rust kunnen ze weer aan.</translation>
+    </message>
+    <message>
+        <source>%1 says what cannot be.</source>
+        <translation>%1 meldt wat niet kan.</translation>
+    </message>
+    <message>
+        <source>%1 reports a fault.</source>
+        <translation>%1 meldt een fout.</translation>
+    </message>
+    <message>
+        <source>Draw on without forces.</source>
+        <translation>Teken door zonder krachten.</translation>
+    </message>
+    <message>
+        <source>Draw on with mouse or tablet. Look at its cable, switch it off and on, and try again.</source>
+        <translation>Teken door met muis of tablet. Kijk naar de kabel, zet het uit en aan, en probeer het opnieuw.</translation>
+    </message>
+</context>
+<context>
     <name>EditActions</name>
     <message>
         <source>&amp;Undo</source>
@@ -223,10 +298,6 @@
         <translation>De krachten zijn uit. In het paneel Gevoel zet je ze weer aan.</translation>
     </message>
     <message>
-        <source>S&amp;ound of the pen</source>
-        <translation>&amp;Geluid van de pen</translation>
-    </message>
-    <message>
         <source>Hear the pen rub on the sheet</source>
         <translation>De pen op het vel horen wrijven</translation>
     </message>
@@ -245,6 +316,10 @@
     <message>
         <source>Stop forces, &amp;never start (Esc twice)</source>
         <translation>Krachten stoppen, &amp;nooit inschakelen (tweemaal Esc)</translation>
+    </message>
+    <message>
+        <source>S&amp;ound of drawing</source>
+        <translation>&amp;Geluid van het tekenen</translation>
     </message>
 </context>
 <context>
@@ -477,6 +552,98 @@
     <message>
         <source>%1, %2, %3.</source>
         <translation>%1, %2, %3.</translation>
+    </message>
+    <message>
+        <source>Rough paper</source>
+        <translation>Ruw papier</translation>
+    </message>
+    <message>
+        <source>Watercolour paper</source>
+        <translation>Aquarelpapier</translation>
+    </message>
+    <message>
+        <source>Canvas</source>
+        <translation>Linnen</translation>
+    </message>
+    <message>
+        <source>Wood</source>
+        <translation>Hout</translation>
+    </message>
+    <message>
+        <source>matted fibres</source>
+        <translation>vervilte vezels</translation>
+    </message>
+    <message>
+        <source>grain along the board</source>
+        <translation>nerf in de lengte van de plank</translation>
+    </message>
+    <message>
+        <source>hilly grain</source>
+        <translation>heuvelige korrel</translation>
+    </message>
+    <message>
+        <source>Pencil</source>
+        <translation>Potlood</translation>
+    </message>
+    <message>
+        <source>Hard pencil</source>
+        <translation>Hard potlood</translation>
+    </message>
+    <message>
+        <source>Soft pencil</source>
+        <translation>Zacht potlood</translation>
+    </message>
+    <message>
+        <source>Charcoal</source>
+        <translation>Houtskool</translation>
+    </message>
+    <message>
+        <source>Chalk</source>
+        <translation>Krijt</translation>
+    </message>
+    <message>
+        <source>Crayon</source>
+        <translation>Waskrijt</translation>
+    </message>
+    <message>
+        <source>Felt-tip</source>
+        <translation>Viltstift</translation>
+    </message>
+    <message>
+        <source>Ink pen</source>
+        <translation>Inktpen</translation>
+    </message>
+    <message>
+        <source>Brush pen</source>
+        <translation>Penseelstift</translation>
+    </message>
+    <message>
+        <source>Eraser</source>
+        <translation>Gum</translation>
+    </message>
+    <message>
+        <source>hides the grain</source>
+        <translation>bedekt de korrel</translation>
+    </message>
+    <message>
+        <source>grain to feel, not to see</source>
+        <translation>korrel te voelen, niet te zien</translation>
+    </message>
+    <message>
+        <source>fills the grain</source>
+        <translation>vult de korrel</translation>
+    </message>
+    <message>
+        <source>shows the grain</source>
+        <translation>toont de korrel</translation>
+    </message>
+    <message>
+        <source>%1 to %2 mm</source>
+        <translation>%1 tot %2 mm</translation>
+    </message>
+    <message>
+        <source>%1, %2, lines of %3.</source>
+        <translation>%1, %2, lijnen van %3.</translation>
     </message>
 </context>
 <context>
@@ -713,6 +880,10 @@
         <source>Simulated %1</source>
         <translation>%1, gesimuleerd</translation>
     </message>
+    <message>
+        <source>A person holds it, and feels the forces.</source>
+        <translation>Je houdt het in de hand en voelt de krachten.</translation>
+    </message>
 </context>
 <context>
     <name>SafetyWords</name>
@@ -891,6 +1062,61 @@
     <message>
         <source>Other</source>
         <translation>Overige</translation>
+    </message>
+    <message>
+        <source>Drawing goes on. Switch them on at the device, lift the pen, and switch them on here.</source>
+        <translation>Tekenen gaat door. Zet ze aan op het apparaat, til de pen op en zet ze hier aan.</translation>
+    </message>
+    <message>
+        <source>Drawing goes on. Let the device rest for some minutes, then switch the forces on again.</source>
+        <translation>Tekenen gaat door. Laat het apparaat enkele minuten rusten en zet de krachten dan weer aan.</translation>
+    </message>
+</context>
+<context>
+    <name>Stability</name>
+    <message>
+        <source>Stable, as wished</source>
+        <translation>Stabiel, zoals gewenst</translation>
+    </message>
+    <message>
+        <source>Close to trembling</source>
+        <translation>Bijna trillend</translation>
+    </message>
+    <message>
+        <source>Trembles</source>
+        <translation>Trilt</translation>
+    </message>
+    <message>
+        <source>Stable, but less than wished</source>
+        <translation>Stabiel, maar minder dan gewenst</translation>
+    </message>
+    <message>
+        <source>Too much for this device</source>
+        <translation>Te veel voor dit apparaat</translation>
+    </message>
+    <message>
+        <source>The safety chain would switch forces off.</source>
+        <translation>De veiligheidsketen zou de krachten uitschakelen.</translation>
+    </message>
+    <message>
+        <source>A pen that rests trembles with %1 N above 30 Hz; 0.04 N can be felt. Less hardness, less friction or more damping helps.</source>
+        <translation>Een rustende pen trilt met %1 N boven 30 Hz; 0,04 N is te voelen. Minder hardheid, minder wrijving of meer demping helpt.</translation>
+    </message>
+    <message>
+        <source>%1 has no motors: nothing is felt. The figures are those of a 3D Systems Touch.</source>
+        <translation>%1 heeft geen motoren: er is niets te voelen. De waarden zijn die van een 3D Systems Touch.</translation>
+    </message>
+    <message>
+        <source>%1 % of what the device bears</source>
+        <translation>%1 % van wat het apparaat verdraagt</translation>
+    </message>
+    <message>
+        <source>Hardness: this device makes it %1 of your %2 N/m.</source>
+        <translation>Hardheid: dit apparaat maakt er %1 van uw %2 N/m van.</translation>
+    </message>
+    <message>
+        <source>Grain: its hills are steeper than this loop can follow; felt are %1 of your %2 µm.</source>
+        <translation>Korrel: de heuvels zijn steiler dan deze lus kan volgen; te voelen zijn %1 van uw %2 µm.</translation>
     </message>
 </context>
 <context>
@@ -1632,6 +1858,71 @@
     </message>
 </context>
 <context>
+    <name>felt::desktop::CuePlayer</name>
+    <message>
+        <source>%1 is gone. It plays again when it is back.</source>
+        <translation>%1 is weg. Het speelt weer zodra het terug is.</translation>
+    </message>
+</context>
+<context>
+    <name>felt::desktop::DeviceCare</name>
+    <message>
+        <source>Find its &amp;home…</source>
+        <translation>&amp;Uitgangsstand zoeken…</translation>
+    </message>
+    <message>
+        <source>&amp;Use it again</source>
+        <translation>Weer &amp;gebruiken</translation>
+    </message>
+    <message>
+        <source>Plugged in again it is used again, without forces at first.</source>
+        <translation>Weer aangesloten wordt het weer gebruikt, eerst zonder krachten.</translation>
+    </message>
+    <message>
+        <source>%1 is in use in another window.</source>
+        <translation>%1 wordt in een ander venster gebruikt.</translation>
+    </message>
+    <message>
+        <source>%1 does not open.</source>
+        <translation>%1 gaat niet open.</translation>
+    </message>
+    <message>
+        <source>&amp;Try again</source>
+        <translation>Opnieuw &amp;proberen</translation>
+    </message>
+    <message>
+        <source>%1 is there. It must find its home before it is used.</source>
+        <translation>%1 is er. Het moet zijn uitgangsstand vinden voordat het wordt gebruikt.</translation>
+    </message>
+    <message>
+        <source>%1 is in use. Its forces are off until you switch them on.</source>
+        <translation>%1 wordt gebruikt. De krachten zijn uit totdat u ze aanzet.</translation>
+    </message>
+    <message>
+        <source>Switch &amp;forces on</source>
+        <translation>Krachten &amp;aanzetten</translation>
+    </message>
+</context>
+<context>
+    <name>felt::desktop::DeviceNotice</name>
+    <message>
+        <source>&amp;Details</source>
+        <translation>&amp;Details</translation>
+    </message>
+    <message>
+        <source>What the device itself says</source>
+        <translation>Wat het apparaat zelf zegt</translation>
+    </message>
+    <message>
+        <source>Close this message</source>
+        <translation>Deze melding sluiten</translation>
+    </message>
+    <message>
+        <source>The device says: %1</source>
+        <translation>Het apparaat zegt: %1</translation>
+    </message>
+</context>
+<context>
     <name>felt::desktop::DevicePage</name>
     <message>
         <source>Feels pressure, if the pen does. No motors.</source>
@@ -1644,10 +1935,6 @@
     <message>
         <source>Pushes with up to %L1 N, for long with %L2 N. Loop of %L3 Hz.</source>
         <translation>Duwt met hoogstens %L1 N, blijvend met %L2 N. Lus van %L3 Hz.</translation>
-    </message>
-    <message>
-        <source>Set the drawing plane…</source>
-        <translation>Tekenvlak instellen…</translation>
     </message>
     <message>
         <source>Device</source>
@@ -1674,12 +1961,234 @@
         <translation>De krachten blijven uit tot je ze aanzet.</translation>
     </message>
     <message>
-        <source>The drawing plane is set.</source>
-        <translation>Het tekenvlak is ingesteld.</translation>
+        <source>&amp;Use this device</source>
+        <translation>Dit apparaat &amp;gebruiken</translation>
     </message>
     <message>
-        <source>The drawing plane has not been set yet.</source>
-        <translation>Het tekenvlak is nog niet ingesteld.</translation>
+        <source>Vibrations</source>
+        <translation>Trillingen</translation>
+    </message>
+    <message>
+        <source>A haptic pen, mouse, touchpad or game controller that hums and ticks with what you draw, whatever the pen is</source>
+        <translation>Een haptische pen, muis, touchpad of spelbesturing die zoemt en tikt met wat u tekent, welke pen er ook tekent</translation>
+    </message>
+    <message>
+        <source>&amp;Vibrations</source>
+        <translation>&amp;Trillingen</translation>
+    </message>
+    <message>
+        <source>In use; %1</source>
+        <translation>In gebruik; %1</translation>
+    </message>
+    <message>
+        <source>In use, forces off</source>
+        <translation>In gebruik, krachten uit</translation>
+    </message>
+    <message>
+        <source>In use</source>
+        <translation>In gebruik</translation>
+    </message>
+    <message>
+        <source>Not connected; used again when it is</source>
+        <translation>Niet aangesloten; wordt weer gebruikt zodra dat zo is</translation>
+    </message>
+    <message>
+        <source>In use in another window</source>
+        <translation>In gebruik in een ander venster</translation>
+    </message>
+    <message>
+        <source>Its software is here; whether it is connected shows when it is used</source>
+        <translation>De software is er; of het is aangesloten blijkt bij het gebruik</translation>
+    </message>
+    <message>
+        <source>Connected; its settings cannot be read</source>
+        <translation>Aangesloten; de instellingen zijn niet leesbaar</translation>
+    </message>
+    <message>
+        <source>Connected</source>
+        <translation>Aangesloten</translation>
+    </message>
+    <message>
+        <source>Connected; its drawing plane is not set yet</source>
+        <translation>Aangesloten; het tekenvlak is nog niet ingesteld</translation>
+    </message>
+    <message>
+        <source>Another haptic device…</source>
+        <translation>Een ander haptisch apparaat…</translation>
+    </message>
+    <message>
+        <source>A haptic device…</source>
+        <translation>Een haptisch apparaat…</translation>
+    </message>
+    <message>
+        <source>Not here? See what is missing, step by step</source>
+        <translation>Niet in de lijst? Zie stap voor stap wat er ontbreekt</translation>
+    </message>
+    <message>
+        <source>Mend that line, or remove the file.</source>
+        <translation>Verbeter die regel of verwijder het bestand.</translation>
+    </message>
+    <message>
+        <source>Look at its cable and its power.</source>
+        <translation>Kijk naar de kabel en de voeding.</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>Geen</translation>
+    </message>
+    <message>
+        <source>%1 (not connected)</source>
+        <translation>%1 (niet aangesloten)</translation>
+    </message>
+</context>
+<context>
+    <name>felt::desktop::DeviceSettings</name>
+    <message>
+        <source>&amp;Set the drawing plane…</source>
+        <translation>&amp;Tekenvlak instellen…</translation>
+    </message>
+    <message>
+        <source>Fit to the s&amp;heet</source>
+        <translation>Aan het &amp;blad aanpassen</translation>
+    </message>
+    <message>
+        <source>Name of the device</source>
+        <translation>Naam van het apparaat</translation>
+    </message>
+    <message>
+        <source>Right hand</source>
+        <translation>Rechterhand</translation>
+    </message>
+    <message>
+        <source>Left hand</source>
+        <translation>Linkerhand</translation>
+    </message>
+    <message>
+        <source>The hand that holds it</source>
+        <translation>De hand die het vasthoudt</translation>
+    </message>
+    <message>
+        <source> N</source>
+        <translation> N</translation>
+    </message>
+    <message>
+        <source>No force is ever larger than this, whatever a tool asks for</source>
+        <translation>Geen kracht is ooit groter, wat een gereedschap ook vraagt</translation>
+    </message>
+    <message>
+        <source>Largest force</source>
+        <translation>Grootste kracht</translation>
+    </message>
+    <message>
+        <source>as it can</source>
+        <translation>wat het kan</translation>
+    </message>
+    <message>
+        <source> N/m</source>
+        <translation> N/m</translation>
+    </message>
+    <message>
+        <source>Lower it where the sheet hums or trembles under the pen</source>
+        <translation>Verlaag dit als het blad onder de pen bromt of trilt</translation>
+    </message>
+    <message>
+        <source>Stiffest sheet</source>
+        <translation>Stijfste blad</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation> %</translation>
+    </message>
+    <message>
+        <source>100 %: a millimetre of the hand is one of the sheet. 200 %: it is two, and the hand has half the way.</source>
+        <translation>100 %: een millimeter van de hand is er een op het blad. 200 %: het zijn er twee, en de hand heeft de halve weg.</translation>
+    </message>
+    <message>
+        <source>Size of a movement on the sheet</source>
+        <translation>Grootte van een beweging op het blad</translation>
+    </message>
+    <message>
+        <source>The middle of the drawing area on the middle of the sheet, and so large that the whole sheet can be reached</source>
+        <translation>Het midden van het tekengebied op het midden van het blad, en zo groot dat het hele blad bereikbaar is</translation>
+    </message>
+    <message>
+        <source>&amp;Name</source>
+        <translation>&amp;Naam</translation>
+    </message>
+    <message>
+        <source>&amp;Hand</source>
+        <translation>&amp;Hand</translation>
+    </message>
+    <message>
+        <source>&amp;Largest force</source>
+        <translation>&amp;Grootste kracht</translation>
+    </message>
+    <message>
+        <source>S&amp;tiffest sheet</source>
+        <translation>&amp;Stijfste blad</translation>
+    </message>
+    <message>
+        <source>Drawing plane</source>
+        <translation>Tekenvlak</translation>
+    </message>
+    <message>
+        <source>S&amp;ize on the sheet</source>
+        <translation>Gr&amp;ootte op het blad</translation>
+    </message>
+    <message>
+        <source>Not set yet: as such a device usually stands.</source>
+        <translation>Nog niet ingesteld: zoals zo&apos;n apparaat meestal staat.</translation>
+    </message>
+    <message>
+        <source>Set: %L1 × %L2 mm.</source>
+        <translation>Ingesteld: %L1 × %L2 mm.</translation>
+    </message>
+    <message>
+        <source>Set.</source>
+        <translation>Ingesteld.</translation>
+    </message>
+    <message>
+        <source>Each hand has a drawing plane of its own: for the other one the device stands on the other side</source>
+        <translation>Elke hand heeft een eigen tekenvlak: voor de andere staat het apparaat aan de andere kant</translation>
+    </message>
+</context>
+<context>
+    <name>felt::desktop::DoctorDialog</name>
+    <message>
+        <source>Setting up a haptic device</source>
+        <translation>Een haptisch apparaat instellen</translation>
+    </message>
+    <message>
+        <source>A device pushes your hand only once its maker&apos;s software is installed and you may use its port. Feltline has looked at this computer. Work from the top down; a line with a dash is of a device that you may not own, and needs nothing.</source>
+        <translation>Een apparaat duwt uw hand pas als de software van de maker is geïnstalleerd en u de poort mag gebruiken. Feltline heeft deze computer bekeken. Werk van boven naar beneden; een regel met een streepje hoort bij een apparaat dat u misschien niet hebt, en vraagt niets.</translation>
+    </message>
+    <message>
+        <source>What was found</source>
+        <translation>Wat er is gevonden</translation>
+    </message>
+    <message>
+        <source>&amp;Look again</source>
+        <translation>&amp;Opnieuw kijken</translation>
+    </message>
+    <message>
+        <source>&amp;Copy all</source>
+        <translation>Alles &amp;kopiëren</translation>
+    </message>
+    <message>
+        <source>As plain text, to ask somebody who knows</source>
+        <translation>Als gewone tekst, om het iemand te vragen die het weet</translation>
+    </message>
+    <message>
+        <source>Looking…</source>
+        <translation>Bezig met kijken…</translation>
+    </message>
+    <message>
+        <source>This build of Feltline has no drivers.</source>
+        <translation>Deze Feltline is zonder stuurprogramma&apos;s gebouwd.</translation>
+    </message>
+    <message>
+        <source>Nothing to say.</source>
+        <translation>Niets te zeggen.</translation>
     </message>
 </context>
 <context>
@@ -1744,6 +2253,14 @@
         <source>Keeps:</source>
         <translation>Bewaart:</translation>
     </message>
+    <message>
+        <source>&amp;Grain of the sheet in dry ink</source>
+        <translation>&amp;Korrel van het vel in droge inkt</translation>
+    </message>
+    <message>
+        <source>As on the screen. Lines stay lines: other programs show them through a picture of the grain</source>
+        <translation>Zoals op het scherm. Lijnen blijven lijnen: andere programma’s tonen ze door een afbeelding van de korrel</translation>
+    </message>
 </context>
 <context>
     <name>felt::desktop::FeelPanel</name>
@@ -1786,6 +2303,41 @@
     <message>
         <source>Esc twice stops them too.</source>
         <translation>Ook tweemaal Esc stopt ze.</translation>
+    </message>
+    <message>
+        <source>Edit…</source>
+        <translation>Bewerken…</translation>
+    </message>
+    <message>
+        <source>Change what sheets and media feel, look and sound like</source>
+        <translation>Veranderen hoe vellen en tekenmiddelen aanvoelen, eruitzien en klinken</translation>
+    </message>
+    <message>
+        <source>Edit sheets and media</source>
+        <translation>Vellen en tekenmiddelen bewerken</translation>
+    </message>
+</context>
+<context>
+    <name>felt::desktop::FeltPlot</name>
+    <message>
+        <source>Plot of what a stroke of 40 mm feels like</source>
+        <translation>Grafiek van wat een streek van 40 mm laat voelen</translation>
+    </message>
+    <message>
+        <source>%1 N of drag; the grain changes it by up to %2 N, which can be felt.</source>
+        <translation>%1 N wrijving; de korrel verandert die met hoogstens %2 N, wat te voelen is.</translation>
+    </message>
+    <message>
+        <source>%1 N of drag; it changes by up to %2 N, which nobody feels.</source>
+        <translation>%1 N wrijving; die verandert met hoogstens %2 N, wat niemand voelt.</translation>
+    </message>
+    <message>
+        <source>%1 N</source>
+        <translation>%1 N</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
     </message>
 </context>
 <context>
@@ -2009,6 +2561,14 @@ Je tekening is er nog: sla haar ergens anders op.</translation>
         <translation>Gewone planning: te laat als de computer het druk heeft.</translation>
     </message>
     <message>
+        <source>The loop stands still: the device does not answer.</source>
+        <translation>De lus staat stil: het apparaat antwoordt niet.</translation>
+    </message>
+    <message>
+        <source>The device&apos;s own software runs the loop.</source>
+        <translation>De lus loopt in de software van het apparaat.</translation>
+    </message>
+    <message>
         <source>Forces</source>
         <translation>Krachten</translation>
     </message>
@@ -2190,6 +2750,26 @@ Je tekening is er nog: sla haar ergens anders op.</translation>
         <source>Where no file is named</source>
         <translation>Als er geen bestand is genoemd</translation>
     </message>
+    <message>
+        <source>So&amp;und of drawing</source>
+        <translation>&amp;Geluid van het tekenen</translation>
+    </message>
+    <message>
+        <source>Hear the pen rub on the sheet</source>
+        <translation>De pen op het vel horen wrijven</translation>
+    </message>
+    <message>
+        <source>Volume of the sound of drawing</source>
+        <translation>Volume van het geluid van het tekenen</translation>
+    </message>
+    <message>
+        <source>Sound:</source>
+        <translation>Geluid:</translation>
+    </message>
+    <message>
+        <source>&amp;Volume:</source>
+        <translation>&amp;Volume:</translation>
+    </message>
 </context>
 <context>
     <name>felt::desktop::GuideDialog</name>
@@ -2309,6 +2889,69 @@ Je tekening is er nog: sla haar ergens anders op.</translation>
     <message>
         <source>Steps</source>
         <translation>Stappen</translation>
+    </message>
+</context>
+<context>
+    <name>felt::desktop::HomingDialog</name>
+    <message>
+        <source>Bring %1 home</source>
+        <translation>%1 naar de uitgangsstand brengen</translation>
+    </message>
+    <message>
+        <source>Finding home</source>
+        <translation>Uitgangsstand wordt gezocht</translation>
+    </message>
+    <message>
+        <source>Let it &amp;move</source>
+        <translation>Laat het be&amp;wegen</translation>
+    </message>
+    <message>
+        <source>It is &amp;there</source>
+        <translation>Het is &amp;daar</translation>
+    </message>
+    <message>
+        <source>&amp;Not now</source>
+        <translation>&amp;Niet nu</translation>
+    </message>
+    <message>
+        <source>May its arm move by itself?</source>
+        <translation>Mag de arm uit zichzelf bewegen?</translation>
+    </message>
+    <message>
+        <source>%1 must find out where its arm is, and moves it for that: for some seconds, as far as it reaches, with the force that it needs. Let go of it, clear the space around it, and keep hair, sleeves and cups away. You can stop it at any time by its power switch.</source>
+        <translation>%1 moet uitvinden waar de arm is en beweegt hem daarvoor: enkele seconden, zo ver als hij reikt, met de kracht die nodig is. Laat hem los, maak er ruimte omheen en houd haar, mouwen en kopjes weg. Met de aan-uitknop van het apparaat kunt u hem altijd stoppen.</translation>
+    </message>
+    <message>
+        <source>Bring the arm to its rest pose</source>
+        <translation>Breng de arm in de ruststand</translation>
+    </message>
+    <message>
+        <source>%1 takes the pose that it rests in as its home. Nothing moves by itself.</source>
+        <translation>%1 neemt de stand waarin het rust als uitgangsstand. Niets beweegt uit zichzelf.</translation>
+    </message>
+    <message>
+        <source>Put the stylus into the inkwell</source>
+        <translation>Zet de stift in de inktpot</translation>
+    </message>
+    <message>
+        <source>%1 finds out where it is while its stylus is in the inkwell, the hole in its foot. Nothing moves by itself.</source>
+        <translation>%1 vindt uit waar het is terwijl de stift in de inktpot staat, het gat in de voet. Niets beweegt uit zichzelf.</translation>
+    </message>
+    <message>
+        <source>It is moving: hands off</source>
+        <translation>Het beweegt: handen weg</translation>
+    </message>
+    <message>
+        <source>One moment: hold it still</source>
+        <translation>Een ogenblik: houd het stil</translation>
+    </message>
+    <message>
+        <source>It did not find its home. Try again.</source>
+        <translation>Het heeft zijn uitgangsstand niet gevonden. Probeer het opnieuw.</translation>
+    </message>
+    <message>
+        <source>That did not work: %1</source>
+        <translation>Dat lukte niet: %1</translation>
     </message>
 </context>
 <context>
@@ -2506,6 +3149,349 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen</translation>
         <source>Closes all windows</source>
         <translation>Sluit alle vensters</translation>
     </message>
+    <message>
+        <source>These of your own materials could not be read:</source>
+        <translation>Deze eigen materialen konden niet worden gelezen:</translation>
+    </message>
+    <message>
+        <source>Ma&amp;terials…</source>
+        <translation>Ma&amp;terialen…</translation>
+    </message>
+    <message>
+        <source>Change what sheets and media feel, look and sound like, and make your own</source>
+        <translation>Veranderen hoe vellen en tekenmiddelen aanvoelen, eruitzien en klinken, en eigen maken</translation>
+    </message>
+    <message>
+        <source>&amp;Compare materials A and B</source>
+        <translation>Materialen A en B &amp;vergelijken</translation>
+    </message>
+    <message>
+        <source>Feel, see and hear the other one of the two that the editor compares</source>
+        <translation>De andere van de twee voelen, zien en horen die de editor vergelijkt</translation>
+    </message>
+</context>
+<context>
+    <name>felt::desktop::MaterialDesk</name>
+    <message>
+        <source>Figures of %1</source>
+        <translation>Waarden van %1</translation>
+    </message>
+    <message>
+        <source>Relief of a picture</source>
+        <translation>Reliëf van een afbeelding</translation>
+    </message>
+    <message>
+        <source>Friction of a pair</source>
+        <translation>Wrijving van een paar</translation>
+    </message>
+    <message>
+        <source>Revert</source>
+        <translation>Terugzetten</translation>
+    </message>
+    <message>
+        <source>%1, my own</source>
+        <translation>%1, eigen</translation>
+    </message>
+    <message>
+        <source>Save as %1</source>
+        <translation>Opslaan als %1</translation>
+    </message>
+    <message>
+        <source>Rename</source>
+        <translation>Hernoemen</translation>
+    </message>
+    <message>
+        <source>Delete %1</source>
+        <translation>%1 verwijderen</translation>
+    </message>
+    <message>
+        <source>Import %1</source>
+        <translation>%1 importeren</translation>
+    </message>
+</context>
+<context>
+    <name>felt::desktop::MaterialEditor</name>
+    <message>
+        <source>Materials</source>
+        <translation>Materialen</translation>
+    </message>
+    <message>
+        <source>S&amp;tart from:</source>
+        <translation>Ui&amp;tgaan van:</translation>
+    </message>
+    <message>
+        <source>Take the figures of another one</source>
+        <translation>De waarden van een ander nemen</translation>
+    </message>
+    <message>
+        <source>Sets all figures to those of another one; they can be changed then</source>
+        <translation>Zet alle waarden op die van een ander; daarna zijn ze te veranderen</translation>
+    </message>
+    <message>
+        <source>Figures of…</source>
+        <translation>Waarden van…</translation>
+    </message>
+    <message>
+        <source>Figures</source>
+        <translation>Waarden</translation>
+    </message>
+    <message>
+        <source>Relief from a picture…</source>
+        <translation>Reliëf uit een afbeelding…</translation>
+    </message>
+    <message>
+        <source>A PNG of 8 or 16 bits: white is high. It is fitted into a square of 32 widths of the grain, and repeats without a seam</source>
+        <translation>Een PNG van 8 of 16 bits: wit is hoog. Het wordt in een vierkant van 32 korrelbreedtes gepast en herhaalt zich zonder naad</translation>
+    </message>
+    <message>
+        <source>Light, firm, hard</source>
+        <translation>Licht, stevig, hard</translation>
+    </message>
+    <message>
+        <source>What a stroke feels like</source>
+        <translation>Hoe een streek aanvoelt</translation>
+    </message>
+    <message>
+        <source>Hatched: changes below 0.04 N, which nobody feels.</source>
+        <translation>Gearceerd: veranderingen onder 0,04 N, die niemand voelt.</translation>
+    </message>
+    <message>
+        <source>What the pen feels now</source>
+        <translation>Wat de pen nu voelt</translation>
+    </message>
+    <message>
+        <source>What comes of it</source>
+        <translation>Wat ervan komt</translation>
+    </message>
+    <message>
+        <source>Comes with Feltline. A change makes a copy of your own.</source>
+        <translation>Hoort bij Feltline. Een verandering maakt een eigen kopie.</translation>
+    </message>
+    <message>
+        <source>Your own, not saved. It is kept all the same.</source>
+        <translation>Uw eigen, niet opgeslagen. Het blijft toch bewaard.</translation>
+    </message>
+    <message>
+        <source>Your own, saved.</source>
+        <translation>Uw eigen, opgeslagen.</translation>
+    </message>
+    <message>
+        <source>Undo: %1</source>
+        <translation>Ongedaan maken: %1</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>Ongedaan maken</translation>
+    </message>
+    <message>
+        <source>Redo: %1</source>
+        <translation>Opnieuw: %1</translation>
+    </message>
+    <message>
+        <source>Redo</source>
+        <translation>Opnieuw</translation>
+    </message>
+    <message>
+        <source>Compare: A = B</source>
+        <translation>Vergelijken: A = B</translation>
+    </message>
+    <message>
+        <source>Compare: %1</source>
+        <translation>Vergelijken: %1</translation>
+    </message>
+    <message>
+        <source>You feel, see and hear %1. Press B for %2.</source>
+        <translation>U voelt, ziet en hoort %1. Druk op B voor %2.</translation>
+    </message>
+    <message>
+        <source>Copy %1 to %2</source>
+        <translation>%1 naar %2 kopiëren</translation>
+    </message>
+    <message>
+        <source>Revert</source>
+        <translation>Terugzetten</translation>
+    </message>
+    <message>
+        <source>All figures as they were at first, or when last saved</source>
+        <translation>Alle waarden zoals aan het begin of zoals laatst opgeslagen</translation>
+    </message>
+    <message>
+        <source>The other one gets these figures</source>
+        <translation>De andere krijgt deze waarden</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>Opslaan</translation>
+    </message>
+    <message>
+        <source>Save as a file of your own</source>
+        <translation>Als eigen bestand opslaan</translation>
+    </message>
+    <message>
+        <source>%1 is saved.</source>
+        <translation>%1 is opgeslagen.</translation>
+    </message>
+    <message>
+        <source>Save as…</source>
+        <translation>Opslaan als…</translation>
+    </message>
+    <message>
+        <source>Save under another name, as your own</source>
+        <translation>Onder een andere naam als eigen opslaan</translation>
+    </message>
+    <message>
+        <source>Rename…</source>
+        <translation>Hernoemen…</translation>
+    </message>
+    <message>
+        <source>Another name</source>
+        <translation>Een andere naam</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Verwijderen</translation>
+    </message>
+    <message>
+        <source>Takes it away, and its file; undo brings it back</source>
+        <translation>Haalt het en het bestand weg; ongedaan maken brengt beide terug</translation>
+    </message>
+    <message>
+        <source>%1 is deleted. Undo brings it back.</source>
+        <translation>%1 is verwijderd. Ongedaan maken brengt het terug.</translation>
+    </message>
+    <message>
+        <source>Import…</source>
+        <translation>Importeren…</translation>
+    </message>
+    <message>
+        <source>Take up a material of a file</source>
+        <translation>Een materiaal uit een bestand opnemen</translation>
+    </message>
+    <message>
+        <source>Export…</source>
+        <translation>Exporteren…</translation>
+    </message>
+    <message>
+        <source>Write a file for others</source>
+        <translation>Een bestand voor anderen schrijven</translation>
+    </message>
+    <message>
+        <source>More</source>
+        <translation>Meer</translation>
+    </message>
+    <message>
+        <source>More commands</source>
+        <translation>Meer opdrachten</translation>
+    </message>
+    <message>
+        <source>Relief from a picture</source>
+        <translation>Reliëf uit een afbeelding</translation>
+    </message>
+    <message>
+        <source>Pictures (*.png)</source>
+        <translation>Afbeeldingen (*.png)</translation>
+    </message>
+    <message>
+        <source>Save as</source>
+        <translation>Opslaan als</translation>
+    </message>
+    <message>
+        <source>Name:</source>
+        <translation>Naam:</translation>
+    </message>
+    <message>
+        <source>Rename</source>
+        <translation>Hernoemen</translation>
+    </message>
+    <message>
+        <source>Import</source>
+        <translation>Importeren</translation>
+    </message>
+    <message>
+        <source>Materials (*.toml)</source>
+        <translation>Materialen (*.toml)</translation>
+    </message>
+    <message>
+        <source>It is yours now, and not saved yet.</source>
+        <translation>Het is nu van u en nog niet opgeslagen.</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>Exporteren</translation>
+    </message>
+    <message>
+        <source>%1 is written.</source>
+        <translation>%1 is geschreven.</translation>
+    </message>
+</context>
+<context>
+    <name>felt::desktop::MaterialFieldsView</name>
+    <message>
+        <source>Another</source>
+        <translation>Andere</translation>
+    </message>
+    <message>
+        <source>Another seed</source>
+        <translation>Een andere startwaarde</translation>
+    </message>
+    <message>
+        <source>General</source>
+        <translation>Algemeen</translation>
+    </message>
+    <message>
+        <source>In the hand</source>
+        <translation>In de hand</translation>
+    </message>
+    <message>
+        <source>Grain</source>
+        <translation>Korrel</translation>
+    </message>
+    <message>
+        <source>Line</source>
+        <translation>Lijn</translation>
+    </message>
+    <message>
+        <source>To the eye</source>
+        <translation>Voor het oog</translation>
+    </message>
+    <message>
+        <source>To the ear</source>
+        <translation>Voor het oor</translation>
+    </message>
+</context>
+<context>
+    <name>felt::desktop::MaterialList</name>
+    <message>
+        <source>Sheets and media</source>
+        <translation>Vellen en tekenmiddelen</translation>
+    </message>
+    <message>
+        <source>Sheets</source>
+        <translation>Vellen</translation>
+    </message>
+    <message>
+        <source>My own sheets</source>
+        <translation>Eigen vellen</translation>
+    </message>
+    <message>
+        <source>Media</source>
+        <translation>Tekenmiddelen</translation>
+    </message>
+    <message>
+        <source>My own media</source>
+        <translation>Eigen tekenmiddelen</translation>
+    </message>
+    <message>
+        <source>%1 • not saved</source>
+        <translation>%1 • niet opgeslagen</translation>
+    </message>
+</context>
+<context>
+    <name>felt::desktop::MediaPicker</name>
+    <message>
+        <source>What is drawn with</source>
+        <translation>Waarmee getekend wordt</translation>
+    </message>
 </context>
 <context>
     <name>felt::desktop::NoticeBar</name>
@@ -2687,6 +3673,37 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen</translation>
     </message>
 </context>
 <context>
+    <name>felt::desktop::PairTable</name>
+    <message>
+        <source>Friction on each sheet</source>
+        <translation>Wrijving op elk vel</translation>
+    </message>
+    <message>
+        <source>Bold numbers are the medium&apos;s own for that sheet</source>
+        <translation>Vette getallen zijn die van het tekenmiddel zelf op dat vel</translation>
+    </message>
+    <message>
+        <source>Double-click a number, or press F2, to set the friction on that sheet</source>
+        <translation>Dubbelklik op een getal, of druk op F2, om de wrijving op dat vel in te stellen</translation>
+    </message>
+    <message>
+        <source>Sheet</source>
+        <translation>Vel</translation>
+    </message>
+    <message>
+        <source>Friction</source>
+        <translation>Wrijving</translation>
+    </message>
+    <message>
+        <source>By the rule</source>
+        <translation>Volgens de regel</translation>
+    </message>
+    <message>
+        <source>Friction of the medium times that of the sheet, again</source>
+        <translation>Weer de wrijving van het tekenmiddel maal die van het vel</translation>
+    </message>
+</context>
+<context>
     <name>felt::desktop::PenInput</name>
     <message>
         <source>Pressure is switched off.</source>
@@ -2779,6 +3796,10 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen</translation>
         <translation>pen %1, lijn %2</translation>
     </message>
     <message>
+        <source>Charcoal, chalk and pencils draw broader with a pen that leans, where it can say so.</source>
+        <translation>Houtskool, krijt en potloden tekenen breder als de pen overhelt, mits hij dat kan zeggen.</translation>
+    </message>
+    <message>
         <source>&amp;Wipe</source>
         <translation>&amp;Wissen</translation>
     </message>
@@ -2857,6 +3878,14 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen</translation>
     <message>
         <source>mouse, line %1</source>
         <translation>muis, lijn %1</translation>
+    </message>
+    <message>
+        <source>The pen leans by %L1°</source>
+        <translation>De pen helt %L1° over</translation>
+    </message>
+    <message>
+        <source>How far the pen leans is not known</source>
+        <translation>Hoe ver de pen overhelt is niet bekend</translation>
     </message>
 </context>
 <context>
@@ -3114,6 +4143,24 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen</translation>
     </message>
 </context>
 <context>
+    <name>felt::desktop::SoundState</name>
+    <message>
+        <source>There is no sound device now, so nothing is heard. It is heard once there is one.</source>
+        <translation>Er is nu geen geluidsapparaat, dus is er niets te horen. Zodra er een is, is het te horen.</translation>
+    </message>
+    <message>
+        <source>This program was built without sound.</source>
+        <translation>Dit programma is zonder geluid gebouwd.</translation>
+    </message>
+</context>
+<context>
+    <name>felt::desktop::StabilitySign</name>
+    <message>
+        <source>Stability</source>
+        <translation>Stabiliteit</translation>
+    </message>
+</context>
+<context>
     <name>felt::desktop::StatusLine</name>
     <message>
         <source>Hint</source>
@@ -3158,6 +4205,36 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen</translation>
     <message>
         <source>Not saved</source>
         <translation>Niet opgeslagen</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>%1, %L2 Hz</source>
+        <translation>%1, %L2 Hz</translation>
+    </message>
+</context>
+<context>
+    <name>felt::desktop::StrokePreview</name>
+    <message>
+        <source>Three strokes: light, firm, hard</source>
+        <translation>Drie streken: licht, stevig, hard</translation>
+    </message>
+    <message>
+        <source>%1 on %2</source>
+        <translation>%1 op %2</translation>
+    </message>
+</context>
+<context>
+    <name>felt::desktop::Studio</name>
+    <message>
+        <source>%1 hangs in its maker&apos;s software and was given up. The drawing is kept. Start Feltline anew to use it again.</source>
+        <translation>%1 hangt in de software van de maker en is opgegeven. De tekening is behouden. Start Feltline opnieuw om het weer te gebruiken.</translation>
+    </message>
+    <message>
+        <source>The sheet “%1” is not known here: it feels as the one before.</source>
+        <translation>Het vel “%1” is hier niet bekend: het voelt aan als het vorige.</translation>
     </message>
 </context>
 <context>
@@ -3230,6 +4307,18 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen</translation>
     <message>
         <source>What the sheet feels and looks like</source>
         <translation>Hoe het vel aanvoelt en eruitziet</translation>
+    </message>
+    <message>
+        <source>Pen:</source>
+        <translation>Pen:</translation>
+    </message>
+    <message>
+        <source>What is drawn with</source>
+        <translation>Waarmee getekend wordt</translation>
+    </message>
+    <message>
+        <source>What the pen is made of: how it looks, feels and sounds</source>
+        <translation>Waarvan de pen is: hoe hij eruitziet, aanvoelt en klinkt</translation>
     </message>
 </context>
 <context>
@@ -3426,6 +4515,10 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen</translation>
         <translation>Hoe ver de voltooide lijn van de gladgestreken mag liggen, voor minder segmenten.</translation>
     </message>
     <message>
+        <source>How far the pen leans, from upright, where the device does not say: some media draw broader and softer with their side.</source>
+        <translation>Hoe ver de pen overhelt vanuit rechtop, als het apparaat het niet zegt: sommige middelen tekenen met hun zijkant breder en zachter.</translation>
+    </message>
+    <message>
         <source>How fast it irons; pressing harder irons faster too.</source>
         <translation>Hoe snel het gladstrijkt; harder drukken gaat ook sneller.</translation>
     </message>
@@ -3464,6 +4557,10 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen</translation>
     <message>
         <source>Lasso</source>
         <translation>Lasso</translation>
+    </message>
+    <message>
+        <source>Lean of a mouse&apos;s pen</source>
+        <translation>Helling van de pen van een muis</translation>
     </message>
     <message>
         <source>Leave the end where it is let go</source>
@@ -3940,6 +5037,354 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen</translation>
     <message>
         <source>towed</source>
         <translation>gesleept</translation>
+    </message>
+    <message>
+        <source>Canvas</source>
+        <translation>Linnen</translation>
+    </message>
+    <message>
+        <source>Rough paper</source>
+        <translation>Ruw papier</translation>
+    </message>
+    <message>
+        <source>Watercolour paper</source>
+        <translation>Aquarelpapier</translation>
+    </message>
+    <message>
+        <source>Wood</source>
+        <translation>Hout</translation>
+    </message>
+    <message>
+        <source>canvas</source>
+        <translation>linnen</translation>
+    </message>
+    <message>
+        <source>rough-paper</source>
+        <translation>ruw papier</translation>
+    </message>
+    <message>
+        <source>watercolour</source>
+        <translation>aquarelpapier</translation>
+    </message>
+    <message>
+        <source>wood</source>
+        <translation>hout</translation>
+    </message>
+    <message>
+        <source>Above 1 a light hand stays pale for longer, below 1 it darkens sooner.</source>
+        <translation>Boven 1 blijft een lichte hand langer bleek, onder 1 wordt die eerder donker.</translation>
+    </message>
+    <message>
+        <source>Another one makes another relief of its kind.</source>
+        <translation>Een andere maakt een ander reliëf van die soort.</translation>
+    </message>
+    <message>
+        <source>Brightness of the sound</source>
+        <translation>Helderheid van het geluid</translation>
+    </message>
+    <message>
+        <source>Character of the grain</source>
+        <translation>Aard van de korrel</translation>
+    </message>
+    <message>
+        <source>Coefficient of friction of the pencil on it.</source>
+        <translation>Wrijvingscoëfficiënt van het potlood erop.</translation>
+    </message>
+    <message>
+        <source>Coefficient of friction on paper; pairs may say otherwise.</source>
+        <translation>Wrijvingscoëfficiënt op papier; paren kunnen iets anders zeggen.</translation>
+    </message>
+    <message>
+        <source>Colour</source>
+        <translation>Kleur</translation>
+    </message>
+    <message>
+        <source>Colour of the sheet; a page of another keeps its own.</source>
+        <translation>Kleur van het vel; een pagina met een andere kleur houdt de hare.</translation>
+    </message>
+    <message>
+        <source>Crumbs</source>
+        <translation>Kruimels</translation>
+    </message>
+    <message>
+        <source>Damping</source>
+        <translation>Demping</translation>
+    </message>
+    <message>
+        <source>Damping of that.</source>
+        <translation>Demping daarvan.</translation>
+    </message>
+    <message>
+        <source>Damping of the hold</source>
+        <translation>Demping van het houvast</translation>
+    </message>
+    <message>
+        <source>Dark rim</source>
+        <translation>Donkere rand</translation>
+    </message>
+    <message>
+        <source>Depth, heavy</source>
+        <translation>Diepte, hard</translation>
+    </message>
+    <message>
+        <source>Depth, light</source>
+        <translation>Diepte, licht</translation>
+    </message>
+    <message>
+        <source>Draws</source>
+        <translation>Tekent</translation>
+    </message>
+    <message>
+        <source>False for what rubs out: it is no choice for drawing.</source>
+        <translation>Uit bij wat uitgumt: het is geen keuze om mee te tekenen.</translation>
+    </message>
+    <message>
+        <source>Friction</source>
+        <translation>Wrijving</translation>
+    </message>
+    <message>
+        <source>From dull to bright.</source>
+        <translation>Van dof tot helder.</translation>
+    </message>
+    <message>
+        <source>From hill to hill; a relief of one&apos;s own is 32 of it wide.</source>
+        <translation>Van heuvel tot heuvel; een eigen reliëf is er 32 van breed.</translation>
+    </message>
+    <message>
+        <source>Grain in the eye</source>
+        <translation>Korrel voor het oog</translation>
+    </message>
+    <message>
+        <source>Grain in the hand</source>
+        <translation>Korrel in de hand</translation>
+    </message>
+    <message>
+        <source>Half of the width of the edge of a grain.</source>
+        <translation>Halve breedte van de rand van een korrel.</translation>
+    </message>
+    <message>
+        <source>Hardness</source>
+        <translation>Hardheid</translation>
+    </message>
+    <message>
+        <source>Height of the grain</source>
+        <translation>Hoogte van de korrel</translation>
+    </message>
+    <message>
+        <source>Hold</source>
+        <translation>Houvast</translation>
+    </message>
+    <message>
+        <source>How far a line falls apart into hairs along its way.</source>
+        <translation>Hoever een lijn in de lengte in haren uiteenvalt.</translation>
+    </message>
+    <message>
+        <source>How far the rim of the line is soft, in shares of its radius.</source>
+        <translation>Hoever de rand van de lijn zacht is, in delen van de straal.</translation>
+    </message>
+    <message>
+        <source>How hard it pushes back, where the device bears as much.</source>
+        <translation>Hoe hard het terugduwt, voor zover het apparaat dat verdraagt.</translation>
+    </message>
+    <message>
+        <source>How loud a pen is on it; 0 is silent.</source>
+        <translation>Hoe luid een pen erop is; 0 is stil.</translation>
+    </message>
+    <message>
+        <source>How loud it rubs; 0 is silent.</source>
+        <translation>Hoe luid het wrijft; 0 is stil.</translation>
+    </message>
+    <message>
+        <source>How much at full pressure.</source>
+        <translation>Hoeveel bij volle druk.</translation>
+    </message>
+    <message>
+        <source>How much darker a wet line dries at its rim.</source>
+        <translation>Hoeveel donkerder een natte lijn aan de rand droogt.</translation>
+    </message>
+    <message>
+        <source>How much is laid on without pressure.</source>
+        <translation>Hoeveel er zonder druk wordt aangebracht.</translation>
+    </message>
+    <message>
+        <source>How much it swallows of a push.</source>
+        <translation>Hoeveel het van een duw opslokt.</translation>
+    </message>
+    <message>
+        <source>How much of the sheet&apos;s relief is seen; 0 for what is wet.</source>
+        <translation>Hoeveel van het reliëf van het vel te zien is; 0 voor wat nat is.</translation>
+    </message>
+    <message>
+        <source>How much of the sheet&apos;s relief the hand feels through it.</source>
+        <translation>Hoeveel van het reliëf van het vel de hand erdoor voelt.</translation>
+    </message>
+    <message>
+        <source>How readily stick and slip sing.</source>
+        <translation>Hoe gemakkelijk kleven en glijden zingen.</translation>
+    </message>
+    <message>
+        <source>How stiffly it holds before it slides.</source>
+        <translation>Hoe stijf het houdt voordat het glijdt.</translation>
+    </message>
+    <message>
+        <source>In tones of an upright one.</source>
+        <translation>In tonen van een rechtopstaande.</translation>
+    </message>
+    <message>
+        <source>In widths of an upright one.</source>
+        <translation>In breedtes van een rechtopstaande.</translation>
+    </message>
+    <message>
+        <source>Its usual colour.</source>
+        <translation>De gebruikelijke kleur.</translation>
+    </message>
+    <message>
+        <source>Loudness</source>
+        <translation>Luidheid</translation>
+    </message>
+    <message>
+        <source>Of what is inked, at tone 0.</source>
+        <translation>Van wat is ingekleurd, bij toon 0.</translation>
+    </message>
+    <message>
+        <source>Of what is inked, at tone 1.</source>
+        <translation>Van wat is ingekleurd, bij toon 1.</translation>
+    </message>
+    <message>
+        <source>Opacity, heavy</source>
+        <translation>Dekking, hard</translation>
+    </message>
+    <message>
+        <source>Opacity, light</source>
+        <translation>Dekking, licht</translation>
+    </message>
+    <message>
+        <source>Pressure curve of the tone</source>
+        <translation>Drukcurve van de toon</translation>
+    </message>
+    <message>
+        <source>Pressure curve of the width</source>
+        <translation>Drukcurve van de breedte</translation>
+    </message>
+    <message>
+        <source>Root mean square of its heights; 0 is smooth.</source>
+        <translation>Effectieve waarde van de hoogten; 0 is glad.</translation>
+    </message>
+    <message>
+        <source>Seed of the grain</source>
+        <translation>Startwaarde van de korrel</translation>
+    </message>
+    <message>
+        <source>Share of its own coarseness: dust and crumbs.</source>
+        <translation>Aandeel van de eigen grofheid: stof en kruimels.</translation>
+    </message>
+    <message>
+        <source>Share of the relief that a firm push flattens, for hand and eye.</source>
+        <translation>Aandeel van het reliëf dat een stevige duw vlakt, voor hand en oog.</translation>
+    </message>
+    <message>
+        <source>Size of the crumbs</source>
+        <translation>Grootte van de kruimels</translation>
+    </message>
+    <message>
+        <source>Soft edge</source>
+        <translation>Zachte rand</translation>
+    </message>
+    <message>
+        <source>Softness of the grain</source>
+        <translation>Zachtheid van de korrel</translation>
+    </message>
+    <message>
+        <source>Squeak</source>
+        <translation>Piepen</translation>
+    </message>
+    <message>
+        <source>Streaks</source>
+        <translation>Strepen</translation>
+    </message>
+    <message>
+        <source>The same at tone 1.</source>
+        <translation>Hetzelfde bij toon 1.</translation>
+    </message>
+    <message>
+        <source>Their wavelength.</source>
+        <translation>Hun golflengte.</translation>
+    </message>
+    <message>
+        <source>Tone of a heavy hand</source>
+        <translation>Toon van een harde hand</translation>
+    </message>
+    <message>
+        <source>Tone of a leaning pen</source>
+        <translation>Toon van een schuine pen</translation>
+    </message>
+    <message>
+        <source>Tone of a light hand</source>
+        <translation>Toon van een lichte hand</translation>
+    </message>
+    <message>
+        <source>Wear of the grain</source>
+        <translation>Slijtage van de korrel</translation>
+    </message>
+    <message>
+        <source>What lies below so many heights of the grain stays bare, at tone 0.</source>
+        <translation>Wat onder zoveel hoogten van de korrel ligt, blijft kaal, bij toon 0.</translation>
+    </message>
+    <message>
+        <source>What the relief looks like.</source>
+        <translation>Hoe het reliëf eruitziet.</translation>
+    </message>
+    <message>
+        <source>Width of a leaning pen</source>
+        <translation>Breedte van een schuine pen</translation>
+    </message>
+    <message>
+        <source>Width of a line at full pressure.</source>
+        <translation>Breedte van een lijn bij volle druk.</translation>
+    </message>
+    <message>
+        <source>Width of the grain</source>
+        <translation>Breedte van de korrel</translation>
+    </message>
+    <message>
+        <source>fibres</source>
+        <translation>vezels</translation>
+    </message>
+    <message>
+        <source>grain</source>
+        <translation>korrel</translation>
+    </message>
+    <message>
+        <source>picture</source>
+        <translation>afbeelding</translation>
+    </message>
+    <message>
+        <source>rough</source>
+        <translation>ruw</translation>
+    </message>
+    <message>
+        <source>weave</source>
+        <translation>weefsel</translation>
+    </message>
+    <message>
+        <source>brush-pen</source>
+        <translation>penseelstift</translation>
+    </message>
+    <message>
+        <source>charcoal</source>
+        <translation>houtskool</translation>
+    </message>
+    <message>
+        <source>ink-pen</source>
+        <translation>inktpen</translation>
+    </message>
+    <message>
+        <source>pencil-hard</source>
+        <translation>hard potlood</translation>
+    </message>
+    <message>
+        <source>pencil-soft</source>
+        <translation>zacht potlood</translation>
     </message>
 </context>
 </TS>

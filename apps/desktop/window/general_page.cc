@@ -2,10 +2,22 @@
 
 #include <QLabel>
 
+#include "desktop/feel/friction_sound.h"
+#include "desktop/feel/settings_keys.h"
 #include "desktop/window/setting_rows.h"
 #include "desktop/window/settings_keys.h"
 
 namespace felt::desktop {
+namespace {
+
+QLabel* note_with(const QString& text, QWidget* parent) {
+  auto* note = new QLabel(text, parent);
+  note->setForegroundRole(QPalette::PlaceholderText);
+  note->setWordWrap(true);
+  return note;
+}
+
+}  // namespace
 
 GeneralPage::GeneralPage(QWidget* parent) : QWidget(parent) {
   QComboBox* theme = setting_choice(window_keys::kTheme, QStringLiteral("system"),
@@ -19,10 +31,7 @@ GeneralPage::GeneralPage(QWidget* parent) : QWidget(parent) {
                                         {QStringLiteral("de"), QStringLiteral("Deutsch")},
                                         {QStringLiteral("nl"), QStringLiteral("Nederlands")}},
                                        tr("Language"), this);
-  auto* note = new QLabel(tr("Another language is used from the next start on."), this);
-  note->setEnabled(true);
-  note->setForegroundRole(QPalette::PlaceholderText);
-  note->setWordWrap(true);
+  QLabel* note = note_with(tr("Another language is used from the next start on."), this);
   auto* form = new QFormLayout(this);
   form->setContentsMargins(0, 0, 0, 0);
   form->setVerticalSpacing(12);
@@ -33,6 +42,28 @@ GeneralPage::GeneralPage(QWidget* parent) : QWidget(parent) {
   form->addRow(tr("At the start:"),
                setting_switch(window_keys::kReopenLast, false, tr("&Open the last drawing again"),
                               tr("Where no file is named"), this));
+  add_sound(*form);
+}
+
+void GeneralPage::add_sound(QFormLayout& form) {
+  QCheckBox* heard =
+      setting_switch(feel_keys::kSound, feel_keys::kSoundDefault, tr("So&und of drawing"),
+                     tr("Hear the pen rub on the sheet"), this);
+  QSlider* volume = setting_slider(feel_keys::kSoundVolume, feel_keys::kSoundVolumeDefault,
+                                   tr("Volume of the sound of drawing"), this);
+  heard->setEnabled(FrictionSound::is_built_in());
+  volume->setEnabled(FrictionSound::is_built_in());
+  QLabel* note = note_with({}, this);
+  note->setObjectName(QStringLiteral("sound-note"));
+  const auto show = [note] {
+    note->setText(SoundState::the().words());
+    note->setVisible(!note->text().isEmpty());
+  };
+  connect(&SoundState::the(), &SoundState::changed, note, show);
+  form.addRow(tr("Sound:"), heard);
+  form.addRow(tr("&Volume:"), volume);
+  form.addRow(QString(), note);
+  show();
 }
 
 }  // namespace felt::desktop

@@ -1,15 +1,19 @@
 #pragma once
 
+#include <QFormLayout>
 #include <QWidget>
 
 namespace felt::desktop {
 
-/// Theme, language, and what happens at the start.
+/// Theme, language, what happens at the start, sound.
 class GeneralPage : public QWidget {
   Q_OBJECT
 
  public:
   explicit GeneralPage(QWidget* parent = nullptr);
+
+ private:
+  void add_sound(QFormLayout& form);
 };
 
 }  // namespace felt::desktop

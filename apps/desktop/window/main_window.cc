@@ -14,6 +14,7 @@
 #include "desktop/feel/force_panel.h"
 #include "desktop/files/notice_bar.h"
 #include "desktop/help/help_actions.h"
+#include "desktop/materials/media_picker.h"
 #include "desktop/panels/colors_panel.h"
 #include "desktop/panels/edit_actions.h"
 #include "desktop/panels/history_panel.h"
@@ -74,14 +75,21 @@ DrawingLooks looks_of(Canvas& canvas, ColorsPanel& colors) {
               }};
 }
 
+StudioOptions with_own_materials(StudioOptions options) {
+  options.materials = OwnMaterials::the().known();
+  return options;
+}
+
 }  // namespace
 
 MainWindow::MainWindow(StudioOptions options, QWidget* parent)
     : QMainWindow(parent),
-      studio_(new Studio(std::move(options), this)),
+      studio_(new Studio(with_own_materials(std::move(options)), this)),
       canvas_(new Canvas(*studio_, this)),
       actions_(new Actions(this)),
-      files_(new FileActions(*studio_, *actions_, this)) {
+      files_(new FileActions(*studio_, *actions_, this)),
+      materials_(new MaterialDesk(*studio_, OwnMaterials::the(), this)),
+      media_pictures_(new MediaPictures(*studio_, this)) {
   setObjectName(QStringLiteral("main"));
   setCentralWidget(sheet_with_notices());
   auto* pens = new PenInput(*canvas_);
@@ -99,8 +107,9 @@ MainWindow::MainWindow(StudioOptions options, QWidget* parent)
   new ToolKeys(*actions_, *studio_, this);
   make_panels();
   add_window_actions();
+  add_material_actions();
   set_action_icons(*actions_);
-  addToolBar(Qt::TopToolBarArea, new TopBar(*actions_, *canvas_, this));
+  addToolBar(Qt::TopToolBarArea, new TopBar(*actions_, *canvas_, *media_pictures_, this));
   addToolBar(Qt::LeftToolBarArea, new ToolBar(*studio_, *actions_, this));
   setStatusBar(new StatusLine(*studio_, *canvas_, this));
   make_menus(*this, *actions_, files_->recent_menu());
@@ -122,16 +131,23 @@ MainWindow::MainWindow(StudioOptions options, QWidget* parent)
   canvas_->setFocus();
 }
 
-/// The sheet, and above it what could not be taken of a file.
+/// The sheet, and above it what happened to the device, and what could not be taken of a file.
 QWidget* MainWindow::sheet_with_notices() {
   auto* middle = new QWidget(this);
   auto* column = new QVBoxLayout(middle);
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(0);
   auto* notices = new NoticeBar(middle);
+  device_notice_ = new DeviceNotice(middle);
+  column->addWidget(device_notice_);
   column->addWidget(notices);
+  care_ = new DeviceCare(*studio_, *device_notice_, this);
   column->addWidget(canvas_, 1);
   connect(files_, &FileActions::taken, notices, &NoticeBar::show_report);
+  if (const QStringList wrong = OwnMaterials::the().take_problems(); !wrong.isEmpty()) {
+    notices->show_words(tr("These of your own materials could not be read:") + QLatin1Char('\n') +
+                        wrong.join(QLatin1Char('\n')));
+  }
   return middle;
 }
 
@@ -155,8 +171,15 @@ QDockWidget* MainWindow::add_panel(const QString& name, const QString& title, QW
 void MainWindow::make_panels() {
   setDockNestingEnabled(true);
   setTabPosition(Qt::AllDockWidgetAreas, QTabWidget::North);
-  add_panel(QStringLiteral("options"), tr("Options"), new OptionsPanel(*studio_));
-  add_panel(QStringLiteral("feel"), tr("Feel"), new FeelPanel(*studio_));
+  const OptionPicker media = [this](QWidget* parent) {
+    return new MediaPicker(*studio_, *media_pictures_, parent);
+  };
+  add_panel(QStringLiteral("options"), tr("Options"),
+            new OptionsPanel(*studio_, nullptr, {{"pencil.material", media}}));
+  auto* feel = new FeelPanel(*studio_);
+  add_panel(QStringLiteral("feel"), tr("Feel"), feel);
+  connect(feel, &FeelPanel::wants_editor, this,
+          [this] { actions_->find(QStringLiteral("view.materials"))->trigger(); });
   auto* layers = new LayersPanel(*studio_);
   add_panel(QStringLiteral("layers"), tr("Layers"), layers);
   add_layer_actions(*actions_, *studio_, *layers);
@@ -231,6 +254,26 @@ void MainWindow::add_window_actions() {
     actions_->add(QStringLiteral("file.quit"), tr("&Quit"), {QKeySequence(Qt::CTRL | Qt::Key_Q)},
                   tr("Closes all windows"), [] { QApplication::closeAllWindows(); });
   }
+}
+
+MaterialEditor& MainWindow::material_editor() {
+  if (!material_editor_) material_editor_ = new MaterialEditor(*studio_, *materials_, this);
+  return *material_editor_;
+}
+
+void MainWindow::add_material_actions() {
+  actions_->add(QStringLiteral("view.materials"), tr("Ma&terials\u2026"),
+                {QKeySequence(Qt::CTRL | Qt::Key_M)},
+                tr("Change what sheets and media feel, look and sound like, and make your own"),
+                [this] {
+                  material_editor().show();
+                  material_editor().raise();
+                  material_editor().activateWindow();
+                });
+  actions_->add(QStringLiteral("view.compare_materials"), tr("&Compare materials A and B"),
+                {QKeySequence(Qt::Key_B)},
+                tr("Feel, see and hear the other one of the two that the editor compares"),
+                [this] { materials_->flip(); });
 }
 
 void MainWindow::hide_panels(bool hide) {
@@ -309,7 +352,10 @@ void MainWindow::changeEvent(QEvent* event) {
 
 void MainWindow::closeEvent(QCloseEvent* event) {
   event->setAccepted(files_->may_close());
-  if (!event->isAccepted()) return;
+  if (event->isAccepted()) keep_layout();
+}
+
+void MainWindow::keep_layout() {
   hide_panels(false);
   if (!isFullScreen()) Settings::the().set(window_keys::kGeometry, saveGeometry());
   Settings::the().set(window_keys::kLayout, saveState(kLayoutVersion));

@@ -8,7 +8,11 @@
 #include "desktop/canvas/canvas.h"
 #include "desktop/engine/actions.h"
 #include "desktop/engine/studio.h"
+#include "desktop/feel/device_care.h"
 #include "desktop/files/file_actions.h"
+#include "desktop/materials/material_desk.h"
+#include "desktop/materials/material_editor.h"
+#include "desktop/materials/media_pictures.h"
 
 namespace felt::desktop {
 
@@ -26,10 +30,18 @@ class MainWindow : public QMainWindow {
   [[nodiscard]] Canvas& canvas() noexcept { return *canvas_; }
   [[nodiscard]] Actions& actions() noexcept { return *actions_; }
   [[nodiscard]] FileActions& files() noexcept { return *files_; }
+  [[nodiscard]] DeviceCare& care() noexcept { return *care_; }
+  [[nodiscard]] MaterialDesk& materials() noexcept { return *materials_; }
+  [[nodiscard]] const MediaPictures& media_pictures() const noexcept { return *media_pictures_; }
+  /// The window where sheets and media are made, made when it is first asked for.
+  MaterialEditor& material_editor();
+  [[nodiscard]] DeviceNotice& device_notice() noexcept { return *device_notice_; }
   /// Shows a panel by its name ("layers", "forces"); false where there is none of that name.
   bool show_panel(const QString& name);
   /// Panels and bars as they come with the program.
   void reset_layout();
+  /// Where window, panels and bars are is kept for the next start.
+  void keep_layout();
 
  Q_SIGNALS:
   /// "edit.preferences" was asked for.
@@ -48,6 +60,7 @@ class MainWindow : public QMainWindow {
   void make_panels();
   void place_panels();
   void add_window_actions();
+  void add_material_actions();
   void hide_panels(bool hide);
   void set_full_screen(bool on);
   void go_to_next_part();
@@ -57,9 +70,14 @@ class MainWindow : public QMainWindow {
   Canvas* canvas_;
   Actions* actions_;
   FileActions* files_;
+  MaterialDesk* materials_;
+  MediaPictures* media_pictures_;
+  DeviceNotice* device_notice_ = nullptr;
+  DeviceCare* care_ = nullptr;
   QList<QDockWidget*> panels_;
   QList<QWidget*> hidden_;  // by hide_panels
   QPointer<QDialog> preferences_;
+  QPointer<MaterialEditor> material_editor_;
 };
 
 }  // namespace felt::desktop

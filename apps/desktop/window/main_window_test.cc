@@ -3,10 +3,17 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <QAbstractButton>
+#include <QComboBox>
+#include <QDir>
 #include <QMenuBar>
 #include <QMessageBox>
+#include <QPointer>
+#include <QSignalSpy>
 #include <QTest>
 #include <QToolBar>
+#include <QToolButton>
+#include <csignal>
 #include <memory>
 
 #include "desktop/engine/settings.h"
@@ -17,6 +24,7 @@
 #include "desktop/test_support/accessible_names.h"
 #include "desktop/window/preferences.h"
 #include "desktop/window/shortcuts_page.h"
+#include "desktop/window/signal_watch.h"
 #include "desktop/window/tool_keys.h"
 #include "desktop/window/windows.h"
 
@@ -113,11 +121,64 @@ TEST(MainWindow, EveryControlHasAName) {
   ShortcutSheet sheet(window.actions());
   AboutDialog about;
   TourWindow tour;
-  for (QWidget* widget :
-       std::initializer_list<QWidget*>{&window, &preferences, &guide, &sheet, &about, &tour}) {
+  for (QWidget* widget : std::initializer_list<QWidget*>{
+           &window, &preferences, &guide, &sheet, &about, &tour, &window.material_editor()}) {
     EXPECT_THAT(nameless_controls(*widget).join(QStringLiteral(", ")).toStdString(), IsEmpty())
         << widget->metaObject()->className();
   }
+}
+
+TEST(MainWindow, WhatAPersonMakesIsInEveryListAtOnce) {
+  MainWindow one(still()), other(still());
+  SurfaceMaterial slate = *find_surface("blackboard");
+  slate.id = "slate";
+  slate.label = "Slate";
+  Medium graphite = *find_medium("pencil");
+  graphite.id = "graphite";
+  graphite.label = "Graphite";
+  OwnMaterials::the().put(slate);
+  OwnMaterials::the().put(graphite);
+  const auto lists = [](MainWindow& window) {
+    window.materials().tell_now();
+    int found = 0;
+    for (const char* name : {"top_sheets", "top_media"}) {
+      auto* box = window.findChild<QComboBox*>(QString::fromLatin1(name));
+      found += box->findText(QStringLiteral("Slate")) >= 0;
+      found += box->findText(QStringLiteral("Graphite")) >= 0;
+    }
+    for (const auto* button : window.findChildren<QAbstractButton*>()) {
+      // Where there is little room, the text of a button is shorter than its name.
+      const QString name =
+          button->accessibleName().isEmpty() ? button->text() : button->accessibleName();
+      found += !button->isHidden() &&
+               (name == QStringLiteral("Slate") || name == QStringLiteral("Graphite"));
+    }
+    return found;
+  };
+  EXPECT_EQ(lists(one), 4);
+  EXPECT_EQ(lists(other), 4) << "and in every window";
+  auto* sheets = one.findChild<QComboBox*>(QStringLiteral("top_sheets"));
+  const int row = sheets->findText(QStringLiteral("Slate"));
+  sheets->setCurrentIndex(row);
+  Q_EMIT sheets->activated(row);
+  EXPECT_EQ(one.studio().session().sheet().material().id, "slate");
+  one.studio().apply(SetOption{"sheet.material", OptionValue(std::string("paper"))});
+  OwnMaterials::the().revert({true, "slate"});
+  OwnMaterials::the().revert({false, "graphite"});
+  EXPECT_EQ(lists(one), 0);
+}
+
+TEST(MainWindow, TheMaterialsWindowOpensByMenuKeyAndPanel) {
+  const auto window = shown_window();
+  QAction* open = window->actions().find(QStringLiteral("view.materials"));
+  ASSERT_TRUE(open);
+  open->trigger();
+  EXPECT_TRUE(window->material_editor().isVisible());
+  window->material_editor().close();
+  for (auto* button : window->findChildren<QToolButton*>()) {
+    if (button->accessibleName() == QStringLiteral("Edit sheets and media")) button->click();
+  }
+  EXPECT_TRUE(window->material_editor().isVisible());
 }
 
 TEST(MainWindow, HidesAllPanelsAndShowsTheSameOnesAgain) {
@@ -244,6 +305,31 @@ TEST(Windows, AnExampleKeepsItsNameAndTakesOnlyAWindowWithNothingInIt) {
   EXPECT_NE(second, first) << "the first shows an example, and is not to be replaced";
   delete second;
   delete first;
+}
+
+TEST(Windows, ASignalEndsThemWithoutForceAndKeepsWhatWasDrawn) {
+  QDir working(QDir::tempPath() + QStringLiteral("/felt-signal-test"));
+  working.removeRecursively();
+  Windows windows(still());
+  QPointer<MainWindow> window = windows.open();
+  window->files().keep_journal({working.path()});
+  touch(*window, true);
+  touch(*window, false);
+  window->studio().advance(300'000'000);
+  ASSERT_TRUE(window->studio().is_modified());
+  window->studio().set_forces(true);
+  const SignalWatch signals;
+  QSignalSpy asked(&signals, &SignalWatch::asked);
+  ASSERT_EQ(std::raise(SIGTERM), 0);
+  ASSERT_TRUE(asked.count() == 1 || asked.wait(5000));
+  windows.let_go();
+  const QString folder = window->files().journal()->folder();
+  EXPECT_FALSE(window->studio().forces_are_on());
+  windows.end();  // with no question
+  EXPECT_TRUE(window.isNull());
+  EXPECT_FALSE(folder.isEmpty());
+  EXPECT_TRUE(QDir(folder).exists()) << "the next start offers it";
+  working.removeRecursively();
 }
 
 TEST(Windows, AFileThatCannotBeOpenedSaysSoInAWindowThatStays) {

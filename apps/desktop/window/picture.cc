@@ -4,20 +4,50 @@
 #include <QDialog>
 #include <QFile>
 #include <QPixmap>
+#include <QThread>
+#include <QToolButton>
 #include <cstdio>
 #include <memory>
+#include <utility>
 
+#include "desktop/engine/driver_watch.h"
 #include "desktop/help/examples.h"
 #include "desktop/help/script_player.h"
 #include "desktop/help/tour_window.h"
 #include "desktop/window/main_window.h"
 #include "desktop/window/preferences.h"
 #include "desktop/window/theme.h"
+#include "felt/devices/simulated/simulated_stylus.h"
 
 namespace felt::desktop {
 namespace {
 
 constexpr std::int64_t kFrameNs = 16'000'000;
+
+/// Stands for a device that somebody has plugged in: no picture shows what happens to be there.
+class ShownPen final : public PenDevice {
+ public:
+  explicit ShownPen(PenDeviceInfo info)
+      : info_(std::move(info)), stylus_(*find_stylus_preset("touch")) {}
+
+  static PenDeviceInfo touch() {
+    PenDeviceInfo info;
+    info.id = QStringLiteral("openhaptics:default");
+    info.label = QStringLiteral("3D Systems Touch");
+    info.moves_hand = info.has_own_frame = true;
+    info.capabilities = find_stylus_preset("touch")->capabilities;
+    return info;
+  }
+  [[nodiscard]] const PenDeviceInfo& info() const noexcept override { return info_; }
+  [[nodiscard]] Device& device() noexcept override { return stylus_; }
+  [[nodiscard]] HandInput* hand() noexcept override { return nullptr; }
+  [[nodiscard]] const HandScriptOptions& hand_options() const noexcept override { return options_; }
+
+ private:
+  PenDeviceInfo info_;
+  SimulatedStylus stylus_;
+  HandScriptOptions options_;
+};
 
 int complain(const QString& text) {
   std::fprintf(stderr, "feltline-desktop: %s\n", qPrintable(text));
@@ -29,6 +59,24 @@ void settle() {
   for (int i = 0; i < 30; ++i) {
     QApplication::processEvents(QEventLoop::AllEvents, 20);
     QApplication::sendPostedEvents();
+  }
+}
+
+bool lacks_pictures(const MainWindow& window) {
+  if (window.media_pictures().of("pencil").isNull()) return true;
+  for (const auto* button : window.findChildren<QToolButton*>()) {
+    const bool has_one = button->toolButtonStyle() == Qt::ToolButtonTextUnderIcon;
+    if (has_one && button->isVisible() && button->icon().isNull()) return true;
+  }
+  return false;
+}
+
+/// Until what is made beside Qt's thread is there, too: pictures of sheets and media.
+void wait_for_pictures(const MainWindow& window) {
+  constexpr int kMostWaits = 500, kWaitMs = 20;
+  for (int i = 0; i < kMostWaits && lacks_pictures(window); ++i) {
+    QThread::msleep(kWaitMs);
+    settle();
   }
 }
 
@@ -46,6 +94,19 @@ QString play(Studio& studio, const PictureRequest& request) {
   return {};
 }
 
+/// The editor with this sheet or medium, and what comes of it.
+QWidget* open_materials(MainWindow& window, const QString& id) {
+  MaterialEditor& editor = window.material_editor();
+  const bool is_sheet = window.studio().materials().find_surface(id.toStdString()) != nullptr;
+  if (!id.isEmpty()) window.materials().select({is_sheet, id.toStdString()});
+  editor.show();
+  do {
+    QThread::msleep(1);
+    settle();
+  } while (editor.probe().is_busy());
+  return &editor;
+}
+
 QWidget* open_dialog(MainWindow& window, const QString& name) {
   const QString what = name.section(QLatin1Char('/'), 0, 0),
                 part = name.section(QLatin1Char('/'), 1);
@@ -54,6 +115,7 @@ QWidget* open_dialog(MainWindow& window, const QString& name) {
     if (!part.isEmpty() && !dialog->show_page(part)) return nullptr;
     return dialog;
   }
+  if (what == QStringLiteral("materials")) return open_materials(window, part);
   if (what == QStringLiteral("tour")) {
     auto* tour = new TourWindow(&window);
     tour->go_to(part.toInt());
@@ -80,6 +142,14 @@ int make_picture(const PictureRequest& request) {
   window.show();
   settle();
   Studio& studio = window.studio();
+  const DriverWatch drivers({});
+  if (request.dialog == QStringLiteral("preferences/device")) {
+    add_pen_driver({[] { return std::vector{ShownPen::touch()}; },
+                    [](const QString&, const OpenOptions&) -> Result<std::unique_ptr<PenDevice>> {
+                      return std::make_unique<ShownPen>(ShownPen::touch());
+                    }});
+    if (!studio.use_device(ShownPen::touch().id)) return 1;
+  }
   if (!request.example.isEmpty()) studio.open(example_document(request.example), SheetPage{});
   if (!request.script.isEmpty()) {
     if (const QString wrong = play(studio, request); !wrong.isEmpty()) return complain(wrong);
@@ -99,6 +169,7 @@ int make_picture(const PictureRequest& request) {
   settle();
   window.canvas().fit_page();
   window.canvas().ink().finish();
+  wait_for_pictures(window);
   settle();
   return seen->grab().save(request.path) ? 0
                                          : complain(request.path + QStringLiteral(": not written"));

@@ -34,7 +34,7 @@ Preferences::Preferences(MainWindow& window)
   add(QStringLiteral("general"), "preferences", tr("General"), [] { return new GeneralPage; });
   add(QStringLiteral("pen"), "pen-pressure", tr("Pen"), [] { return new PensPage; });
   add(QStringLiteral("device"), "device", tr("Device"),
-      [&window] { return new DevicePage(window.studio()); });
+      [&window] { return new DevicePage(window.studio(), &window.care()); });
   add(QStringLiteral("canvas"), "page", tr("Sheet"), [] { return new CanvasPage; });
   add(QStringLiteral("shortcuts"), "keyboard", tr("Shortcuts"),
       [&actions] { return new ShortcutsPage(actions); });

@@ -36,4 +36,22 @@ QComboBox* setting_choice(const QString& key, const QString& fallback,
   return box;
 }
 
+QSlider* setting_slider(const QString& key, double fallback, const QString& name, QWidget* parent) {
+  constexpr int kSteps = 100;
+  auto* slider = new QSlider(Qt::Horizontal, parent);
+  slider->setRange(0, kSteps);
+  slider->setAccessibleName(name);
+  const auto show = [slider, key, fallback] {
+    slider->setValue(qRound(kSteps * Settings::the().number(key, fallback)));
+  };
+  show();
+  QObject::connect(slider, &QSlider::valueChanged, slider,
+                   [key](int value) { Settings::the().set(key, double(value) / kSteps); });
+  QObject::connect(&Settings::the(), &Settings::changed, slider,
+                   [key, show](const QString& changed) {
+                     if (changed == key) show();
+                   });
+  return slider;
+}
+
 }  // namespace felt::desktop

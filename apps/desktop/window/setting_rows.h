@@ -3,6 +3,7 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QFormLayout>
+#include <QSlider>
 #include <QString>
 #include <utility>
 #include <vector>
@@ -16,5 +17,8 @@ QCheckBox* setting_switch(const QString& key, bool fallback, const QString& text
 QComboBox* setting_choice(const QString& key, const QString& fallback,
                           const std::vector<std::pair<QString, QString>>& choices,
                           const QString& name, QWidget* parent);
+
+/// A share, 0..1, in steps of a hundredth.
+QSlider* setting_slider(const QString& key, double fallback, const QString& name, QWidget* parent);
 
 }  // namespace felt::desktop

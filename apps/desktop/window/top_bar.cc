@@ -1,6 +1,5 @@
 #include "desktop/window/top_bar.h"
 
-#include <QComboBox>
 #include <QEvent>
 #include <QLabel>
 #include <QToolButton>
@@ -8,21 +7,37 @@
 #include "desktop/feel/feel_actions.h"
 #include "desktop/feel/feel_icons.h"
 #include "desktop/feel/material_words.h"
+#include "desktop/materials/media_picker.h"
 #include "desktop/panels/tool_icons.h"
-#include "felt/haptics/material.h"
 
 namespace felt::desktop {
 namespace {
 
-const std::string kMaterial = "sheet.material";
+constexpr QSize kPicturePx{40, 16};
 
 QString text_of(std::string_view text) {
   return QString::fromUtf8(text.data(), qsizetype(text.size()));
 }
 
+struct Choice {
+  QString id, label;
+};
+
+/// A list that is open stays as it is where nothing in it is new.
+void offer(QComboBox& box, const QList<Choice>& all) {
+  bool is_same = box.count() == all.size();
+  for (int i = 0; is_same && i < box.count(); ++i) {
+    is_same = box.itemData(i).toString() == all[i].id && box.itemText(i) == all[i].label;
+  }
+  if (is_same) return;
+  box.clear();
+  for (const Choice& choice : all) box.addItem(choice.label, choice.id);
+}
+
 }  // namespace
 
-TopBar::TopBar(const Actions& actions, Canvas& canvas, QWidget* parent)
+TopBar::TopBar(const Actions& actions, Canvas& canvas, const MediaPictures& pictures,
+               QWidget* parent)
     : QToolBar(parent), studio_(canvas.studio()) {
   setObjectName(QStringLiteral("top"));
   setWindowTitle(tr("Top bar"));
@@ -38,7 +53,8 @@ TopBar::TopBar(const Actions& actions, Canvas& canvas, QWidget* parent)
   auto* gap = new QWidget(this);
   gap->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
   addWidget(gap);
-  add_material(canvas.studio());
+  add_media(pictures);
+  add_sheets();
   addSeparator();
   add_forces(actions);
   addSeparator();
@@ -80,31 +96,81 @@ void TopBar::changeEvent(QEvent* event) {
   if (event->type() == QEvent::PaletteChange) show_forces();
 }
 
-void TopBar::add_material(Studio& studio) {
-  auto* label = new QLabel(tr("Sheet:"), this);
-  label->setContentsMargins(4, 0, 4, 0);
+QComboBox* TopBar::add_list(const QString& label, const QString& name, const QString& tip) {
+  auto* words = new QLabel(label, this);
+  words->setContentsMargins(4, 0, 4, 0);
   auto* box = new QComboBox(this);
-  box->setAccessibleName(tr("Material of the sheet"));
-  box->setToolTip(tr("What the sheet feels and looks like"));
+  box->setAccessibleName(name);
+  box->setToolTip(tip);
   box->setFocusPolicy(Qt::TabFocus);
-  label->setBuddy(box);
-  for (const SurfaceMaterial& material : surface_materials()) {
-    box->addItem(material_label(material), text_of(material.id));
-  }
-  const auto show = [box, &studio] {
-    const Result<OptionValue> value = studio.session().option(kMaterial);
-    const auto* name = value ? std::get_if<std::string>(&*value) : nullptr;
-    if (name) box->setCurrentIndex(box->findData(QString::fromStdString(*name)));
-  };
-  show();
-  connect(box, &QComboBox::activated, this,
-          [box, &studio] { choose_material(studio, box->currentData().toString()); });
-  connect(&studio, &Studio::option_changed, this, [show](const QString& id) {
-    if (id.toStdString() == kMaterial) show();
-  });
-  connect(&studio, &Studio::opened, this, show);
-  addWidget(label);
+  box->setSizeAdjustPolicy(QComboBox::AdjustToContents);
+  words->setBuddy(box);
+  addWidget(words);
   addWidget(box);
+  return box;
+}
+
+/// With a picture of each. Whoever takes one wants to draw with it, so the pencil comes with it.
+void TopBar::add_media(const MediaPictures& pictures) {
+  QComboBox* box = add_list(tr("Pen:"), tr("What is drawn with"),
+                            tr("What the pen is made of: how it looks, feels and sounds"));
+  box->setObjectName(QStringLiteral("top_media"));
+  box->setIconSize(kPicturePx);
+  const auto show = [this, box] {
+    box->setCurrentIndex(box->findData(QString::fromStdString(medium_in_hand(studio_))));
+  };
+  const auto show_pictures = [box, &pictures] {
+    for (int i = 0; i < box->count(); ++i) {
+      const QImage picture = pictures.of(box->itemData(i).toString().toStdString());
+      if (!picture.isNull()) box->setItemIcon(i, QIcon(QPixmap::fromImage(picture)));
+    }
+  };
+  const auto fill = [this, box, show, show_pictures] {
+    QList<Choice> all;
+    for (const Medium& medium : studio_.materials().media()) {
+      if (medium.draws) all.push_back({text_of(medium.id), medium_label(medium)});
+    }
+    offer(*box, all);
+    show_pictures();
+    show();
+  };
+  fill();
+  connect(box, &QComboBox::activated, this, [this, box, show] {
+    if (studio_.session().tool().info().id != "pencil") studio_.apply(SelectTool{"pencil"});
+    take_medium(studio_, box->currentData().toString().toStdString());
+    show();
+  });
+  connect(&studio_, &Studio::option_changed, this, [show](const QString& id) {
+    if (id == QLatin1String("pencil.material")) show();
+  });
+  connect(&studio_, &Studio::materials_changed, this, fill);
+  connect(&studio_, &Studio::opened, this, fill);
+  connect(&pictures, &MediaPictures::changed, this, show_pictures);
+}
+
+void TopBar::add_sheets() {
+  QComboBox* box = add_list(tr("Sheet:"), tr("Material of the sheet"),
+                            tr("What the sheet feels and looks like"));
+  box->setObjectName(QStringLiteral("top_sheets"));
+  const auto show = [this, box] {
+    box->setCurrentIndex(box->findData(text_of(studio_.session().sheet().material().id)));
+  };
+  const auto fill = [this, box, show] {
+    QList<Choice> all;
+    for (const SurfaceMaterial& material : studio_.materials().surfaces()) {
+      all.push_back({text_of(material.id), material_label(material)});
+    }
+    offer(*box, all);
+    show();
+  };
+  fill();
+  connect(box, &QComboBox::activated, this,
+          [this, box] { choose_material(studio_, box->currentData().toString()); });
+  connect(&studio_, &Studio::option_changed, this, [show](const QString& id) {
+    if (id == QLatin1String("sheet.material")) show();
+  });
+  connect(&studio_, &Studio::materials_changed, this, fill);
+  connect(&studio_, &Studio::opened, this, fill);
 }
 
 }  // namespace felt::desktop

@@ -1,18 +1,22 @@
 #pragma once
 
+#include <QComboBox>
 #include <QToolBar>
 
 #include "desktop/canvas/canvas.h"
 #include "desktop/engine/actions.h"
+#include "desktop/materials/media_pictures.h"
 
 namespace felt::desktop {
 
-/// What one reaches for all the time: undo, redo, zoom, the sheet's material, the forces.
+/// What one reaches for all the time: undo, redo, zoom, what is drawn with, the sheet's material,
+/// the forces.
 class TopBar : public QToolBar {
   Q_OBJECT
 
  public:
-  TopBar(const Actions& actions, Canvas& canvas, QWidget* parent = nullptr);
+  TopBar(const Actions& actions, Canvas& canvas, const MediaPictures& pictures,
+         QWidget* parent = nullptr);
 
  protected:
   void changeEvent(QEvent* event) override;
@@ -21,7 +25,9 @@ class TopBar : public QToolBar {
   void add_forces(const Actions& actions);
   void show_forces();
   void add_named(const Actions& actions, const char* name);
-  void add_material(Studio& studio);
+  QComboBox* add_list(const QString& label, const QString& name, const QString& tip);
+  void add_media(const MediaPictures& pictures);
+  void add_sheets();
 
   Studio& studio_;
   QAction* forces_ = nullptr;

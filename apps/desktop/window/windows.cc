@@ -59,6 +59,21 @@ MainWindow* Windows::open_file(const QString& path) {
   return window;
 }
 
+void Windows::let_go() {
+  for (MainWindow* window : windows_) window->studio().set_forces(false);
+  for (MainWindow* window : windows_) {
+    if (Journal* journal = window->files().journal()) journal->flush();
+  }
+}
+
+void Windows::end() {
+  let_go();
+  for (MainWindow* window : QList<MainWindow*>(windows_)) {
+    window->keep_layout();
+    delete window;  // its device is closed without force; its journal stays where it is needed
+  }
+}
+
 /// A window with nothing in it, or null.
 MainWindow* Windows::pristine() const {
   const auto found = std::find_if(windows_.begin(), windows_.end(), [](MainWindow* window) {

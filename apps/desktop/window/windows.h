@@ -23,6 +23,11 @@ class Windows : public QObject {
   MainWindow* open_file(const QString& path);
   /// Likewise with an example; in `here` where nothing was drawn there.
   MainWindow* open_drawing(const Document& drawing, const QString& title, MainWindow* here);
+  /// Nobody is asked any more, as the program is told to end: forces go off at once. What was drawn
+  /// is on the disk when this returns; what is not saved is offered at the next start.
+  void let_go();
+  /// Likewise, and closes them all; not from within a dialog.
+  void end();
   /// What was open when the program was used last, "" for nothing.
   [[nodiscard]] static QString last_file();
 

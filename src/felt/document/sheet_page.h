@@ -1,5 +1,7 @@
 #pragma once
 
+#include <string>
+
 #include "felt/geometry/rect.h"
 #include "felt/stroke/stroke.h"
 
@@ -14,6 +16,10 @@ struct SheetPage {
   double width_mm = 297.0;  ///< A4, landscape; kLeastMm..kMostMm
   double height_mm = 210.0;
   Rgba paper{255, 255, 255, 255};  ///< alpha 0: none is drawn, printed or exported
+  /// Id of the surface it is made of (SurfaceMaterial::id), UTF-8 of at most 4096 bytes. "" where
+  /// none was chosen, as in files of other programs: then it is felt and seen on whatever the
+  /// person has chosen. An id that is not known is kept.
+  std::string surface{};
 
   [[nodiscard]] Rect area() const noexcept { return {0.0, 0.0, width_mm, height_mm}; }
   friend bool operator==(const SheetPage&, const SheetPage&) noexcept = default;

@@ -8,6 +8,7 @@
 #include "felt/formats/format_traits.h"
 #include "felt/formats/layered_drawing.h"
 #include "felt/formats/line_drawing.h"
+#include "felt/formats/own_materials.h"
 #include "felt/io/inkml_import.h"
 #include "felt/io/quickdraw_import.h"
 #include "felt/io/svg_import.h"
@@ -135,6 +136,7 @@ Result<OpenedDrawing> parse_drawing(std::string_view bytes, const std::string& p
     result = opened(*std::move(imported), *format);
     result.is_exact = result.report.empty() && is_ours(bytes, *format);
   }
+  drop_bad_texts(result.drawing.materials, result.report);
   note_wrong_ending(path, *format, result.report);
   return result;
 }

@@ -39,7 +39,8 @@ Result<std::string> svg_bytes(const StoredDrawing& drawing, const WriteOptions& 
   LayeredSketch sketch = sheet_with(drawing, options);
   const Rgba paper = options.paper.value_or(drawing.page.paper);
   if (options.area) sketch.page.reset();
-  return svg_text(sketch, SvgOptions{.sheet = options.area, .paper = paper});
+  return svg_text(sketch,
+                  SvgOptions{.sheet = options.area, .paper = paper, .grain = options.grain_print});
 }
 
 }  // namespace
@@ -56,7 +57,8 @@ Result<std::string> drawing_bytes(const StoredDrawing& drawing, FileFormat forma
     case FileFormat::kSvg:
       return svg_bytes(drawing, options);
     case FileFormat::kPdf:
-      return pdf_text(visible_strokes(drawing.document), {.sheet = area, .paper = paper});
+      return pdf_text(visible_strokes(drawing.document),
+                      {.sheet = area, .paper = paper, .grain = options.grain_print});
     case FileFormat::kPng:
       return png_bytes(drawing, options);
     case FileFormat::kInkml:

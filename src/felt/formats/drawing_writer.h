@@ -6,6 +6,7 @@
 #include "felt/base/result.h"
 #include "felt/formats/file_format.h"
 #include "felt/geometry/rect.h"
+#include "felt/io/grain_mask.h"
 #include "felt/render/grain.h"
 #include "felt/store/felt_file.h"
 
@@ -21,7 +22,9 @@ struct WriteOptions {
   /// holds the ink (.xopp).
   bool no_page = false;
   double dpi = 300.0;  ///< of a .png
-  Grain grain{};       ///< of a .png
+  Grain grain{};       ///< the relief of the sheet in the ink of a .png
+  /// Likewise of an .svg or .pdf, whose strokes stay outlines (GrainPrint); none: it is not shown.
+  std::optional<GrainPrint> grain_print{};
 };
 
 /// A drawing as the bytes of a file. Formats with layers keep hidden ones hidden; all others hold

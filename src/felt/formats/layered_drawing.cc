@@ -9,6 +9,7 @@
 #include "felt/base/check.h"
 #include "felt/base/utf8.h"
 #include "felt/io/limits.h"
+#include "felt/io/material_texts.h"
 
 namespace felt {
 namespace {
@@ -53,10 +54,10 @@ LayerState state_of(const SketchLayer& layer, std::size_t number) {
 SheetPage sheet_of(const LayeredSketch& sketch) {
   const SheetPage page = sketch.page.value_or(SheetPage{});
   const auto fits = [](double mm) { return mm >= SheetPage::kLeastMm && mm <= SheetPage::kMostMm; };
-  if (fits(page.width_mm) && fits(page.height_mm)) return page;
-  SheetPage fallback;
-  fallback.paper = page.paper;
-  return fallback;
+  const bool is_sheet = fits(page.width_mm) && fits(page.height_mm);
+  SheetPage sheet = is_sheet ? page : SheetPage{.paper = page.paper, .surface = page.surface};
+  if (sheet.surface.size() > limits::kMaxNameBytes || !is_utf8(sheet.surface)) sheet.surface = "";
+  return sheet;
 }
 
 }  // namespace
@@ -73,6 +74,7 @@ LayeredSketch layered_sketch(const StoredDrawing& drawing, LayerChoice choice) {
     }
   }
   sketch.page = drawing.page;
+  sketch.materials = drawing.materials;
   return sketch;
 }
 
@@ -99,6 +101,7 @@ StoredDrawing stored_drawing(LayeredSketch sketch) {
   }
   FELT_CHECK(drawing.document.apply(edit).has_value());
   drawing.page = sheet_of(sketch);
+  for (const std::string& text : sketch.materials) add_material_text(drawing.materials, text);
   return drawing;
 }
 

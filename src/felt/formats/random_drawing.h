@@ -28,6 +28,8 @@ inline StoredDrawing random_drawing(std::uint64_t seed) {
   sketch.page = SheetPage{static_cast<double>(random.pick(10, 500)) + 0.25,
                           static_cast<double>(random.pick(10, 5000)),
                           {byte(), byte(), byte(), byte()}};
+  if (random.chance(0.5)) sketch.page->surface = "my-paper";
+  if (random.chance(0.5)) sketch.materials = {"kind = \"sheet\"\nid = \"my-paper\"\n"};
   return stored_drawing(std::move(sketch));
 }
 

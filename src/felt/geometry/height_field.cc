@@ -5,50 +5,12 @@
 #include <cmath>
 #include <cstddef>
 
+#include "felt/geometry/height_tile.h"
+
 namespace felt {
 namespace {
 
 constexpr int kSide = HeightField::kSide;
-constexpr int kWaves = 96;
-
-/// SplitMix64 (Steele, Lea, Flood 2014): a few lines, and the same numbers everywhere.
-class Random {
- public:
-  explicit Random(std::uint64_t seed) noexcept : state_(seed) {}
-  /// 0..n-1. The bias of the remainder is below 1e-16 here.
-  int below(int n) noexcept {
-    std::uint64_t z = (state_ += 0x9E3779B97F4A7C15u);
-    z = (z ^ (z >> 30)) * 0xBF58476D1CE4E5B9u;
-    z = (z ^ (z >> 27)) * 0x94D049BB133111EBu;
-    return static_cast<int>((z ^ (z >> 31)) % static_cast<std::uint64_t>(n));
-  }
-
- private:
-  std::uint64_t state_;
-};
-
-/// cos(2 pi i / kSide), by halving the quarter turn and then turning step by step: libm's cosines
-/// differ between machines in the last bit.
-std::array<double, kSide> cosines() {
-  double c = 0.0;  // of a quarter turn
-  double s = 1.0;
-  for (int n = 4; n < kSide; n *= 2) {
-    const double half = std::sqrt(0.5 * (1.0 + c));
-    s = s / (2.0 * half);
-    c = half;
-  }
-  std::array<double, kSide> table{};
-  double x = 1.0;
-  double y = 0.0;
-  for (double& value : table) {
-    value = x;
-    const double turned = c * x - s * y;
-    y = s * x + c * y;
-    x = turned;
-  }
-  return table;
-}
-
 /// Cubic B-spline weights of the four heights around, for value, first and second derivative per
 /// height step; f in [0, 1) is the way past the second of them.
 struct Weights {
@@ -81,62 +43,74 @@ double sum(const std::vector<float>& heights, int ix, int iy, const std::array<d
 }  // namespace
 
 HeightField::HeightField(const HeightFieldSpec& spec)
-    : spec_(spec), heights_mm_(std::size_t{kSide} * kSide, 0.0F) {
-  if (!(spec_.wavelength_mm > 0.0)) spec_ = {.wavelength_mm = 1.0, .rms_um = 0.0};
-  if (!(spec_.rms_um > 0.0)) return;  // flat
-  make_waves();
-  find_bounds();
+    : HeightField(spec, spec.wavelength_mm > 0.0 && spec.rms_um > 0.0
+                            ? height_tile::heights_of(spec)
+                            : std::vector<double>{}) {}
+
+HeightField::HeightField(const HeightFieldSpec& spec, const std::vector<double>& tile)
+    : spec_(spec) {
+  const bool is_flat =
+      !(spec_.rms_um > 0.0) || tile.size() != std::size_t{kSide} * kSide ||
+      !std::all_of(tile.begin(), tile.end(), [](double h) { return std::isfinite(h); }) ||
+      std::all_of(tile.begin(), tile.end(), [](double h) { return h == 0.0; });
+  if (!is_flat) tile_ = tile_of(tile);
+  size();
 }
 
-void HeightField::make_waves() {
-  const std::array<double, kSide> cosine = cosines();
-  Random random(spec_.seed);
-  std::vector<double> sum_of_waves(heights_mm_.size(), 0.0);
-  constexpr int kMost = static_cast<int>(kWavesPerTile * kBand);
-  constexpr double kLeast = kWavesPerTile / kBand;
-  for (int wave = 0; wave < kWaves;) {
-    const int kx = random.below(2 * kMost + 1) - kMost;
-    const int ky = random.below(kMost + 1);
-    const int phase = random.below(kSide);
-    const double k_squared = kx * kx + ky * ky;
-    if (k_squared < kLeast * kLeast || k_squared > kMost * kMost) continue;
-    ++wave;
-    for (int y = 0; y < kSide; ++y) {
-      for (int x = 0; x < kSide; ++x) {
-        // kx < 0: the mask of a negative int is its remainder, as two's complement is asked for.
-        const auto turn = static_cast<std::size_t>((kx * x + ky * y + phase) & (kSide - 1));
-        sum_of_waves[static_cast<std::size_t>(y * kSide + x)] += cosine[turn];
-      }
-    }
+HeightField HeightField::scaled(double wavelength_mm, double rms_um) const {
+  HeightField other = *this;
+  other.spec_.wavelength_mm = wavelength_mm;
+  other.spec_.rms_um = rms_um;
+  other.size();
+  return other;
+}
+
+void HeightField::size() {
+  const auto is_size = [](double x) { return std::isfinite(x) && x > 0.0; };
+  if (!is_size(spec_.wavelength_mm)) spec_ = {.wavelength_mm = 1.0, .rms_um = 0.0};
+  if (!is_size(spec_.rms_um) || !tile_) {
+    tile_.reset();
+    spec_.rms_um = 0.0;
+    rms_mm_ = max_height_mm_ = max_slope_ = max_curvature_per_mm_ = 0.0;
+    return;
   }
-  std::transform(sum_of_waves.begin(), sum_of_waves.end(), heights_mm_.begin(),
-                 [](double h) { return static_cast<float>(h); });
+  const double per_mm = 1.0 / spec_.wavelength_mm;
+  rms_mm_ = 1e-3 * spec_.rms_um;
+  max_height_mm_ = rms_mm_ * tile_->max_height;
+  max_slope_ = rms_mm_ * per_mm * tile_->max_slope;
+  max_curvature_per_mm_ = rms_mm_ * per_mm * per_mm * tile_->max_curvature;
+}
+
+std::shared_ptr<const HeightField::Tile> HeightField::tile_of(const std::vector<double>& heights) {
+  auto tile = std::make_shared<Tile>();
+  tile->heights.assign(heights.begin(), heights.end());
   // The spline lowers waves this short by a tenth: measure what it gives, not what it is given.
   const std::array<double, 4> at_height = weights(0.0).value;
   double squares = 0.0;
   for (int y = 0; y < kSide; ++y) {
     for (int x = 0; x < kSide; ++x) {
-      const double h = sum(heights_mm_, x, y, at_height, at_height);
+      const double h = sum(tile->heights, x, y, at_height, at_height);
       squares += h * h;
     }
   }
-  const double rms = std::sqrt(squares / static_cast<double>(heights_mm_.size()));
-  for (float& h : heights_mm_)
-    h = static_cast<float>(1e-3 * spec_.rms_um / rms * static_cast<double>(h));
+  const double rms = std::sqrt(squares / static_cast<double>(heights.size()));
+  for (float& h : tile->heights) h = static_cast<float>(static_cast<double>(h) / rms);
+  find_bounds(*tile);
+  return tile;
 }
 
-void HeightField::find_bounds() noexcept {
+void HeightField::find_bounds(Tile& tile) noexcept {
   // At every height and half way between: the waves are at least 6.4 heights long, so the true
   // extremes are less than 3 % away from the largest seen.
   constexpr double kMargin = 1.03;
-  const double per_mm = kSide / tile_mm();
+  constexpr double kPerWave = kSide / kWavesPerTile;
   const std::array<Weights, 2> w{weights(0.0), weights(0.5)};
   for (int y = 0; y < kSide; ++y) {
     for (int x = 0; x < kSide; ++x) {
       for (unsigned corner = 0; corner < 4; ++corner) {
         const Weights& wx = w[corner & 1u];
         const Weights& wy = w[corner >> 1u];
-        const auto at = [&](const auto& a, const auto& b) { return sum(heights_mm_, x, y, a, b); };
+        const auto at = [&](const auto& a, const auto& b) { return sum(tile.heights, x, y, a, b); };
         const Vec slope{at(wx.first, wy.value), at(wx.value, wy.first)};
         const double xx = at(wx.second, wy.value);
         const double yy = at(wx.value, wy.second);
@@ -144,10 +118,10 @@ void HeightField::find_bounds() noexcept {
         // The larger eigenvalue of the symmetric 2 x 2 matrix, by size.
         const double curvature =
             0.5 * (std::abs(xx + yy) + std::sqrt((xx - yy) * (xx - yy) + 4.0 * xy * xy));
-        max_height_mm_ = std::max(max_height_mm_, kMargin * std::abs(at(wx.value, wy.value)));
-        max_slope_ = std::max(max_slope_, kMargin * per_mm * norm(slope));
-        max_curvature_per_mm_ =
-            std::max(max_curvature_per_mm_, kMargin * per_mm * per_mm * curvature);
+        tile.max_height = std::max(tile.max_height, kMargin * std::abs(at(wx.value, wy.value)));
+        tile.max_slope = std::max(tile.max_slope, kMargin * kPerWave * norm(slope));
+        tile.max_curvature =
+            std::max(tile.max_curvature, kMargin * kPerWave * kPerWave * curvature);
       }
     }
   }
@@ -155,6 +129,7 @@ void HeightField::find_bounds() noexcept {
 
 HeightField::Sample HeightField::at(Point p) const noexcept {
   constexpr double kFarthestMm = 1e6;
+  if (!tile_) return {};
   if (!(std::abs(p.x) <= kFarthestMm) || !(std::abs(p.y) <= kFarthestMm)) return {};
   const double per_mm = kSide / tile_mm();
   // In units of heights; remainders first, so that tiny wavelengths do not overflow an int.
@@ -166,9 +141,11 @@ HeightField::Sample HeightField::at(Point p) const noexcept {
   const Weights wy = weights(y - floor_y);
   const int ix = static_cast<int>(floor_x);
   const int iy = static_cast<int>(floor_y);
-  return {sum(heights_mm_, ix, iy, wx.value, wy.value),
-          {per_mm * sum(heights_mm_, ix, iy, wx.first, wy.value),
-           per_mm * sum(heights_mm_, ix, iy, wx.value, wy.first)}};
+  const std::vector<float>& heights = tile_->heights;
+  const double slope = rms_mm_ * per_mm;
+  return {rms_mm_ * sum(heights, ix, iy, wx.value, wy.value),
+          {slope * sum(heights, ix, iy, wx.first, wy.value),
+           slope * sum(heights, ix, iy, wx.value, wy.first)}};
 }
 
 }  // namespace felt

@@ -6,6 +6,10 @@
 
 namespace felt {
 
+/// Bounds of Capabilities::sheet_scale.
+inline constexpr double kSmallestSheetScale = 0.5;
+inline constexpr double kLargestSheetScale = 2.0;
+
 /// What a device can do, in the units of the sheet frame (R55). Trivially copyable, so that the
 /// haptic thread, the force models' makers and the limiter all read the same numbers. Zero forces
 /// describe a mouse or a tablet.
@@ -24,6 +28,10 @@ struct Capabilities {
   std::int64_t period_ns = 1'000'000;  ///< of its servo loop, 0.2..4 ms
   int delay_ticks = 1;                 ///< ticks from reading a position to its force
   bool senses_pressure = false;
+  /// Millimetres of the sheet for one of the hand, 0.5..2 (PlaneCalibration::scale). All lengths,
+  /// stiffness and damping above are the sheet's; a newton is a newton. limits_for() holds what it
+  /// holds where the hand is.
+  double sheet_scale = 1.0;
 
   /// True when it pushes back at all.
   [[nodiscard]] constexpr bool has_force() const noexcept {

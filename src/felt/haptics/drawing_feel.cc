@@ -48,7 +48,8 @@ PlaneOptions plane_for(const SurfaceMaterial& surface, const Capabilities& devic
     plane.damping_n_s_per_m = std::min(plane.damping_n_s_per_m, device.max_damping_n_s_per_m);
   }
   if (period_s(device) < 0.0005) {
-    plane.damping_n_s_per_m = std::min(plane.damping_n_s_per_m, 2.0);
+    plane.damping_n_s_per_m =
+        std::min(plane.damping_n_s_per_m, 2.0 / std::max(1.0, device.sheet_scale));
   }
   const QuietLimits quiet = quiet_limits(device);
   plane.stiffness_n_per_m = std::min(plane.stiffness_n_per_m, quiet.stiffness_n_per_m);
@@ -56,7 +57,7 @@ PlaneOptions plane_for(const SurfaceMaterial& surface, const Capabilities& devic
   return plane;
 }
 
-FrictionOptions friction_for(const ToolMaterial& tool, const SurfaceMaterial& surface,
+FrictionOptions friction_for(const Medium& tool, const SurfaceMaterial& surface,
                              const Capabilities& device) noexcept {
   const double budget = stiffness_budget_n_per_m(device);
   const QuietLimits quiet = quiet_limits(device);
@@ -68,12 +69,20 @@ FrictionOptions friction_for(const ToolMaterial& tool, const SurfaceMaterial& su
           .damping_n_s_per_m = std::min(damping, quiet.damping_n_s_per_m)};
 }
 
-SheetForce make_sheet_force(const SurfaceMaterial& surface, const ToolMaterial& tool,
+double firm_push_n(const Capabilities& device) noexcept {
+  constexpr double kMostN = 2.0, kLeastN = 0.2, kShareOfContinuous = 1.2;
+  if (!(device.continuous_force_n > 0.0)) return kMostN;
+  return std::clamp(kShareOfContinuous * device.continuous_force_n, kLeastN, kMostN);
+}
+
+SheetForce make_sheet_force(const SurfaceMaterial& surface, const Medium& tool,
                             const Capabilities& device, const HeightField* grain,
                             TextureLaw law) noexcept {
   const FrictionOptions friction = friction_for(tool, surface, device);
   const TextureOptions texture{.law = law,
                                .strength = tool.grain,
+                               .wear = tool.wear,
+                               .firm_push_n = firm_push_n(device),
                                .friction = friction.coefficient,
                                .bristle_n_per_m = friction.stiffness_n_per_m,
                                .period_s = period_s(device)};

@@ -4,9 +4,10 @@
 #include "felt/haptics/capabilities.h"
 #include "felt/haptics/compose.h"
 #include "felt/haptics/friction.h"
-#include "felt/haptics/material.h"
 #include "felt/haptics/plane.h"
 #include "felt/haptics/texture.h"
+#include "felt/material/materials.h"
+#include "felt/material/relief.h"
 
 namespace felt {
 
@@ -30,17 +31,18 @@ PlaneOptions plane_for(const SurfaceMaterial& surface, const Capabilities& devic
 /// The friction of a pair on a device: k = 600 N/m where the budget leaves 300 N/m for one spring
 /// beside it (edit, snap), less on slower loops (300 at 3 ms), d in proportion (300/1); and like
 /// the plane less of both on a coarse sensor.
-FrictionOptions friction_for(const ToolMaterial& tool, const SurfaceMaterial& surface,
+FrictionOptions friction_for(const Medium& tool, const SurfaceMaterial& surface,
                              const Capabilities& device) noexcept;
+
+/// The push that draws a line of full width and tone, and flattens all of a relief that a medium
+/// can flatten (relief_left): F1 = min(2.0 N, 1.2 x continuous force), so that nobody has to tire
+/// the motors for it, and 0.2 N at least.
+double firm_push_n(const Capabilities& device) noexcept;
 
 /// The feel of a tool on a surface. `grain` is usually surface_grain(surface) and must outlive the
 /// haptic loop; null is smooth.
-SheetForce make_sheet_force(const SurfaceMaterial& surface, const ToolMaterial& tool,
+SheetForce make_sheet_force(const SurfaceMaterial& surface, const Medium& tool,
                             const Capabilities& device, const HeightField* grain = nullptr,
                             TextureLaw law = TextureLaw::kFriction) noexcept;
-
-/// The relief of one of surface_materials(), made when first asked for and kept for good; null for
-/// a smooth one. Not on the haptic thread.
-const HeightField* surface_grain(const SurfaceMaterial& surface);
 
 }  // namespace felt

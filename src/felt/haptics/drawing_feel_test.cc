@@ -17,7 +17,7 @@ namespace {
 constexpr double kTau = 2.0 * std::numbers::pi;
 
 TEST(Material, R13_SurfacesAndToolsAreOrderedByTheirDrag) {
-  const ToolMaterial& pencil = *find_tool_material("pencil");
+  const Medium& pencil = *find_medium("pencil");
   const auto mu = [&](const char* id) { return friction_of(pencil, *find_surface(id)); };
   EXPECT_DOUBLE_EQ(mu("paper"), 0.25);
   EXPECT_DOUBLE_EQ(mu("blackboard"), 0.45);
@@ -28,9 +28,9 @@ TEST(Material, R13_SurfacesAndToolsAreOrderedByTheirDrag) {
   EXPECT_LT(find_surface("paper")->stiffness_n_per_m,
             find_surface("blackboard")->stiffness_n_per_m);
   EXPECT_EQ(find_surface("marble"), nullptr);
-  EXPECT_EQ(find_tool_material(""), nullptr);
+  EXPECT_EQ(find_medium(""), nullptr);
   EXPECT_EQ(surface_materials().front().id, "paper");
-  EXPECT_EQ(tool_materials().front().id, "pencil");
+  EXPECT_EQ(media().front().id, "pencil");
 }
 
 TEST(DrawingFeel, R56_TheBudgetFollowsTheDelay) {
@@ -61,7 +61,7 @@ TEST(DrawingFeel, R55_APlaneKeepsToItsDevice) {
 }
 
 TEST(DrawingFeel, ASlowLoopGetsTheSofterBristle) {
-  const ToolMaterial& pencil = tool_materials()[0];
+  const Medium& pencil = media()[0];
   const SurfaceMaterial& paper = surface_materials()[0];
   Capabilities device;
   const FrictionOptions fast = friction_for(pencil, paper, device);
@@ -106,15 +106,14 @@ double worst_hf(const rig::Setup& setup, const Make& make) {
 TEST(DrawingFeel, R56_WithAllEffectsOnTheSumKeepsToTheBudgetAndIsCalm) {
   const SurfaceMaterial& paper = surface_materials()[0];
   const auto everything = [&](const rig::Setup& setup) {
-    return Compose(make_sheet_force(paper, tool_materials()[0], setup.capabilities(),
-                                    surface_grain(paper), TextureLaw::kGradient),
+    return Compose(make_sheet_force(paper, media()[0], setup.capabilities(), surface_grain(paper),
+                                    TextureLaw::kGradient),
                    EditSpring({-3, 1}), Wells(Point{1, 1}), Tether::translation({1, 1}, 8),
                    Inertia());
   };
   const auto usual = [&](const rig::Setup& setup) {
-    return Compose(
-        make_sheet_force(paper, tool_materials()[0], setup.capabilities(), surface_grain(paper)),
-        EditSpring({-3, 1}), Wells(Point{1, 1}));
+    return Compose(make_sheet_force(paper, media()[0], setup.capabilities(), surface_grain(paper)),
+                   EditSpring({-3, 1}), Wells(Point{1, 1}));
   };
   double worst = 0.0;
   for (const double period_s : {0.0002, 0.001}) {
@@ -134,8 +133,7 @@ TEST(DrawingFeel, R50_ASlowLoopIsCalmWithinItsBudget) {
   for (int delay = 0; delay <= 1; ++delay) {
     rig::for_each_grip(0.004, delay, [&](const rig::Setup& setup) {
       const double hf = worst_hf(setup, [&](const rig::Setup& s) {
-        return Compose(make_sheet_force(paper, tool_materials()[0], s.capabilities()),
-                       EditSpring({-3, 1}));
+        return Compose(make_sheet_force(paper, media()[0], s.capabilities()), EditSpring({-3, 1}));
       });
       EXPECT_LT(hf, 0.03) << setup.name();
     });

@@ -26,7 +26,7 @@ static_assert(std::is_trivially_copyable_v<ForceModel>);
 /// Everything at once.
 auto all_bricks(const Capabilities& device = {}) {
   const SurfaceMaterial& paper = surface_materials()[0];
-  return Compose(make_sheet_force(paper, tool_materials()[0], device, surface_grain(paper)),
+  return Compose(make_sheet_force(paper, media()[0], device, surface_grain(paper)),
                  EditSpring({-3, 1}), SweepSpring(1), Wells(Point{1, 1}),
                  Tether::translation({2, 0}, 3), Damping({.where = DampingWhere::kEverywhere}));
 }

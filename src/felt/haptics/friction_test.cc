@@ -48,7 +48,7 @@ TEST(Friction, InTheAirThereIsNoneAndTheBristleIsLifted) {
 }
 
 TEST(Friction, R13_SlidingSteadilyCostsMuFn) {
-  for (const ToolMaterial& tool : tool_materials()) {
+  for (const Medium& tool : media()) {
     for (const SurfaceMaterial& surface : surface_materials()) {
       for (const double period_s : {0.0002, 0.001, 0.004}) {  // R50
         const rig::Setup setup{.hand = rig::kHands[2], .period_s = period_s, .delay_ticks = 1};
@@ -172,7 +172,7 @@ TEST(Friction, R42_LeaningOnItForFourSecondsDoesNotCreep) {
       const rig::Setup setup{rig::kHands[0], rig::kStyluses[0], period_s, delay};
       const PlaneOptions plane = plane_for(surface_materials()[0], setup.capabilities());
       const FrictionOptions usual =
-          friction_for(tool_materials()[0], surface_materials()[0], setup.capabilities());
+          friction_for(media()[0], surface_materials()[0], setup.capabilities());
       const FrictionOptions friction{.coefficient = usual.coefficient,
                                      .stiffness_n_per_m = std::min(usual.stiffness_n_per_m, 300.0),
                                      .damping_n_s_per_m = 1.0};
@@ -194,7 +194,7 @@ TEST(Friction, R42_LeaningOnItForFourSecondsDoesNotCreep) {
 }
 
 /// Three ways to move: resting, sliding on, strokes to and fro. Returns the worst HF.
-double worst_hf(const rig::Setup& setup, const ToolMaterial& tool) {
+double worst_hf(const rig::Setup& setup, const Medium& tool) {
   double worst = 0.0;
   for (int scenario = 0; scenario < 3; ++scenario) {
     const SheetForce feel = make_sheet_force(surface_materials()[0], tool, setup.capabilities());
@@ -217,8 +217,8 @@ double worst_hf(const rig::Setup& setup, const ToolMaterial& tool) {
 }
 
 TEST(Friction, R41_AnEraserDragsMoreThanAPencilAndBothAreCalm) {
-  const ToolMaterial& pencil = *find_tool_material("pencil");
-  const ToolMaterial& eraser = *find_tool_material("eraser");
+  const Medium& pencil = *find_medium("pencil");
+  const Medium& eraser = *find_medium("eraser");
   for (const SurfaceMaterial& surface : surface_materials()) {
     EXPECT_GE(friction_of(eraser, surface) / friction_of(pencil, surface), 2.0);
   }
@@ -226,7 +226,7 @@ TEST(Friction, R41_AnEraserDragsMoreThanAPencilAndBothAreCalm) {
   for (const double period_s : {0.0002, 0.001}) {
     for (int delay = 0; delay <= 2; ++delay) {  // R41 asks for up to 1
       rig::for_each_grip(period_s, delay, [&](const rig::Setup& setup) {
-        for (const ToolMaterial* tool : {&pencil, &eraser}) {
+        for (const Medium* tool : {&pencil, &eraser}) {
           const double hf = worst_hf(setup, *tool);
           EXPECT_LT(hf, 0.03) << setup.name() << ", " << tool->id;
           worst = std::max(worst, hf);

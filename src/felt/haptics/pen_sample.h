@@ -15,6 +15,8 @@ struct PenSample {
   Vec3 velocity;                   ///< mm/s, low-passed; 0 where nothing is known
   std::optional<double> pressure;  ///< 0..1, only from devices that sense it
   std::uint32_t buttons = 0;       ///< bit i is set while button i is down
+  /// Between the pen and the upright, degrees, 0..90; only from devices that know it.
+  std::optional<double> lean_deg{};
 
   friend constexpr bool operator==(const PenSample&, const PenSample&) noexcept = default;
 };

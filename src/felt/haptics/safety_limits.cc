@@ -59,6 +59,23 @@ bool loop_is_sound(const SafetyLimits& l) noexcept {
          l.delay_ticks >= 0 && l.delay_ticks <= kMostDelayTicks;
 }
 
+/// From bounds at the hand to bounds on the sheet; never to higher ones.
+void hold_at_the_hand(SafetyLimits& limits, double scale) noexcept {
+  if (!(scale >= kSmallestSheetScale && scale <= kLargestSheetScale)) {
+    limits.peak_force_n = 0.0;
+    return;
+  }
+  const double larger = std::max(1.0, scale), smaller = std::min(1.0, scale);
+  limits.budget_fast_n_per_m /= larger;
+  limits.budget_slow_n_per_m /= larger;
+  limits.brake_n_s_per_m /= larger;
+  limits.silent_damping_n_s_per_m /= larger;
+  limits.brake_from_m_per_s *= smaller;
+  limits.cut_m_per_s *= smaller;
+  limits.cut_now_m_per_s *= smaller;
+  limits.jump_mm_per_ms *= smaller;
+}
+
 }  // namespace
 
 bool is_sound(const SafetyLimits& limits) noexcept {
@@ -80,6 +97,7 @@ SafetyLimits limits_for(const Capabilities& device, double user_limit_n) noexcep
   limits.max_stiffness_n_per_m = std::min(0.9 * sane(device.max_stiffness_n_per_m), 1e6);
   limits.period_ns = std::clamp(device.period_ns, kShortestPeriodNs, kLongestPeriodNs);
   limits.delay_ticks = std::clamp(device.delay_ticks, 0, kMostDelayTicks);
+  hold_at_the_hand(limits, device.sheet_scale);
   return limits;
 }
 

@@ -61,7 +61,12 @@ bool is_sound(const SafetyLimits& limits) noexcept;
 /// The limits for a device: peak = min(user, advised, 0.9 nominal), continuous = 0.8 of the rating
 /// (architecture section 10), damping = 0.5 and stiffness = 0.9 of its caps (reliability 3.3, R55).
 /// `user_limit_n` is clamped to 0..3 N. NaN and negative numbers count as 0; a device that says
-/// nonsense about its force gets none.
+/// nonsense about its force or its scale gets none.
+///
+/// With a scale s (Capabilities::sheet_scale) the hand feels s times the sheet's stiffness and
+/// damping, at 1/s of the sheet's speed (driver/plane_calibration.h). So that no bound is higher at
+/// the hand than it is with s = 1, budgets and brakes are divided by max(1, s), and speeds and
+/// jumps multiplied by min(1, s).
 SafetyLimits limits_for(const Capabilities& device, double user_limit_n = 3.0) noexcept;
 
 }  // namespace felt

@@ -91,5 +91,32 @@ TEST(SafetyLimits, TheSelfTestFindsEveryNumberThatIsNoneOrTooBold) {
   }
 }
 
+TEST(SafetyLimits, WithAScaleNoBoundIsHigherAtTheHand) {
+  Capabilities device;
+  device.max_force_n = 3.3;
+  const SafetyLimits plain = limits_for(device);
+  for (double s : {0.5, 0.75, 1.0, 1.3, 2.0}) {
+    SCOPED_TRACE(s);
+    device.sheet_scale = s;
+    const SafetyLimits l = limits_for(device);
+    EXPECT_TRUE(is_sound(l));
+    EXPECT_EQ(l.peak_force_n, plain.peak_force_n);
+    // At the hand: stiffness and damping times s, speeds through s.
+    const double e = 1.0 + 1e-12;
+    EXPECT_LE(l.budget_fast_n_per_m * s, plain.budget_fast_n_per_m * e);
+    EXPECT_LE(l.budget_slow_n_per_m * s, plain.budget_slow_n_per_m * e);
+    EXPECT_LE(l.brake_n_s_per_m * s, plain.brake_n_s_per_m * e);
+    EXPECT_LE(l.silent_damping_n_s_per_m * s, plain.silent_damping_n_s_per_m * e);
+    EXPECT_LE(l.brake_from_m_per_s / s, plain.brake_from_m_per_s * e);
+    EXPECT_LE(l.cut_m_per_s / s, plain.cut_m_per_s * e);
+    EXPECT_LE(l.cut_now_m_per_s / s, plain.cut_now_m_per_s * e);
+    EXPECT_LE(l.jump_mm_per_ms / s, plain.jump_mm_per_ms * e);
+  }
+  for (double odd : {kNan, kInf, -1.0, 0.0, 0.4, 2.1}) {
+    device.sheet_scale = odd;
+    EXPECT_EQ(limits_for(device).peak_force_n, 0.0) << odd;
+  }
+}
+
 }  // namespace
 }  // namespace felt

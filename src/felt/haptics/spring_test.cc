@@ -76,7 +76,7 @@ void expect_calm(const Make& make, double& worst) {
 }
 
 SheetForce pencil_on_paper(const rig::Setup& setup) {
-  return make_sheet_force(surface_materials()[0], tool_materials()[0], setup.capabilities());
+  return make_sheet_force(surface_materials()[0], media()[0], setup.capabilities());
 }
 
 TEST(EditSpring, R30_IsCalmOnTheSheet) {

@@ -130,7 +130,7 @@ TEST(Stabilisers, AreCalmOnTheSheet) {
       for (int delay = 0; delay <= 2; ++delay) {
         rig::for_each_grip(period_s, delay, [&](const rig::Setup& setup) {
           const SheetForce sheet =
-              make_sheet_force(surface_materials()[0], tool_materials()[0], setup.capabilities());
+              make_sheet_force(surface_materials()[0], media()[0], setup.capabilities());
           rig::Bench bench(
               setup,
               tow ? ForceModel(Compose(sheet, Towed())) : ForceModel(Compose(sheet, Inertia())),

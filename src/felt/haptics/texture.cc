@@ -6,9 +6,13 @@
 namespace felt {
 namespace {
 
-constexpr double kFullPushN = 1.0;
 /// The modulation leaves at least a fifth of the friction.
 constexpr double kDeepest = 0.8;
+
+/// x where it is small, never beyond -1 and 1, nowhere steeper than x.
+double bounded(double x) noexcept {
+  return x / std::sqrt(1.0 + x * x);
+}
 
 }  // namespace
 
@@ -21,19 +25,20 @@ Texture::Texture(const HeightField* field, const TextureOptions& options) noexce
     : field_(field),
       law_(options.law),
       friction_(options.friction),
-      bristle_n_per_m_(options.bristle_n_per_m) {
+      bristle_n_per_m_(options.bristle_n_per_m),
+      wear_(options.wear),
+      firm_push_n_(options.firm_push_n) {
   if (field_ == nullptr || !(field_->max_height_mm() > 0.0)) return;
   const double limit_n_per_mm = 1e-3 * texture_stiffness_limit_n_per_m(options.period_s);
   const double strength = std::clamp(options.strength, 0.0, 1.0);
   if (law_ == TextureLaw::kGradient) {
-    const double steepest = kFullPushN * field_->max_curvature_per_mm();
+    const double steepest = kMostCountedN * field_->max_curvature_per_mm();
     gain_ = std::min(strength, limit_n_per_mm / steepest);
     stiffness_n_per_m_ = 1e3 * gain_ * steepest;
   } else if (friction_ > 0.0) {
     const double wave_number = 6.283185307179586 / field_->spec().wavelength_mm;
-    const double steepest = kFullPushN * friction_ * field_->max_slope();
-    gain_ = std::min({strength * wave_number / friction_, kDeepest / field_->max_height_mm(),
-                      limit_n_per_mm / steepest});
+    const double steepest = kMostCountedN * friction_ * field_->max_slope();
+    gain_ = std::min(strength * wave_number / friction_, limit_n_per_mm / steepest);
     stiffness_n_per_m_ = 1e3 * gain_ * steepest;
   }
 }
@@ -46,17 +51,24 @@ double Texture::share_at(double speed_mm_per_s, double period_s) const noexcept 
   return 1.0 - x * x * (3.0 - 2.0 * x);
 }
 
+double Texture::counted_push_n(double push_n) const noexcept {
+  if (!(push_n > 0.0)) return 0.0;
+  const double firmness = firm_push_n_ > 0.0 ? push_n / firm_push_n_ : 1.0;
+  return std::min(push_n, kMostCountedN) * relief_left(wear_, firmness);
+}
+
 Force Texture::operator()(const PenSample& sample, ForceMemory& memory) const noexcept {
   const double push = memory.normal_force_n;
   if (!(gain_ > 0.0) || !(push > 0.0)) return {};
-  const double share = gain_ * share_at(norm(in_plane(sample.velocity)), memory.period_s);
+  const double share = share_at(norm(in_plane(sample.velocity)), memory.period_s);
   const HeightField::Sample grain = field_->at(on_sheet(sample.position));
-  const double counted = std::min(push, kFullPushN);
+  const double counted = counted_push_n(push);
   if (law_ == TextureLaw::kFriction) {
-    memory.friction_factor = 1.0 + share * (counted / push) * grain.height_mm;
+    const double modulation = kDeepest * bounded(gain_ / kDeepest * grain.height_mm);
+    memory.friction_factor = 1.0 + share * (counted / push) * modulation;
     return {};
   }
-  const Vec force = -share * counted * memory.scale.lateral * grain.slope;
+  const Vec force = -share * gain_ * counted * memory.scale.lateral * grain.slope;
   memory.terms.add("texture", {force.x, force.y, 0.0});
   return {force.x, force.y, 0.0};
 }

@@ -131,9 +131,9 @@ TEST(Wells, R43_AreCalmOnTheSheet) {
     for (int delay = 0; delay <= 2; ++delay) {
       rig::for_each_grip(period_s, delay, [&](const rig::Setup& setup) {
         for (const double mm : {0.0, 12.0}) {
-          const auto model = Compose(
-              make_sheet_force(surface_materials()[0], tool_materials()[0], setup.capabilities()),
-              Wells(Point{1, 1}));
+          const auto model =
+              Compose(make_sheet_force(surface_materials()[0], media()[0], setup.capabilities()),
+                      Wells(Point{1, 1}));
           rig::Bench bench(setup, ForceModel(model), {0, 0, 1});
           const double aim = rig::aim_z_mm(setup.hand, 1.0, 500.0);
           const auto target = [&](double time) -> Vec3 {

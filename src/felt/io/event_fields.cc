@@ -4,7 +4,9 @@
 #include <cmath>
 #include <limits>
 
+#include "felt/geometry/lean.h"
 #include "felt/io/event_words.h"
+#include "felt/material/material_file.h"
 
 namespace felt::json {
 namespace {
@@ -55,8 +57,23 @@ Result<void> parse_buttons(Value& value, EventFields& out) {
   return {};
 }
 
-Result<void> parse_text(Value& value, const char* key, std::string& out) {
-  Result<std::string> text = read_name(value);
+Result<void> parse_lean(Value& value, EventFields& out) {
+  const std::string_view token = token_of(value);
+  if (token == "null") return {};
+  double lean_deg = 0.0;
+  if (Result<void> read = parse_number(value, "lean", kCoordinateLimit, lean_deg); !read) {
+    return read;
+  }
+  if (lean_deg < 0.0 || lean_deg > kMostLeanDeg) {
+    return bad("lean: " + excerpt(token) + " is no angle from 0 to 90 degrees");
+  }
+  out.lean_deg = lean_deg;
+  return {};
+}
+
+Result<void> parse_text(Value& value, const char* key, std::string& out,
+                        std::size_t max_bytes = limits::kMaxNameBytes) {
+  Result<std::string> text = read_name(value, max_bytes);
   if (!text) return tl::unexpected(with_context(text.error(), key));
   if (text->empty()) return bad(std::string(key) + ": is empty");
   if (text->find('\0') != std::string::npos) return bad(std::string(key) + ": holds a NUL");
@@ -195,6 +212,10 @@ constexpr std::array kLayerFields = {
     EventField{"index", false, parse_index},
     EventField{"name", false,
                [](Value& v, EventFields& e) { return parse_text(v, "name", e.name); }}};
+constexpr std::array kMaterialFields = {
+    kEvent, kTime, EventField{"text", true, [](Value& v, EventFields& e) {
+                                return parse_text(v, "text", e.text, kMaxMaterialBytes);
+                              }}};
 constexpr std::array kPoseFields = {
     kEvent,
     kTime,
@@ -207,6 +228,7 @@ constexpr std::array kPoseFields = {
                }},
     EventField{"pressure", false, parse_pressure},
     EventField{"buttons", false, parse_buttons},
+    EventField{"lean", false, parse_lean},
 };
 
 constexpr std::array kDeviceFields = {
@@ -253,6 +275,10 @@ constexpr std::array kDeviceFields = {
                  return parse_count<&Capabilities::delay_ticks>(v, "delay_ticks", e);
                }},
     EventField{"senses_pressure", false, parse_senses_pressure},
+    EventField{"sheet_scale", false,
+               [](Value& v, EventFields& e) {
+                 return parse_quantity<&Capabilities::sheet_scale>(v, "sheet_scale", e);
+               }},
 };
 
 struct NamedEvent {
@@ -274,6 +300,7 @@ constexpr NamedEvent kEvents[] = {
     {"duplicate", EventName::kDuplicate, kPlainFields},
     {"layer", EventName::kLayer, kLayerFields},
     {"device", EventName::kDevice, kDeviceFields},
+    {"material", EventName::kMaterial, kMaterialFields},
 };
 
 }  // namespace

@@ -23,6 +23,7 @@ struct EventFields {
   bool has_z = false;
   std::optional<double> pressure;
   std::uint32_t buttons = 0;
+  std::optional<double> lean_deg;
   std::string path;
   SelectStrokes::What selection{};
   LayerEvent::Do action{};
@@ -30,6 +31,7 @@ struct EventFields {
   std::string name;
   Capabilities device;
   std::optional<std::size_t> index;
+  std::string text;
 };
 
 /// The kinds of events, by their name in the file.
@@ -46,7 +48,8 @@ enum class EventName {
   kDelete,
   kDuplicate,
   kLayer,
-  kDevice
+  kDevice,
+  kMaterial
 };
 
 /// Error: none of ours.

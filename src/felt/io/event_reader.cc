@@ -43,10 +43,10 @@ Event event_of(EventName name, EventFields&& fields) {
       event.what = SetOption{std::move(fields.id), std::move(fields.value)};
       break;
     case EventName::kPen:
-      event.what = PenEvent{fields.position, fields.pressure, fields.buttons};
+      event.what = PenEvent{fields.position, fields.pressure, fields.buttons, fields.lean_deg};
       break;
     case EventName::kHand:
-      event.what = HandEvent{fields.position, fields.pressure, fields.buttons};
+      event.what = HandEvent{fields.position, fields.pressure, fields.buttons, fields.lean_deg};
       break;
     case EventName::kUndo:
       event.what = UndoEvent{};
@@ -74,6 +74,9 @@ Event event_of(EventName name, EventFields&& fields) {
       break;
     case EventName::kDevice:
       event.what = UseDevice{fields.device};
+      break;
+    case EventName::kMaterial:
+      event.what = UseMaterial{std::move(fields.text)};
       break;
   }
   return event;

@@ -149,6 +149,25 @@ TEST(EventReader, KeysInAnyOrderAndOthersIgnored) {
             (Event{7'000'000, PenEvent{{1, 2, -1}, {}, 0}}));
 }
 
+TEST(EventReader, APenMayLean) {
+  const auto pen = [](const std::string& lean) {
+    return R"({"event":"pen","x":1,"y":2,"z":-1,"t_ms":0,"lean":)" + lean + "}";
+  };
+  EXPECT_EQ(event_of(pen("32.5")), (Event{0, PenEvent{{1, 2, -1}, {}, 0, 32.5}}));
+  EXPECT_EQ(event_of(pen("0")), (Event{0, PenEvent{{1, 2, -1}, {}, 0, 0.0}}));
+  EXPECT_EQ(event_of(pen("90")), (Event{0, PenEvent{{1, 2, -1}, {}, 0, 90.0}}));
+  EXPECT_EQ(event_of(pen("null")), (Event{0, PenEvent{{1, 2, -1}, {}, 0}}));
+  EXPECT_EQ(event_of(R"({"event":"hand","x":1,"y":2,"z":-1,"lean":45,"t_ms":0})"),
+            (Event{0, HandEvent{{1, 2, -1}, {}, 0, 45.0}}));
+  EXPECT_EQ(error_of(pen("-0.5")), "lean: -0.5 is no angle from 0 to 90 degrees");
+  EXPECT_EQ(error_of(pen("90.001")), "lean: 90.001 is no angle from 0 to 90 degrees");
+  EXPECT_EQ(error_of(pen("\"45\"")), "lean: \"45\" is not a number");
+  EXPECT_THAT(error_of(pen("1e99")), HasSubstr("lean: 1e99 is malformed, or larger than"));
+  EXPECT_THAT(error_of(pen("NaN")), HasSubstr("NaN"));
+  EXPECT_EQ(error_of(pen("[45]")), "lean: [ is not a number");
+  EXPECT_EQ(error_of(pen("true")), "lean: true is not a number");
+}
+
 TEST(EventReader, WithoutDepthPressureDecides) {
   EXPECT_EQ(event_of(R"({"event":"pen","x":1,"y":2,"pressure":0.5,"t_ms":0})"),
             (Event{0, PenEvent{{1, 2, 0}, 0.5, 0}}));
@@ -169,7 +188,7 @@ TEST(EventReader, NamesTheKeyAndTheReason) {
   EXPECT_EQ(
       error_of(R"({"event":"fly","t_ms":0})"),
       "event: \"fly\" is not one of tool, option, pen, hand, undo, redo, cancel, import, select, "
-      "delete, duplicate, layer, device");
+      "delete, duplicate, layer, device, material");
   EXPECT_EQ(error_of(R"({"event":7,"t_ms":0})"), "event: 7 is not a string");
   EXPECT_EQ(error_of(R"({"event":"undo"})"), "key \"t_ms\" is missing");
   EXPECT_EQ(error_of(R"({"event":"undo","t_ms":null})"), "t_ms: null is not a number");

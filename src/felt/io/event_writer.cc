@@ -22,13 +22,15 @@ void append_key_string(std::string& out, std::string_view key, std::string_view 
   append_json_string(out, text);
 }
 
-void append_pose(std::string& out, const Vec3& at, const std::optional<double>& pressure,
-                 std::uint32_t buttons) {
+/// Of a PenEvent or a HandEvent.
+template <class Pose>
+void append_pose(std::string& out, const Vec3& at, const Pose& pose) {
   append_key_number(out, "x", at.x);
   append_key_number(out, "y", at.y);
   append_key_number(out, "z", at.z);
-  if (pressure) append_key_number(out, "pressure", *pressure);
-  if (buttons != 0) append_key_number(out, "buttons", buttons);
+  if (pose.pressure) append_key_number(out, "pressure", *pose.pressure);
+  if (pose.buttons != 0) append_key_number(out, "buttons", pose.buttons);
+  if (pose.lean_deg) append_key_number(out, "lean", *pose.lean_deg);
 }
 
 /// Appends the kind of an event and its own keys.
@@ -48,11 +50,11 @@ struct AppendWhat {
   }
   void operator()(const PenEvent& e) const {
     kind("pen");
-    append_pose(out, e.position, e.pressure, e.buttons);
+    append_pose(out, e.position, e);
   }
   void operator()(const HandEvent& e) const {
     kind("hand");
-    append_pose(out, e.target, e.pressure, e.buttons);
+    append_pose(out, e.target, e);
   }
   void operator()(const UndoEvent&) const { kind("undo"); }
   void operator()(const RedoEvent&) const { kind("redo"); }
@@ -89,6 +91,11 @@ struct AppendWhat {
     append_key_number(out, "period_ms", static_cast<double>(can.period_ns) / 1e6);
     append_key_number(out, "delay_ticks", can.delay_ticks);
     out += can.senses_pressure ? ",\"senses_pressure\":true" : ",\"senses_pressure\":false";
+    if (can.sheet_scale != 1.0) append_key_number(out, "sheet_scale", can.sheet_scale);
+  }
+  void operator()(const UseMaterial& e) const {
+    kind("material");
+    append_key_string(out, "text", e.text);
   }
 
  private:

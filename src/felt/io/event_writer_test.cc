@@ -30,6 +30,11 @@ TEST(EventWriter, WritesKeysInAFixedOrder) {
             "\"buttons\":1}\n");
   EXPECT_EQ(line_of({0, HandEvent{{1, 2, 3}, {}, 0}}),
             "{\"t_ms\":0,\"event\":\"hand\",\"x\":1,\"y\":2,\"z\":3}\n");
+  EXPECT_EQ(line_of({0, PenEvent{{1, 2, 3}, {}, 0, 32.5}}),
+            "{\"t_ms\":0,\"event\":\"pen\",\"x\":1,\"y\":2,\"z\":3,\"lean\":32.5}\n");
+  EXPECT_EQ(line_of({0, HandEvent{{1, 2, 3}, 0.5, 1, 0.0}}),
+            "{\"t_ms\":0,\"event\":\"hand\",\"x\":1,\"y\":2,\"z\":3,\"pressure\":0.5,\"buttons\":1,"
+            "\"lean\":0}\n");
   EXPECT_EQ(line_of({0, UndoEvent{}}), "{\"t_ms\":0,\"event\":\"undo\"}\n");
   EXPECT_EQ(line_of({0, RedoEvent{}}), "{\"t_ms\":0,\"event\":\"redo\"}\n");
   EXPECT_EQ(line_of({0, CancelEvent{}}), "{\"t_ms\":0,\"event\":\"cancel\"}\n");
@@ -88,6 +93,11 @@ std::optional<double> any_pressure() {
   return *rc::gen::inRange(0, 1 << 20) / 1048576.0;
 }
 
+std::optional<double> any_lean() {
+  if (!*rc::gen::arbitrary<bool>()) return {};
+  return 90.0 * (*rc::gen::inRange(0, (1 << 20) + 1) / 1048576.0);
+}
+
 LayerEvent any_layer_event() {
   using Do = LayerEvent::Do;
   LayerEvent event{static_cast<Do>(*rc::gen::inRange(0, 11)), {}, {}};
@@ -113,6 +123,7 @@ UseDevice any_device() {
   can.period_ns = *rc::gen::inRange<std::int64_t>(1, 1'000'000'001);
   can.delay_ticks = *rc::gen::inRange(0, 8);
   can.senses_pressure = *rc::gen::arbitrary<bool>();
+  if (*rc::gen::arbitrary<bool>()) can.sheet_scale = 1.25;
   return {can};
 }
 
@@ -126,10 +137,12 @@ Event any_event(std::int64_t time_ns) {
       event.what = SetOption{*texts(), any_value()};
       break;
     case 2:
-      event.what = PenEvent{any_place(), any_pressure(), *rc::gen::arbitrary<std::uint32_t>()};
+      event.what =
+          PenEvent{any_place(), any_pressure(), *rc::gen::arbitrary<std::uint32_t>(), any_lean()};
       break;
     case 3:
-      event.what = HandEvent{any_place(), any_pressure(), *rc::gen::arbitrary<std::uint32_t>()};
+      event.what =
+          HandEvent{any_place(), any_pressure(), *rc::gen::arbitrary<std::uint32_t>(), any_lean()};
       break;
     case 4:
       event.what = UndoEvent{};

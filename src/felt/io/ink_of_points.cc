@@ -125,14 +125,20 @@ Result<StrokeData> InkOfPoints::of_samples(std::span<const InkSample> samples,
   }
   WidthMap map(widths);
   WidthFitOptions options = fit_.width;
-  options.max_mm = std::max(options.max_mm, widths.max_mm);
+  options.max_mm = std::max(options.max_mm, widths.max_mm * std::max(1.0, widths.lean_width));
   WidthFitter width(options);
   for (std::size_t i = 0; i < pencil_.samples().size(); ++i) {
-    width.push(curve.sample_u[i], map.push(pencil_.samples()[i]));
+    const InkWidth ink = map.push(pencil_.samples()[i]);
+    if (widths.tone) {
+      width.push(curve.sample_u[i], ink.width_mm, ink.tone);
+    } else {
+      width.push(curve.sample_u[i], ink.width_mm);
+    }
   }
   width.finish(curve.segment_count());
   StrokeData data = data_of(curve);
   data.widths.assign(width.knots().begin(), width.knots().end());
+  data.material = fit_.material;
   return data;
 }
 

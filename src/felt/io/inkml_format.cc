@@ -20,6 +20,8 @@ constexpr std::array kLengths = {
     Unit{"in", 25.4},       Unit{"inch", 25.4},      Unit{"pt", 25.4 / 72.0},
     Unit{"pc", 25.4 / 6.0}, Unit{"px", 25.4 / 96.0}, Unit{"himetric", 0.01},
     Unit{"him", 0.01},      Unit{"um", 0.001}};
+constexpr std::array kAngles = {Unit{"deg", 1.0}, Unit{"degree", 1.0},
+                                Unit{"rad", 57.295779513082320877}};
 constexpr std::array kTimes = {Unit{"ms", 1.0}, Unit{"s", 1000.0}, Unit{"us", 0.001}};
 
 template <std::size_t n>
@@ -36,6 +38,9 @@ ChannelName name_of(std::string_view text) {
   if (text == "T") return ChannelName::kTime;
   if (text == "W") return ChannelName::kWidth;
   if (text == "S") return ChannelName::kTip;
+  if (text == "OTx") return ChannelName::kTiltX;
+  if (text == "OTy") return ChannelName::kTiltY;
+  if (text == "OE") return ChannelName::kElevation;
   return text == "E" ? ChannelName::kEraser : ChannelName::kOther;
 }
 
@@ -71,6 +76,10 @@ std::optional<double> ms_of_unit(std::string_view unit) noexcept {
   return size_of(kTimes, unit);
 }
 
+std::optional<double> deg_of_unit(std::string_view unit) noexcept {
+  return size_of(kAngles, unit);
+}
+
 Format read_format(const pugi::xml_node& node, std::string& problem) {
   Format format;
   const auto add = [&](const pugi::xml_node& channel) {
@@ -104,7 +113,11 @@ Format default_format() {
 
 std::optional<double> scale_of(const Channel& channel, const std::vector<Resolution>& resolutions) {
   const bool is_time = channel.name == ChannelName::kTime;
+  const bool is_angle = channel.name == ChannelName::kTiltX ||
+                        channel.name == ChannelName::kTiltY ||
+                        channel.name == ChannelName::kElevation;
   const auto unit = [&](std::string_view name) {
+    if (is_angle) return deg_of_unit(name);
     return is_time ? ms_of_unit(name) : mm_of_unit(name);
   };
   for (const Resolution& r : resolutions) {

@@ -15,7 +15,19 @@ namespace felt::inkml {
 inline constexpr std::size_t kMaxChannels = 64;
 
 /// Channels that become ink; others are read over.
-enum class ChannelName { kX, kY, kForce, kTime, kWidth, kTip, kEraser, kOther };
+enum class ChannelName {
+  kX,
+  kY,
+  kForce,
+  kTime,
+  kWidth,
+  kTip,
+  kEraser,
+  kTiltX,      ///< OTx
+  kTiltY,      ///< OTy
+  kElevation,  ///< OE: between the pen and the sheet
+  kOther
+};
 
 /// One channel of a format.
 struct Channel {
@@ -42,17 +54,18 @@ struct Resolution {
 /// A number as files of others write it: without limit, in any locale. None for anything else.
 std::optional<double> number_of(std::string_view text) noexcept;
 
-/// Length of a unit in mm ("cm", "himetric", ...), or duration in ms ("s", ...).
+/// Length of a unit in mm ("cm", "himetric", ...), duration in ms ("s", ...), angle in degrees.
 std::optional<double> mm_of_unit(std::string_view unit) noexcept;
 std::optional<double> ms_of_unit(std::string_view unit) noexcept;
+std::optional<double> deg_of_unit(std::string_view unit) noexcept;
 
 /// A traceFormat element; more than kMaxChannels: the first problem in `problem`.
 Format read_format(const pugi::xml_node& node, std::string& problem);
 /// X and Y, which is what a trace has where nothing is said.
 Format default_format();
 
-/// How much one unit of a channel is, in mm or in ms: by its resolution, else by its units. None
-/// where the file does not say it.
+/// How much one unit of a channel is, in mm, ms or degrees: by its resolution, else by its units.
+/// None where the file does not say it.
 std::optional<double> scale_of(const Channel& channel, const std::vector<Resolution>& resolutions);
 
 }  // namespace felt::inkml

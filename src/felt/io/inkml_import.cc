@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "felt/geometry/lean.h"
 #include "felt/io/ink_of_points.h"
 #include "felt/io/inkml_model.h"
 #include "felt/io/inkml_settings.h"
@@ -31,11 +32,22 @@ constexpr double kUsualFullPressure = 32767.0;
 struct Columns {
   static constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
   std::size_t x = kNone, y = kNone, force = kNone, time = kNone, width = kNone, tip = kNone,
-              eraser = kNone;
+              eraser = kNone, tilt_x = kNone, tilt_y = kNone, elevation = kNone;
   Affine to_mm;
   double mm_per_width = 1.0, ms_per_time = 1.0;
   double least_force = 0.0, full_force = 1.0;
+  double deg_per_tilt_x = 1.0, deg_per_tilt_y = 1.0, deg_per_elevation = 1.0;
 };
+
+/// How far the pen leans, as its elevation above the sheet or both of its tilts say.
+std::optional<double> lean_of(std::span<const double> v, const Columns& c) {
+  if (c.elevation != Columns::kNone) {
+    const double above_deg = std::fabs(v[c.elevation] * c.deg_per_elevation);
+    if (above_deg <= kMostLeanDeg) return kMostLeanDeg - above_deg;
+  }
+  if (c.tilt_x == Columns::kNone || c.tilt_y == Columns::kNone) return std::nullopt;
+  return lean_of_tilt(v[c.tilt_x] * c.deg_per_tilt_x, v[c.tilt_y] * c.deg_per_tilt_y);
+}
 
 /// The points of a stroke as they are gathered.
 struct Points {
@@ -65,8 +77,8 @@ class InkmlReader {
     const std::string_view name = root.name();
     prefix_ = name.substr(0, name.size() - 3);
     felt_ = xml_prefix_of(root, inkml::kFeltNamespace);
-    if (!felt_.empty()) {
-      drawing_.page = inkml::page_of_text(root.attribute((felt_ + "page").c_str()).value());
+    if (!felt_.empty() && !inkml::read_sheet(root, felt_, drawing_)) {
+      notice(root, "carries a material that is none or too long; it was left out");
     }
     find_traces(root);
     groups_.push_back({});
@@ -253,6 +265,7 @@ class InkmlReader {
       const double ms = v[c.time] * c.ms_per_time;
       if (std::fabs(ms) <= limits::kMaxTimeMs) sample.time_ns = std::llround(ms * 1e6);
     }
+    sample.lean_deg = lean_of(v, c);
     if (has(c.width)) points_.line.push_back({sample.position, v[c.width] * c.mm_per_width});
     points_.samples.push_back(sample);
   }
@@ -293,6 +306,15 @@ class InkmlReader {
         c.width = i;
         if (!scale) notice(node, "has widths without a unit; they were taken as mm");
         c.mm_per_width = scale.value_or(1.0);
+      } else if (channel.name == ChannelName::kTiltX) {
+        c.tilt_x = i;
+        c.deg_per_tilt_x = scale.value_or(1.0);
+      } else if (channel.name == ChannelName::kTiltY) {
+        c.tilt_y = i;
+        c.deg_per_tilt_y = scale.value_or(1.0);
+      } else if (channel.name == ChannelName::kElevation) {
+        c.elevation = i;
+        c.deg_per_elevation = scale.value_or(1.0);
       } else if (channel.name == ChannelName::kTip) {
         c.tip = i;
       } else if (channel.name == ChannelName::kEraser) {

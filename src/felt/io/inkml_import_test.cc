@@ -212,6 +212,45 @@ TEST(InkmlImport, PressureAndTimesMakeThePencilsWidths) {
   }
 }
 
+// With a medium that is twice as wide on its side (lean_width), a pen that leans by 65 degrees or
+// more draws twice as wide, whichever way the file says so.
+TEST(InkmlImport, TiltAndElevationAreThePensLean) {
+  const auto width = [](const std::string& channels, const std::string& values,
+                        const std::string& more = {}) {
+    ImportOptions options;
+    options.fit.width_map.lean_width = 2.0;
+    std::string points;
+    for (int i = 0; i < 40; ++i) points += std::to_string(i) + " 0 " + values + ",";
+    const std::string format =
+        "<inkSource><traceFormat><channel name=\"X\" units=\"mm\"/><channel name=\"Y\" "
+        "units=\"mm\"/>" +
+        channels + "</traceFormat>" + more + "</inkSource>";
+    const auto drawing = import_inkml(
+        ink("<context>" + format + "</context><trace>" + points + "</trace>"), options);
+    return only_stroke(drawing.value()).width_mm(0.5);
+  };
+  const std::string tilts = "<channel name=\"OTx\"/><channel name=\"OTy\" units=\"deg\"/>";
+  const double upright_mm = width(tilts, "0 0");
+  EXPECT_NEAR(width(tilts, "70 0"), 2.0 * upright_mm, 1e-9);
+  EXPECT_NEAR(width(tilts, "0 -70"), 2.0 * upright_mm, 1e-9);
+  const double half_mm = width(tilts, "45 -45");
+  EXPECT_GT(half_mm, 1.1 * upright_mm);
+  EXPECT_LT(half_mm, 1.9 * upright_mm);
+  EXPECT_NEAR(width("<channel name=\"OE\" units=\"deg\"/>", "20"), 2.0 * upright_mm, 1e-9);
+  EXPECT_NEAR(width("<channel name=\"OE\" units=\"rad\"/>", "0.3"), 2.0 * upright_mm, 1e-9);
+  EXPECT_NEAR(width("<channel name=\"OE\" units=\"deg\"/>", "90"), upright_mm, 1e-9);
+  const std::string tenths =
+      "<channelProperties><channelProperty channel=\"OTx\" name=\"resolution\" value=\"10\" "
+      "units=\"1/deg\"/></channelProperties>";
+  EXPECT_NEAR(width(tilts, "700 0", tenths), 2.0 * upright_mm, 1e-9);
+  EXPECT_NEAR(width(tilts, "150 0", tenths), upright_mm, 1e-9);
+  for (const char* none : {"? 70", "70 ?", "170 0"}) {
+    EXPECT_NEAR(width(tilts, none), upright_mm, 1e-9) << none;
+  }
+  EXPECT_NEAR(width("<channel name=\"OTx\"/>", "70"), upright_mm, 1e-9) << "half of it is unknown";
+  EXPECT_NEAR(width("<channel name=\"OE\"/>", "170"), upright_mm, 1e-9);
+}
+
 TEST(InkmlImport, ContinuedTracesAreOneStroke) {
   const ImportedDrawing d = read(
       ink(kMm + "<trace xml:id=\"a\" continuation=\"begin\">0 0,30 0</trace><trace>0 9,9 9</trace>"

@@ -7,9 +7,11 @@
 
 #include "felt/base/hash.h"
 #include "felt/io/limits.h"
+#include "felt/io/material_texts.h"
 #include "felt/io/number_list.h"
 #include "felt/io/xml_text.h"
 #include "felt/stroke/color_text.h"
+#include "felt/stroke/width_profile.h"
 
 namespace felt::inkml {
 namespace {
@@ -46,12 +48,23 @@ bool read_points(std::string_view text, std::vector<Point>& points) {
 bool read_widths(std::string_view text, std::vector<WidthKnot>& widths) {
   NumberList numbers(text);
   for (;;) {
-    WidthKnot knot;
-    const Next next = numbers.next(knot.u);
+    double u = 0.0, width_mm = 0.0;
+    const Next next = numbers.next(u);
     if (next == Next::kEnd) return true;
-    if (next == Next::kBad || numbers.next(knot.width_mm) != Next::kNumber) return false;
-    widths.push_back(knot);
+    if (next == Next::kBad || numbers.next(width_mm) != Next::kNumber) return false;
+    widths.push_back({u, width_mm});
   }
+}
+
+/// t t ...: one for each breakpoint.
+bool read_tones(std::string_view text, std::vector<WidthKnot>& widths) {
+  NumberList numbers(text);
+  for (WidthKnot& knot : widths) {
+    if (numbers.next(knot.tone) != Next::kNumber) return false;
+    if (!(knot.tone >= 0.0 && knot.tone <= 1.0)) return false;
+  }
+  double more = 0.0;
+  return numbers.next(more) == Next::kEnd;
 }
 
 /// "scs": smooth, corner, smooth.
@@ -128,6 +141,14 @@ Result<void> append_model(std::string& out, const SketchStroke& stroke,
     out += ' ';
   }
   out.back() = '"';
+  if (has_own_tone(d.widths)) {
+    out += " felt:tones=\"";
+    for (const WidthKnot& knot : d.widths) {
+      append_number(out, knot.tone);
+      out += ' ';
+    }
+    out.back() = '"';
+  }
   out += " felt:trace=\"" + hex(trace_sum(trace)) + '"';
   return {};
 }
@@ -153,10 +174,15 @@ std::optional<Result<SketchStroke>> read_model(const pugi::xml_node& node,
       !read_widths(ours("widths"), d.widths)) {
     return bad("has a damaged curve; its points were taken");
   }
+  if (!ours("tones").empty() && !read_tones(ours("tones"), d.widths)) {
+    return bad("has tones that are not one number of 0 to 1 a width; its points were taken");
+  }
   Result<Stroke> stroke = Stroke::create(std::move(d));
   if (!stroke) return bad("has a damaged curve; its points were taken: " + stroke.error().message);
   return SketchStroke{std::string(ours("id")), *std::move(stroke)};
 }
+
+namespace {
 
 std::string page_text(const SheetPage& page) {
   std::string text;
@@ -181,6 +207,38 @@ std::optional<SheetPage> page_of_text(std::string_view text) {
   if (!fits(page.width_mm) || !fits(page.height_mm)) return std::nullopt;
   page.paper = *paper;
   return page;
+}
+
+}  // namespace
+
+Result<void> append_sheet(std::string& out, const LayeredSketch& drawing) {
+  if (drawing.page) {
+    out += " felt:page=\"" + page_text(*drawing.page) + '"';
+    const std::string& surface = drawing.page->surface;
+    if (!surface.empty()) {
+      if (auto ok = append_name(out, "surface", surface); !ok) return ok;
+    }
+  }
+  for (std::size_t i = 0; i < drawing.materials.size(); ++i) {
+    out += " felt:material" + std::to_string(i + 1) + "=\"";
+    if (auto ok = append_xml_attribute(out, drawing.materials[i]); !ok) return ok;
+    out += '"';
+  }
+  return {};
+}
+
+bool read_sheet(const pugi::xml_node& root, const std::string& prefix, LayeredSketch& drawing) {
+  const auto ours = [&](const std::string& key) {
+    return std::string_view(root.attribute((prefix + key).c_str()).value());
+  };
+  drawing.page = page_of_text(ours("page"));
+  if (drawing.page) drawing.page->surface = ours("surface");
+  bool all = true;
+  for (std::size_t i = 1; i <= limits::kMaxMaterialTexts; ++i) {
+    const std::string_view text = ours("material" + std::to_string(i));
+    if (!text.empty()) all = add_material_text(drawing.materials, text) && all;
+  }
+  return all;
 }
 
 }  // namespace felt::inkml

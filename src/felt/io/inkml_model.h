@@ -10,8 +10,8 @@
 #include <string>
 #include <string_view>
 
-#include "felt/document/sheet_page.h"
 #include "felt/io/ink_of_points.h"
+#include "felt/io/layered_sketch.h"
 #include "felt/stroke/sketch.h"
 
 namespace felt::inkml {
@@ -38,8 +38,10 @@ std::optional<Result<SketchStroke>> read_model(const pugi::xml_node& node,
                                                const std::string& prefix,
                                                std::span<const WidePoint> trace, Rgba color);
 
-/// "297 210 #ffffffff": the sheet.
-std::string page_text(const SheetPage& page);
-std::optional<SheetPage> page_of_text(std::string_view text);
+/// Attributes of the root: the sheet, "297 210 #ffffffff", its surface, and the materials, as far
+/// as there are any. Error: a surface or text that XML cannot hold.
+Result<void> append_sheet(std::string& out, const LayeredSketch& drawing);
+/// The other way round. False: a text of a material was left out, for it is none.
+bool read_sheet(const pugi::xml_node& root, const std::string& prefix, LayeredSketch& drawing);
 
 }  // namespace felt::inkml

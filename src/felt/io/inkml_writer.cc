@@ -24,7 +24,7 @@ class InkmlText {
     out_ += "\" xmlns:felt=\"";
     out_ += inkml::kFeltNamespace;
     out_ += '"';
-    if (drawing.page) out_ += " felt:page=\"" + inkml::page_text(*drawing.page) + '"';
+    if (auto ok = inkml::append_sheet(out_, drawing); !ok) return tl::unexpected(ok.error());
     out_ += ">\n";
     definitions(drawing);
     for (const SketchLayer& layer : drawing.layers) {

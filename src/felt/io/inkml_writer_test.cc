@@ -76,6 +76,27 @@ TEST(InkmlWriter, AChangedTraceCountsMoreThanTheCurveBesideIt) {
   EXPECT_EQ(back.drawing.layers[0].name, "ink");
 }
 
+TEST(InkmlWriter, TonesAreWrittenWhereTheyAreNotThoseOfTheWidths) {
+  LayeredSketch drawing = one_stroke();
+  StrokeData data = testing::straight_stroke({0, 0}, {10, 0}, 1, 2).data();
+  drawing.layers[0].strokes = {{"s", Stroke::create(data).value()}};
+  EXPECT_EQ(inkml_text(drawing).value().find("felt:tones"), std::string::npos);
+  data.widths[1].tone = 0.125;
+  drawing.layers[0].strokes = {{"s", Stroke::create(data).value()}};
+  const std::string text = inkml_text(drawing).value();
+  EXPECT_EQ(import_inkml(text).value().drawing, drawing);
+  const std::size_t at = text.find("felt:tones=\"") + 12, end = text.find('"', at);
+  EXPECT_THAT(text.substr(at, end - at), ::testing::EndsWith(" 0.125"));
+  for (const char* tones : {"0.5", "0.5 0.5 0.5", "0 1.5", "0 -0.5", "0 nan", "0 x"}) {
+    SCOPED_TRACE(tones);
+    const ImportedDrawing back =
+        import_inkml(text.substr(0, at) + tones + text.substr(end)).value();
+    ASSERT_EQ(back.report.notices().size(), 1u);
+    EXPECT_THAT(notice_text(back.report.notices()[0]), HasSubstr("tones that are not one number"));
+    EXPECT_EQ(back.drawing.layers[0].strokes.size(), 1u);
+  }
+}
+
 TEST(InkmlWriter, OtherSpacingOfTheSameTraceChangesNothing) {
   const LayeredSketch drawing = one_stroke();
   const std::string text = replaced(inkml_text(drawing).value(), ", ", " ,\n   ");

@@ -24,6 +24,9 @@ struct SketchLayer {
 struct LayeredSketch {
   std::vector<SketchLayer> layers;
   std::optional<SheetPage> page;
+  /// Texts of the materials that it uses and that Feltline does not bring (is_material_text), as
+  /// their own files have them; no format looks into them.
+  std::vector<std::string> materials{};
 
   friend bool operator==(const LayeredSketch&, const LayeredSketch&) = default;
 };

@@ -31,6 +31,10 @@ inline constexpr double kMaxEventTimeMs = 1e9;
 /// Longest stroke id or material name, in bytes after unescaping.
 inline constexpr std::size_t kMaxNameBytes = 4096;
 
+/// Longest text of a material that a drawing carries, in bytes, and how many it carries.
+inline constexpr std::size_t kMaxMaterialTextBytes = std::size_t{64} << 10;
+inline constexpr std::size_t kMaxMaterialTexts = 64;
+
 /// Deepest nesting inside a key that we ignore.
 inline constexpr int kMaxIgnoredDepth = 64;
 

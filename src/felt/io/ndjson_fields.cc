@@ -2,7 +2,10 @@
 
 #include <array>
 #include <cmath>
+#include <optional>
+#include <utility>
 
+#include "felt/geometry/lean.h"
 #include "felt/stroke/color_text.h"
 
 namespace felt::json {
@@ -20,8 +23,77 @@ void set_part(std::size_t part, double number, InkSample& out) {
   if (part == kTime) out.time_ns = std::llround(number * 1e6);
 }
 
+Result<void> parse_lean(Value& value, InkSample& out) {
+  const std::string_view token = token_of(value);
+  if (token == "null") return {};
+  double lean_deg = 0.0;
+  if (!read_number(value, kCoordinateLimit, lean_deg)) {
+    return tl::unexpected(with_context(number_error(token, kCoordinateLimit), "lean"));
+  }
+  if (lean_deg < 0.0 || lean_deg > kMostLeanDeg) {
+    return bad("lean: " + excerpt(token) + " is no angle from 0 to 90 degrees");
+  }
+  out.lean_deg = lean_deg;
+  return {};
+}
+
+/// [x, y] in degrees; what is no such pair means nothing to us, as ever.
+Result<void> parse_tilt(Value& value, std::optional<double>& lean_deg) {
+  simdjson::ondemand::json_type type{};
+  if (const auto error = value.type().get(type)) return tl::unexpected(syntax_error(error));
+  if (type != simdjson::ondemand::json_type::array) return check_ignored(value);
+  simdjson::ondemand::array elements;
+  if (const auto error = value.get_array().get(elements))
+    return tl::unexpected(syntax_error(error));
+  std::array<double, 2> angles{};
+  std::size_t count = 0;
+  bool is_pair = true;
+  for (auto element : elements) {
+    Value item;
+    if (const auto error = element.get(item)) return tl::unexpected(syntax_error(error));
+    if (const auto error = item.type().get(type)) return tl::unexpected(syntax_error(error));
+    if (type != simdjson::ondemand::json_type::number || count == angles.size()) {
+      is_pair = false;
+      if (Result<void> fine = check_ignored(item); !fine) return fine;
+      continue;
+    }
+    const std::string_view token = token_of(item);
+    if (!read_number(item, kCoordinateLimit, angles[count++])) {
+      return tl::unexpected(with_context(number_error(token, kCoordinateLimit), "tilt"));
+    }
+  }
+  if (is_pair && count == angles.size()) lean_deg = lean_of_tilt(angles[0], angles[1]);
+  return {};
+}
+
+/// What stands behind the four: how the pen leans, where it is an object that says so.
+Result<void> parse_more(Value& value, InkSample& out) {
+  simdjson::ondemand::json_type type{};
+  if (const auto error = value.type().get(type)) return tl::unexpected(syntax_error(error));
+  if (type != simdjson::ondemand::json_type::object) return check_ignored(value);
+  simdjson::ondemand::object members;
+  if (const auto error = value.get_object().get(members))
+    return tl::unexpected(syntax_error(error));
+  std::optional<double> tilted_deg;
+  for (auto field : members) {
+    simdjson::ondemand::field member;
+    if (const auto error = std::move(field).get(member)) return tl::unexpected(syntax_error(error));
+    std::string_view key;
+    if (const auto error = member.unescaped_key().get(key))
+      return tl::unexpected(syntax_error(error));
+    Value item = member.value();
+    Result<void> read = key == "lean"   ? parse_lean(item, out)
+                        : key == "tilt" ? parse_tilt(item, tilted_deg)
+                                        : check_ignored(item);
+    if (!read) return read;
+  }
+  if (!out.lean_deg) out.lean_deg = tilted_deg;
+  return {};
+}
+
 Result<void> parse_part(Value& value, std::size_t part, InkSample& out) {
-  if (part >= kPartCount) return check_ignored(value);
+  if (part == kPartCount) return parse_more(value, out);
+  if (part > kPartCount) return check_ignored(value);
   const std::string_view token = token_of(value);
   if (part >= kPressure && token == "null") return {};
   const NumberLimit limit = part == kTime ? kTimeLimit : kCoordinateLimit;
@@ -119,6 +191,19 @@ Result<void> parse_widths(Value& value, std::vector<WidthKnot>& out) {
     std::array<double, 2> knot{};
     if (Result<void> parsed = read_numbers(item, knot); !parsed) return parsed;
     out.push_back({knot[0], knot[1]});
+    return {};
+  });
+}
+
+Result<void> parse_tones(Value& value, std::vector<double>& out) {
+  return for_each_element(value, "tones", [&out](Value& item) -> Result<void> {
+    const std::string_view token = token_of(item);
+    double tone = 0.0;
+    if (!read_number(item, kSketchLimit, tone)) {
+      return tl::unexpected(number_error(token, kSketchLimit));
+    }
+    if (!(tone >= 0.0 && tone <= 1.0)) return bad(excerpt(token) + " is not within 0 to 1");
+    out.push_back(tone);
     return {};
   });
 }

@@ -20,6 +20,8 @@ Result<void> parse_segments(Value& value, std::vector<Point>& out);
 Result<void> parse_joints(Value& value, std::vector<JointKind>& out);
 /// [[u,width],...]
 Result<void> parse_widths(Value& value, std::vector<WidthKnot>& out);
+/// [tone,...], each within 0..1
+Result<void> parse_tones(Value& value, std::vector<double>& out);
 Result<void> parse_material(Value& value, std::string& out);
 /// "#rrggbb" or "#rrggbbaa"
 Result<void> parse_color(Value& value, Rgba& out);

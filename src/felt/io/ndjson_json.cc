@@ -149,16 +149,15 @@ Result<bool> read_bool(Value& value) {
   return out;
 }
 
-Result<std::string> read_name(Value& value) {
+Result<std::string> read_name(Value& value, std::size_t max_bytes) {
   const std::string_view token = token_of(value);
   std::string_view text;
   if (const auto error = value.get_string().get(text)) {
     if (error == simdjson::INCORRECT_TYPE) return bad(excerpt(token) + " is not a string");
     return tl::unexpected(syntax_error(error));
   }
-  if (text.size() > limits::kMaxNameBytes) {
-    return fail(ErrorCode::kLimitExceeded,
-                "longer than " + std::to_string(limits::kMaxNameBytes) + " bytes");
+  if (text.size() > max_bytes) {
+    return fail(ErrorCode::kLimitExceeded, "longer than " + std::to_string(max_bytes) + " bytes");
   }
   return std::string(text);
 }

@@ -57,8 +57,8 @@ Result<void> read_numbers(Value& value, std::span<double> out);
 /// true or false.
 Result<bool> read_bool(Value& value);
 
-/// A string of at most `limits::kMaxNameBytes` bytes.
-Result<std::string> read_name(Value& value);
+/// A string of at most so many bytes.
+Result<std::string> read_name(Value& value, std::size_t max_bytes = limits::kMaxNameBytes);
 
 /// Calls `each(value)` for every element of the array `value`; the error of an element starts with
 /// its place, "points[17]: ".

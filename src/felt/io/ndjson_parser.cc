@@ -1,7 +1,10 @@
 #include "felt/io/ndjson_parser.h"
 
 #include <array>
+#include <optional>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include "felt/io/ndjson_fields.h"
 #include "felt/io/ndjson_object.h"
@@ -22,21 +25,46 @@ constexpr std::array kRawFields = {
                      [](Value& v, RawStroke& r) { return json::parse_points(v, r.samples); }},
 };
 
-using SketchField = Field<SketchRecord>;
+/// A sketch line whose tones have not come to their widths yet: keys come in any order.
+struct SketchLine {
+  SketchRecord record;
+  std::optional<std::vector<double>> tones;
+
+  Result<void> join() {
+    if (!tones) return {};
+    std::vector<WidthKnot>& knots = record.data.widths;
+    if (tones->size() != knots.size()) {
+      return json::bad("tones: " + std::to_string(tones->size()) + " for " +
+                       std::to_string(knots.size()) + " widths");
+    }
+    for (std::size_t i = 0; i < knots.size(); ++i) knots[i].tone = (*tones)[i];
+    return {};
+  }
+};
+
+using SketchField = Field<SketchLine>;
 constexpr std::array kSketchFields = {
-    SketchField{"id", false, [](Value& v, SketchRecord& r) { return json::parse_id(v, r.id); }},
-    SketchField{"closed", false,
-                [](Value& v, SketchRecord& r) { return json::parse_closed(v, r.data.closed); }},
-    SketchField{"segments", true,
-                [](Value& v, SketchRecord& r) { return json::parse_segments(v, r.data.points); }},
-    SketchField{"joints", true,
-                [](Value& v, SketchRecord& r) { return json::parse_joints(v, r.data.joints); }},
-    SketchField{"widths", true,
-                [](Value& v, SketchRecord& r) { return json::parse_widths(v, r.data.widths); }},
-    SketchField{"material", false,
-                [](Value& v, SketchRecord& r) { return json::parse_material(v, r.data.material); }},
+    SketchField{"id", false,
+                [](Value& v, SketchLine& s) { return json::parse_id(v, s.record.id); }},
+    SketchField{
+        "closed", false,
+        [](Value& v, SketchLine& s) { return json::parse_closed(v, s.record.data.closed); }},
+    SketchField{
+        "segments", true,
+        [](Value& v, SketchLine& s) { return json::parse_segments(v, s.record.data.points); }},
+    SketchField{
+        "joints", true,
+        [](Value& v, SketchLine& s) { return json::parse_joints(v, s.record.data.joints); }},
+    SketchField{
+        "widths", true,
+        [](Value& v, SketchLine& s) { return json::parse_widths(v, s.record.data.widths); }},
+    SketchField{"tones", false,
+                [](Value& v, SketchLine& s) { return json::parse_tones(v, s.tones.emplace()); }},
+    SketchField{
+        "material", false,
+        [](Value& v, SketchLine& s) { return json::parse_material(v, s.record.data.material); }},
     SketchField{"color", false,
-                [](Value& v, SketchRecord& r) { return json::parse_color(v, r.data.color); }},
+                [](Value& v, SketchLine& s) { return json::parse_color(v, s.record.data.color); }},
 };
 
 /// A header stores nothing; what it says must be what we know.
@@ -91,9 +119,13 @@ Result<NdjsonKind> NdjsonParser::raw_stroke(const NdjsonLine& line, RawStroke& o
 }
 
 Result<NdjsonKind> NdjsonParser::sketch_stroke(const NdjsonLine& line, SketchRecord& out) {
-  out = {};
-  Result<NdjsonKind> kind = state_->parse<SketchRecord>(line, kSketchFields, out);
+  SketchLine sketch;
+  Result<NdjsonKind> kind = state_->parse<SketchLine>(line, kSketchFields, sketch);
   release_large_buffers();
+  if (kind && *kind == NdjsonKind::kStroke) {
+    if (Result<void> joined = sketch.join(); !joined) return tl::unexpected(joined.error());
+  }
+  out = std::move(sketch.record);
   return kind;
 }
 

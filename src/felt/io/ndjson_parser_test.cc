@@ -73,6 +73,37 @@ TEST(NdjsonRaw, ReadsPointsOfTwoToManyParts) {
   EXPECT_EQ(parsed.stroke.samples, expected);
 }
 
+TEST(NdjsonRaw, APenMayLean) {
+  const auto point = [](const std::string& more) {
+    return R"({"points":[[1,2,null,null,)" + more + "]]}";
+  };
+  const auto lean = [&](const std::string& more) {
+    const Parsed parsed = parse_raw(point(more));
+    EXPECT_EQ(parsed.error, "") << more;
+    return parsed.stroke.samples.at(0).lean_deg;
+  };
+  EXPECT_EQ(lean(R"({"lean":32.5})"), 32.5);
+  EXPECT_EQ(lean(R"({"lean":0})"), 0.0);
+  EXPECT_EQ(lean(R"({"note":{"a":[1]},"lean":90},"x")"), 90.0);
+  EXPECT_EQ(lean(R"({"lean":null})"), std::nullopt);
+  EXPECT_EQ(lean(R"({"tilt":[30,0]})"), 30.0);
+  EXPECT_EQ(lean(R"({"tilt":[-45,45]})"), 54.7);
+  EXPECT_EQ(lean(R"({"tilt":[-45,45],"lean":12})"), 12.0) << "what is said outright goes first";
+  EXPECT_EQ(lean(R"({"lean":12,"tilt":[-45,45]})"), 12.0);
+  for (const char* none : {"30", "[30,0]", "null", "{}", R"({"tilt":[30]})", R"({"tilt":[30,0,0]})",
+                           R"({"tilt":["30",0]})", R"({"tilt":{"x":30}})", R"({"tilt":[91,0]})",
+                           R"("x",{"lean":30})"}) {
+    EXPECT_EQ(lean(none), std::nullopt) << none;
+  }
+  EXPECT_THAT(raw_error(point(R"({"lean":-1})")),
+              HasSubstr("lean: -1 is no angle from 0 to 90 degrees"));
+  EXPECT_THAT(raw_error(point(R"({"lean":90.5})")), HasSubstr("lean: 90.5 is no angle"));
+  EXPECT_THAT(raw_error(point(R"({"lean":"30"})")), HasSubstr("lean: \"30\" is not a number"));
+  EXPECT_THAT(raw_error(point(R"({"tilt":[1e99,0]})")), HasSubstr("tilt: "));
+  EXPECT_NE(raw_error(point(R"({"tilt":[1,})")), "");
+  EXPECT_NE(raw_error(point(R"({"lean":1)")), "");
+}
+
 TEST(NdjsonRaw, IgnoresOtherKeysAndOrder) {
   const Parsed parsed = parse_raw(
       R"( {"source":"a","n":123456789012345678901234567890,"deep":{"a":[[],{}, -1.5e3 ],"b":null},)"
@@ -290,6 +321,36 @@ TEST(NdjsonSketch, ReadsAWholeRecord) {
   EXPECT_FALSE(data.closed);
   EXPECT_EQ(data.material, "ink");
   EXPECT_EQ(data.color, (Rgba{255, 0, 0, 255}));
+}
+
+std::string sketch_with_tones(const std::string& tones) {
+  const std::string text = kSketch;
+  return text.substr(0, text.size() - 1) + ",\"tones\":" + tones + "}";
+}
+
+TEST(NdjsonSketch, TonesBelongToTheWidthsWhereverTheyStand) {
+  const std::vector<WidthKnot> knots{{0, 0.5, 0.0}, {1.25, 1, 0.75}, {2, 0.5, 1.0}};
+  EXPECT_EQ(parse_sketch(sketch_with_tones("[0,0.75,1]")).sketch.data.widths, knots);
+  std::string before = kSketch;
+  before.insert(1, R"("tones":[0,0.75,1],)");
+  EXPECT_EQ(parse_sketch(before).sketch.data.widths, knots);
+  // Without them they are those of the widths.
+  for (const WidthKnot& knot : parse_sketch(kSketch).sketch.data.widths) {
+    EXPECT_EQ(knot.tone, tone_of_width(knot.width_mm));
+  }
+}
+
+TEST(NdjsonSketch, TonesThatAreNoneAreAnErrorThatNamesThePlace) {
+  const auto error = [](const char* tones) { return sketch_error(sketch_with_tones(tones)); };
+  EXPECT_EQ(error("[0,1]"), "tones: 2 for 3 widths");
+  EXPECT_EQ(error("[0,1,0,1]"), "tones: 4 for 3 widths");
+  EXPECT_EQ(error("[]"), "tones: 0 for 3 widths");
+  EXPECT_EQ(error("[0,1.01,0]"), "tones[1]: 1.01 is not within 0 to 1");
+  EXPECT_EQ(error("[0,0,-1e-9]"), "tones[2]: -1e-9 is not within 0 to 1");
+  EXPECT_EQ(error("[null,0,0]"), "tones[0]: null is not a number");
+  EXPECT_THAT(error("[0,1e999,0]"), HasSubstr("tones[1]: "));
+  EXPECT_THAT(error("[0,NaN,0]"), HasSubstr("tones[1]: "));
+  EXPECT_THAT(error("0.5"), HasSubstr("tones: 0.5 is not an array"));
 }
 
 TEST(NdjsonSketch, NamesTheKeyTheIndexAndTheReason) {

@@ -4,7 +4,9 @@
 #include <array>
 #include <charconv>
 
+#include "felt/geometry/lean.h"
 #include "felt/stroke/color_text.h"
+#include "felt/stroke/width_profile.h"
 
 namespace felt {
 namespace {
@@ -56,6 +58,11 @@ void append_sketch_line(std::string& out, std::string_view id, const StrokeData&
   append_array(out, data.widths, [&out](const WidthKnot& knot) {
     append_numbers(out, std::array{knot.u, knot.width_mm});
   });
+  if (has_own_tone(data.widths)) {
+    out += R"(,"tones":)";
+    append_array(out, data.widths,
+                 [&out](const WidthKnot& knot) { append_number(out, knot.tone); });
+  }
   static const StrokeData kDefault;
   if (data.material != kDefault.material) {
     out += R"(,"material":)";
@@ -71,7 +78,9 @@ void append_sketch_line(std::string& out, std::string_view id, const StrokeData&
 void append_raw_line(std::string& out, std::string_view id, std::span<const InkSample> samples) {
   const auto has_time = [](const InkSample& s) { return s.time_ns.has_value(); };
   const auto has_pressure = [](const InkSample& s) { return s.pressure.has_value(); };
-  const bool times = std::any_of(samples.begin(), samples.end(), has_time);
+  const auto lean_of = [](const InkSample& s) { return clean_lean(s.lean_deg); };
+  const bool leans = std::any_of(samples.begin(), samples.end(), lean_of);
+  const bool times = leans || std::any_of(samples.begin(), samples.end(), has_time);
   const bool pressures = times || std::any_of(samples.begin(), samples.end(), has_pressure);
   const auto append_optional = [&out](bool present, double number) {
     out += ',';
@@ -87,6 +96,11 @@ void append_raw_line(std::string& out, std::string_view id, std::span<const InkS
     append_number(out, sample.position.y);
     if (pressures) append_optional(has_pressure(sample), sample.pressure.value_or(0.0));
     if (times) append_optional(has_time(sample), milliseconds(sample.time_ns.value_or(0)));
+    if (const std::optional<double> lean_deg = lean_of(sample)) {
+      out += R"(,{"lean":)";
+      append_number(out, *lean_deg);
+      out += '}';
+    }
     out += ']';
   });
   out += "}\n";

@@ -9,6 +9,7 @@
 #include <limits>
 
 #include "felt/io/ndjson_parser.h"
+#include "felt/stroke/width_profile.h"
 
 namespace felt {
 namespace {
@@ -51,6 +52,17 @@ TEST(NdjsonWriter, WritesKeysInAFixedOrder) {
             "\n");
 }
 
+TEST(NdjsonWriter, WritesTonesOnlyWhereTheyAreNotThoseOfTheWidths) {
+  StrokeData data = one_segment();
+  data.widths[1].tone = 0.25;
+  std::string line;
+  append_sketch_line(line, "s1", data);
+  EXPECT_NE(line.find(R"("widths":[[0,0.5],[1,1.25]],"tones":[0.03508)"), std::string::npos)
+      << line;
+  EXPECT_TRUE(line.ends_with(",0.25]}\n")) << line;
+  EXPECT_EQ(read_sketch(line).data, data);
+}
+
 TEST(NdjsonWriter, WritesMaterialAndColorOnlyWhenTheyDiffer) {
   StrokeData data = one_segment();
   data.material = "wet \"ink\"\n";
@@ -67,10 +79,12 @@ TEST(NdjsonWriter, LeavesOutPartsThatNoSampleHas) {
   append_raw_line(line, "a", std::vector<InkSample>{{{1, 2}, {}, {}}});
   append_raw_line(line, "b", std::vector<InkSample>{{{1, 2}, {}, {}}, {{3, 4}, 0.5, {}}});
   append_raw_line(line, "c", std::vector<InkSample>{{{1, 2}, {}, 1'500'000}});
+  append_raw_line(line, "d", std::vector<InkSample>{{{1, 2}, {}, {}, 32.5}, {{3, 4}, 0.5, {}}});
   EXPECT_EQ(line,
             "{\"id\":\"a\",\"points\":[[1,2]]}\n"
             "{\"id\":\"b\",\"points\":[[1,2,null],[3,4,0.5]]}\n"
-            "{\"id\":\"c\",\"points\":[[1,2,null,1.5]]}\n");
+            "{\"id\":\"c\",\"points\":[[1,2,null,1.5]]}\n"
+            "{\"id\":\"d\",\"points\":[[1,2,null,null,{\"lean\":32.5}],[3,4,0.5,null]]}\n");
 }
 
 TEST(NdjsonWriter, IgnoresTheLocale) {
@@ -105,6 +119,10 @@ rc::Gen<Point> points() {
                                rc::gen::set(&Point::y, coordinates()));
 }
 
+rc::Gen<double> shares() {
+  return rc::gen::map(rc::gen::inRange(0, (1 << 20) + 1), [](int n) { return n / 1048576.0; });
+}
+
 /// Names with quotes, control and multi-byte characters.
 rc::Gen<std::string> names() {
   return rc::gen::map(rc::gen::container<std::vector<std::string>>(rc::gen::element<std::string>(
@@ -124,9 +142,10 @@ RC_GTEST_PROP(NdjsonRoundTrip, SketchIsLossless, ()) {
   data.joints = *rc::gen::container<std::vector<JointKind>>(
       segments - 1, rc::gen::element(JointKind::kSmooth, JointKind::kCorner));
   data.closed = *rc::gen::arbitrary<bool>();
-  data.widths = *rc::gen::container<std::vector<WidthKnot>>(
-      rc::gen::build<WidthKnot>(rc::gen::set(&WidthKnot::u, coordinates()),
-                                rc::gen::set(&WidthKnot::width_mm, coordinates())));
+  data.widths = *rc::gen::container<std::vector<WidthKnot>>(rc::gen::build<WidthKnot>(
+      rc::gen::set(&WidthKnot::u, coordinates()), rc::gen::set(&WidthKnot::width_mm, coordinates()),
+      rc::gen::set(&WidthKnot::tone, shares())));
+  if (*rc::gen::arbitrary<bool>()) take_tone_of_width(data.widths);
   data.material = *names();
   data.color.r = *rc::gen::arbitrary<std::uint8_t>();
   data.color.a = *rc::gen::arbitrary<std::uint8_t>();
@@ -148,6 +167,8 @@ RC_GTEST_PROP(NdjsonRoundTrip, RawIsLossless, ()) {
     InkSample sample{p, {}, {}};
     if (*rc::gen::arbitrary<bool>()) sample.pressure = *rc::gen::inRange(0, 1 << 20) / 1048576.0;
     if (*rc::gen::arbitrary<bool>()) sample.time_ns = *rc::gen::inRange(-kMonthNs, kMonthNs);
+    if (*rc::gen::arbitrary<bool>())
+      sample.lean_deg = 90.0 * *rc::gen::inRange(0, 1 << 20) / (1 << 20);
     samples.push_back(sample);
   }
   std::string line;

@@ -6,10 +6,12 @@
 #include <cstdint>
 #include <cstdio>
 #include <map>
+#include <utility>
 #include <vector>
 
 #include "felt/base/atomic_file.h"
 #include "felt/io/svg_writer.h"
+#include "felt/io/unpack.h"
 #include "felt/stroke/outline_path.h"
 
 namespace felt {
@@ -19,6 +21,7 @@ constexpr double kPointsPerMm = 72.0 / 25.4;
 constexpr double kMostPoints = 14'400.0;
 constexpr double kFarthestMm = 1e6;
 constexpr double kStepsPerMm = 1e4;  // of coordinates: 1e-4 mm
+constexpr double kHairMm = 5e-4;
 
 /// steps / 10^4 without trailing zeros, and a space.
 void append_steps(std::string& out, std::int64_t steps) {
@@ -64,9 +67,20 @@ class Content {
     out_ += "re f\n";
   }
 
-  void stroke(const Stroke& stroke, double tolerance_mm) {
+  /// `mask` counts from 1; 0: all of its ink is seen.
+  void stroke(const Stroke& stroke, double tolerance_mm, std::size_t mask) {
     set_color(stroke.color());
-    const OutlinePath path = outline_path(stroke, tolerance_mm);
+    if (mask > 0) out_ += "q /G" + std::to_string(mask) + " gs\n";
+    outline(outline_path(stroke, tolerance_mm));
+    out_ += mask > 0 ? "f\nQ\n" : "f\n";
+  }
+
+  [[nodiscard]] const std::string& text() const noexcept { return out_; }
+  /// The alphas that were used.
+  [[nodiscard]] const std::map<std::uint8_t, bool>& alphas() const noexcept { return alphas_; }
+
+ private:
+  void outline(const OutlinePath& path) {
     const Point* p = path.points.data();
     for (const OutlinePath::Verb verb : path.verbs) {
       switch (verb) {
@@ -87,14 +101,8 @@ class Content {
           break;
       }
     }
-    out_ += "f\n";
   }
 
-  [[nodiscard]] const std::string& text() const noexcept { return out_; }
-  /// The alphas that were used.
-  [[nodiscard]] const std::map<std::uint8_t, bool>& alphas() const noexcept { return alphas_; }
-
- private:
   void points(const Point* p, int count, const char* verb) {
     for (int i = 0; i < count; ++i) {
       append_number(out_, p[i].x);
@@ -152,7 +160,54 @@ class File {
   std::vector<std::size_t> places_;
 };
 
-std::string page_object(const Rect& area, const Content& content) {
+/// The objects of the masks come behind the page's content, two for each: the picture, and the
+/// group that lays it on the sheet.
+constexpr std::size_t kFirstMaskObject = 5;
+
+std::size_t picture_of(std::size_t mask) {
+  return kFirstMaskObject + 2 * (mask - 1);
+}
+
+/// Picture and group as bodies of objects.
+class Masks {
+ public:
+  [[nodiscard]] std::size_t count() const noexcept { return bodies_.size() / 2; }
+  [[nodiscard]] const std::vector<std::string>& bodies() const noexcept { return bodies_; }
+
+  /// Which it is, from 1.
+  std::size_t add(const GrainMask& mask) {
+    const std::string packed =
+        zlib_packed({reinterpret_cast<const char*>(mask.seen.data()), mask.seen.size()});
+    bodies_.push_back("<< /Type /XObject /Subtype /Image /Width " + std::to_string(mask.width) +
+                      " /Height " + std::to_string(mask.height) +
+                      " /ColorSpace /DeviceGray /BitsPerComponent 8 /Filter /FlateDecode /Length " +
+                      std::to_string(packed.size()) + " >>\nstream\n" + packed + "\nendstream");
+    // The unit square of a picture stands upright; y goes down on our sheet. A hair less than its
+    // area: programs that round a picture outwards to whole pixels, as poppler does, would stretch
+    // one that ends on a pixel's edge by a pixel.
+    const Rect area = mask.area.inflated(-kHairMm);
+    std::string place = "q ";
+    for (const double v : {area.width(), 0.0, 0.0, -area.height(), area.x0, area.y1}) {
+      append_number(place, v);
+    }
+    place += "cm /P Do Q\n";
+    std::string group = "<< /Type /XObject /Subtype /Form /BBox [";
+    for (const double v : {mask.area.x0, mask.area.y0, mask.area.x1, mask.area.y1}) {
+      append_number(group, v);
+    }
+    group +=
+        "] /Group << /S /Transparency /CS /DeviceGray /I true >> /Resources << /XObject << /P " +
+        std::to_string(picture_of(count() + 1)) + " 0 R >> >> /Length " +
+        std::to_string(place.size()) + " >>\nstream\n" + place + "endstream";
+    bodies_.push_back(std::move(group));
+    return count();
+  }
+
+ private:
+  std::vector<std::string> bodies_;
+};
+
+std::string page_object(const Rect& area, const Content& content, const Masks& masks) {
   std::string out = "<< /Type /Page /Parent 2 0 R /MediaBox [0 0 ";
   append_number(out, area.width() * kPointsPerMm);
   append_number(out, area.height() * kPointsPerMm);
@@ -164,6 +219,10 @@ std::string page_object(const Rect& area, const Content& content) {
     out += " /A" + std::to_string(alpha) + " << /ca ";
     append_number(out, alpha / 255.0);
     out += ">>";
+  }
+  for (std::size_t mask = 1; mask <= masks.count(); ++mask) {
+    out += " /G" + std::to_string(mask) + " << /SMask << /S /Luminosity /G " +
+           std::to_string(picture_of(mask) + 1) + " 0 R >> >>";
   }
   return out + " >> >> >>";
 }
@@ -189,6 +248,22 @@ Result<void> check(const Sketch& sketch, const PdfOptions& options, const Rect& 
   return {};
 }
 
+Result<void> add_strokes(const Sketch& sketch, const PdfOptions& options, const Rect& area,
+                         Content& content, Masks& masks) {
+  std::optional<GrainMasks> grain;
+  if (options.grain) grain.emplace(*options.grain, area);
+  for (const SketchStroke& s : sketch) {
+    std::size_t mask = 0;
+    if (grain) {
+      const Result<std::optional<GrainMask>> seen = grain->of(s.stroke);
+      if (!seen) return tl::unexpected(with_context(seen.error(), "stroke " + s.id));
+      if (*seen) mask = masks.add(**seen);
+    }
+    content.stroke(s.stroke, options.tolerance_mm, mask);
+  }
+  return {};
+}
+
 }  // namespace
 
 Result<std::string> pdf_text(const Sketch& sketch, const PdfOptions& options) {
@@ -198,13 +273,17 @@ Result<std::string> pdf_text(const Sketch& sketch, const PdfOptions& options) {
   if (auto ok = check(sketch, options, area); !ok) return tl::unexpected(ok.error());
   Content content(area);
   if (options.paper.a > 0) content.paper(area, options.paper);
-  for (const SketchStroke& s : sketch) content.stroke(s.stroke, options.tolerance_mm);
+  Masks masks;
+  if (auto ok = add_strokes(sketch, options, area, content, masks); !ok) {
+    return tl::unexpected(ok.error());
+  }
   File file;
   file.object("<< /Type /Catalog /Pages 2 0 R >>");
   file.object("<< /Type /Pages /Kids [3 0 R] /Count 1 >>");
-  file.object(page_object(area, content));
+  file.object(page_object(area, content, masks));
   file.object("<< /Length " + std::to_string(content.text().size()) + " >>\nstream\n" +
               content.text() + "endstream");
+  for (const std::string& body : masks.bodies()) file.object(body);
   return std::move(file).finish();
 }
 

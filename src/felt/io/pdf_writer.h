@@ -5,6 +5,7 @@
 
 #include "felt/base/result.h"
 #include "felt/geometry/rect.h"
+#include "felt/io/grain_mask.h"
 #include "felt/stroke/sketch.h"
 
 namespace felt {
@@ -17,11 +18,15 @@ struct PdfOptions {
   /// How far the outline of a stroke may be from its true one, rounding included.
   double tolerance_mm = 0.005;
   Rgba paper{255, 255, 255, 0};  ///< behind the ink; alpha 0 leaves it out
+  /// Strokes are seen through a picture of the sheet's grain; they stay outlines.
+  std::optional<GrainPrint> grain{};
 };
 
 /// A sketch as a PDF 1.4 file of one page at true size: each stroke is one filled outline of
 /// curves, sharp at any zoom, in its colour; a transparent one does not darken where it crosses
 /// itself. Equal sketches give equal bytes: no date, no name of a program's version.
+///
+/// Grain is a soft mask on the outline (PDF 1.4, 7.5.4).
 ///
 /// Error: a page that is empty or larger than the 5080 mm that PDF allows (14400 points), options
 /// that make no sense, a stroke that reaches farther than 1e6 mm from the page.

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "felt/base/atomic_file.h"
+#include "felt/base/read_file.h"
 
 namespace felt {
 namespace {
@@ -127,6 +128,39 @@ bool decode(png_structp png, png_infop info, Session& session) {
   return true;
 }
 
+/// The same as one channel of 16 bits, high byte first.
+bool decode_grey(png_structp png, png_infop info, Session& session) {
+  if (setjmp(png_jmpbuf(png))) return false;
+  png_set_read_fn(png, &session, on_read);
+  png_read_info(png, info);
+  session.width = png_get_image_width(png, info);
+  session.height = png_get_image_height(png, info);
+  if (std::uint64_t{session.width} * session.height > std::uint64_t{kMostHeightPixels}) {
+    png_error(png, "the picture is too large for a relief");
+  }
+  session.dpi = png_get_pixels_per_meter(png, info) / kInchesPerMetre;
+  png_set_expand(png);
+  png_set_expand_16(png);
+  png_set_strip_alpha(png);
+  constexpr int kQuietly = 1, kUsualWeights = -1;
+  if ((png_get_color_type(png, info) & PNG_COLOR_MASK_COLOR) != 0) {
+    png_set_rgb_to_gray_fixed(png, kQuietly, kUsualWeights, kUsualWeights);
+  }
+  const int passes = png_set_interlace_handling(png);
+  png_read_update_info(png, info);
+  if (png_get_rowbytes(png, info) != std::size_t{2} * session.width) {
+    png_error(png, "the picture cannot be read as grey");
+  }
+  session.pixels.resize(std::size_t{2} * session.width * session.height);
+  for (int pass = 0; pass < passes; ++pass) {
+    for (std::size_t y = 0; y < session.height; ++y) {
+      png_read_row(png, session.pixels.data() + y * 2 * session.width, nullptr);
+    }
+  }
+  png_read_end(png, nullptr);
+  return true;
+}
+
 tl::unexpected<Error> no_memory() {
   return fail(ErrorCode::kLimitExceeded, "libpng could not start: out of memory");
 }
@@ -171,6 +205,34 @@ Result<PngPicture> decode_png(std::string_view bytes) {
     to[i + 3] = a;
   }
   return PngPicture{*std::move(image), session.dpi};
+}
+
+Result<HeightPicture> decode_height_png(std::string_view bytes) {
+  Session session;
+  session.in = bytes;
+  png_structp png = png_create_read_struct(PNG_LIBPNG_VER_STRING, &session, on_error, on_warning);
+  png_infop info = png ? png_create_info_struct(png) : nullptr;
+  const bool ok = info && decode_grey(png, info, session);
+  png_destroy_read_struct(&png, &info, nullptr);
+  if (!ok && session.message.empty()) return no_memory();
+  if (!ok) return fail(ErrorCode::kInvalidData, "PNG: " + session.message);
+  HeightPicture picture{static_cast<int>(session.width), static_cast<int>(session.height), {}, 0.0};
+  picture.heights.reserve(session.pixels.size() / 2);
+  for (std::size_t i = 0; i + 1 < session.pixels.size(); i += 2) {
+    const int value = 256 * session.pixels[i] + session.pixels[i + 1];
+    picture.heights.push_back(static_cast<float>(value) / 65535.0F);
+  }
+  if (session.dpi > 0.0) picture.width_mm = 25.4 * picture.width / session.dpi;
+  return picture;
+}
+
+Result<HeightPicture> read_height_png(const std::string& path) {
+  constexpr std::size_t kMostBytes = std::size_t{256} << 20;
+  auto bytes = read_file(path, kMostBytes);
+  if (!bytes) return tl::unexpected<Error>(std::move(bytes.error()));
+  auto picture = decode_height_png(*bytes);
+  if (!picture) return tl::unexpected<Error>(with_context(std::move(picture.error()), path));
+  return picture;
 }
 
 }  // namespace felt

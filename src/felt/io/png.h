@@ -1,9 +1,11 @@
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <string_view>
 
 #include "felt/base/result.h"
+#include "felt/geometry/height_picture.h"
 #include "felt/render/image.h"
 
 namespace felt {
@@ -25,5 +27,14 @@ Result<void> write_png(const std::string& path, const Image& image, double dpi);
 /// Reads any PNG that libpng reads, converted to 8-bit RGBA. Error: not a PNG, damaged, or larger
 /// than Image::kMaxPixels.
 Result<PngPicture> decode_png(std::string_view bytes);
+
+/// Reads any PNG that libpng reads as a relief: grey at 16 bits a pixel (8 are stretched), white is
+/// high, colours by their brightness, without regard to transparency or gamma. Error: not a PNG,
+/// damaged, or more than kMostHeightPixels.
+Result<HeightPicture> decode_height_png(std::string_view bytes);
+inline constexpr std::int64_t kMostHeightPixels = std::int64_t{1} << 26;
+
+/// The same from a file. Error: it cannot be read, is larger than 256 MiB, or the above; names it.
+Result<HeightPicture> read_height_png(const std::string& path);
 
 }  // namespace felt

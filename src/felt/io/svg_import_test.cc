@@ -9,6 +9,7 @@
 #include "felt/io/svg_writer.h"
 #include "felt/io/unpack.h"
 #include "felt/stroke/random_stroke.h"
+#include "felt/stroke/width_profile.h"
 
 namespace felt {
 namespace {
@@ -43,6 +44,10 @@ LayeredSketch random_drawing(std::uint64_t seed) {
     drawing.page = SheetPage{10.0 + static_cast<double>(random() % 100000) / 37.0,
                              10.0 + static_cast<double>(random() % 100000) / 37.0,
                              {byte(), byte(), byte(), byte()}};
+    if (random() % 2 == 0) drawing.page->surface = "B\xC3\xBCtten \"<&>\"";
+  }
+  for (std::uint64_t i = 3 * (random() % 2); i > 0; --i) {
+    drawing.materials.push_back("id = \"m" + std::to_string(i) + "\"\n# <&>\t\r\n");
   }
   return drawing;
 }
@@ -128,6 +133,42 @@ TEST(SvgImport, SaysWhatIsNoSvg) {
               HasSubstr("newer Feltline"));
 }
 
+TEST(SvgImport, TonesComeBackAndDamagedOnesAreToldOf) {
+  StrokeData data = testing::straight_stroke({0, 0}, {10, 0}, 1, 2).data();
+  const auto text_of = [&] {
+    return svg_text(Sketch{{"s", Stroke::create(data).value()}}, {}).value();
+  };
+  const auto widths_in = [](const std::string& text) {
+    return imported(text).drawing.layers[0].strokes[0].stroke.data().widths;
+  };
+  EXPECT_EQ(text_of().find("felt:tones"), std::string::npos);
+  EXPECT_EQ(widths_in(text_of()), data.widths);
+  data.widths[0].tone = 0.75;
+  data.widths[1].tone = 0.125;
+  const std::string text = text_of();
+  EXPECT_EQ(widths_in(text), data.widths);
+  EXPECT_EQ(widths_in(changed(text, "felt:tones=\"0.75 0.125\"", ""))[0].tone, tone_of_width(1));
+  for (const char* tones : {"0.5", "0.5 0.5 0.5", "0 1.5", "0 -0.5", "0 nan", "x"}) {
+    SCOPED_TRACE(tones);
+    const ImportedDrawing back = imported(
+        changed(text, "felt:tones=\"0.75 0.125\"", "felt:tones=\"" + std::string(tones) + "\""));
+    EXPECT_THAT(notices(back), HasSubstr("tones that are not one number of 0 to 1"));
+    EXPECT_EQ(back.drawing.layers[0].strokes[0].stroke.data().widths[1],
+              (WidthKnot{1.0, 2.0, tone_of_width(2.0)}));
+  }
+}
+
+/// Where Inkscape changed the widths, tones are those of the place.
+TEST(SvgImport, TonesAreInterpolatedWhereWidthsWereChanged) {
+  StrokeData data = testing::straight_stroke({0, 0}, {10, 0}, 1, 2).data();
+  data.widths[0].tone = 0.0;
+  data.widths[1].tone = 1.0;
+  std::string text = svg_text(Sketch{{"s", Stroke::create(data).value()}}, {}).value();
+  text = changed(text, "offset_points=\"0,0.5 | 1,1\"", "offset_points=\"0,0.5 | 0.25,2 | 1,1\"");
+  const auto widths = imported(text).drawing.layers[0].strokes[0].stroke.data().widths;
+  EXPECT_EQ(widths, (std::vector<WidthKnot>{{0, 1, 0.0}, {0.25, 4, 0.25}, {1, 2, 1.0}}));
+}
+
 /// Ours with a transform that another program put on it.
 TEST(SvgImport, OursIsMovedExactly) {
   const Sketch sketch = random_sketch(5, 4);
@@ -160,6 +201,11 @@ TEST(SvgImport, OursIsMovedExactly) {
       for (std::size_t k = 0; k < was.widths.size(); ++k) {
         EXPECT_EQ(is.widths[k].u, was.widths[k].u);
         EXPECT_NEAR(is.widths[k].width_mm, scale * was.widths[k].width_mm, 1e-12);
+        if (has_own_tone(was.widths)) {
+          EXPECT_EQ(is.widths[k].tone, was.widths[k].tone);
+        } else {
+          EXPECT_EQ(is.widths[k].tone, tone_of_width(is.widths[k].width_mm));
+        }
       }
     }
   }

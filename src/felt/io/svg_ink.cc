@@ -6,6 +6,7 @@
 
 #include "felt/base/utf8.h"
 #include "felt/io/limits.h"
+#include "felt/io/material_texts.h"
 #include "felt/io/svg_center_line.h"
 #include "felt/io/svg_dashes.h"
 #include "felt/io/svg_line_width.h"
@@ -85,8 +86,13 @@ void SvgInk::notice(std::int64_t line, std::string element, std::string what) {
 void SvgInk::root(const SvgRoot& root) {
   is_ours_ = root.is_ours;
   has_page_attribute_ = !root.page.empty();
+  for (const std::string_view text : root.materials) {
+    if (add_material_text(imported_.drawing.materials, text)) continue;
+    notice(0, "svg", "carries a material that is none or too long; it was left out");
+  }
   if (root.is_ours && has_page_attribute_) {
     imported_.drawing.page = written_page(root.page);
+    if (imported_.drawing.page) imported_.drawing.page->surface = root.surface;
     return;
   }
   if (!root.begins_at_zero || !root.width_mm || !root.height_mm) return;

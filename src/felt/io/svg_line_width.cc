@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "felt/io/svg_variable_width.h"
+#include "felt/stroke/width_profile.h"
 
 namespace felt {
 namespace {
@@ -74,6 +75,7 @@ SvgLineWidths svg_line_widths(const SvgCenterLine& line, const Affine& to_mm, do
     k.width_mm = kMinWidthMm;
     result.was_thin = true;
   }
+  take_tone_of_width(result.knots);
   return result;
 }
 

@@ -4,8 +4,10 @@
 #include <cmath>
 #include <memory>
 #include <optional>
+#include <string>
 #include <utility>
 
+#include "felt/io/limits.h"
 #include "felt/io/svg_scan.h"
 #include "felt/io/svg_walk.h"
 
@@ -60,6 +62,11 @@ Result<void> SvgWalker::begin() {
                                              "', this one knows 1)");
   }
   root.page = document_.ours(node, "page");
+  root.surface = document_.ours(node, "surface");
+  for (std::size_t i = 1; i <= limits::kMaxMaterialTexts; ++i) {
+    const auto text = document_.ours(node, ("material" + std::to_string(i)).c_str());
+    if (!text.empty()) root.materials.push_back(text);
+  }
   const std::optional<Rect> box = svg_view_box(node.attribute("viewBox").value());
   root.width_mm =
       page_side(node.attribute("width").value(), box ? std::optional(box->width()) : std::nullopt);

@@ -41,7 +41,7 @@ struct SvgVariableWidth {
   std::string_view center_line;  ///< inkscape:original-d
   std::string_view offset_points, interpolator, interpolator_beta, scale_width, start_cap, end_cap;
   bool has_effect = false;
-  std::string_view id, material, closed, joints, widths;
+  std::string_view id, material, closed, joints, widths, tones;
   bool is_ours = false;
   Rgba color;  ///< of its ink: the filling of the path, also where that is fully transparent
 };
@@ -73,6 +73,8 @@ struct SvgRoot {
   bool is_ours = false;
   bool begins_at_zero = true;  ///< whether the top left corner is at (0, 0) of the sheet
   std::string_view page;       ///< felt:page, where it is ours
+  std::string_view surface;    ///< felt:surface, likewise
+  std::vector<std::string_view> materials;  ///< felt:material1 and on, likewise
 };
 
 /// Who takes what the walk finds, in painting order.

@@ -5,9 +5,11 @@
 #include <cmath>
 #include <cstdint>
 
+#include "felt/io/grain_mask.h"
 #include "felt/io/ndjson_writer.h"
 #include "felt/io/xml_text.h"
 #include "felt/stroke/color_text.h"
+#include "felt/stroke/width_profile.h"
 
 namespace felt {
 namespace {
@@ -136,6 +138,31 @@ void append_path_effect(std::string& out, const StrokeData& d, const std::string
   out += "\"/></defs>\n";
 }
 
+/// Where a rectangle or picture is.
+void append_area(std::string& out, const Rect& area) {
+  const auto attribute = [&out](const char* name, double mm) {
+    out += name;
+    append_length(out, mm);
+    out += '"';
+  };
+  attribute(" x=\"", area.x0);
+  attribute(" y=\"", area.y0);
+  attribute(" width=\"", area.width());
+  attribute(" height=\"", area.height());
+}
+
+/// The picture in all that SVG viewers understand, the old ones too.
+void append_mask(std::string& out, const Rect& area, std::string_view png,
+                 const std::string& number) {
+  std::string place;
+  append_area(place, area);
+  out += "<defs><mask id=\"" + std::string(kSvgMaskId) + number +
+         "\" maskUnits=\"userSpaceOnUse\"" + place + "><image" + place +
+         " preserveAspectRatio=\"none\" xmlns:xlink=\"http://www.w3.org/1999/xlink\" "
+         "xlink:href=\"data:image/png;base64," +
+         base64_text(png) + "\"/></mask></defs>\n";
+}
+
 void append_color(std::string& out, Rgba color) {
   out += " fill=\"" + color_to_text({color.r, color.g, color.b, 255}) + "\" ";
   if (color.a == 255) return;
@@ -147,15 +174,7 @@ void append_color(std::string& out, Rgba color) {
 /// Ends the start of the root element and begins a rectangle over all of it.
 void append_paper(std::string& out, const Rect& area, Rgba color) {
   out += ">\n<rect id=\"paper\"";
-  const auto attribute = [&out](const char* name, double mm) {
-    out += name;
-    append_length(out, mm);
-    out += '"';
-  };
-  attribute(" x=\"", area.x0);
-  attribute(" y=\"", area.y0);
-  attribute(" width=\"", area.width());
-  attribute(" height=\"", area.height());
+  append_area(out, area);
   append_color(out, color);
 }
 
@@ -170,6 +189,13 @@ void append_widths(std::string& out, const StrokeData& d) {
   for (std::size_t i = 0; i < d.widths.size(); ++i) {
     if (i > 0) out += ' ';
     append_pair(out, d.widths[i].u, d.widths[i].width_mm);
+  }
+}
+
+void append_tones(std::string& out, const StrokeData& d) {
+  for (std::size_t i = 0; i < d.widths.size(); ++i) {
+    if (i > 0) out += ' ';
+    append_number(out, d.widths[i].tone);
   }
 }
 
@@ -201,7 +227,7 @@ void append_path_data(std::string& out, const OutlinePath& path) {
   }
 }
 
-void append_svg_head(std::string& out, const Rect& area, Rgba paper, std::string_view page) {
+void append_svg_head(std::string& out, const Rect& area, Rgba paper, std::string_view model) {
   const std::size_t begin = out.size();
   out +=
       "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
@@ -209,10 +235,9 @@ void append_svg_head(std::string& out, const Rect& area, Rgba paper, std::string
       "xmlns:inkscape=\"http://www.inkscape.org/namespaces/inkscape\" xmlns:felt=\"";
   out += kSvgNamespace;
   out += "\" version=\"1.1\" felt:version=\"1\" ";
-  if (!page.empty()) {
-    out += "xmlns:sodipodi=\"http://sodipodi.sourceforge.net/DTD/sodipodi-0.dtd\" felt:page=\"";
-    out += page;
-    out += "\" ";
+  if (!model.empty()) {
+    out += "xmlns:sodipodi=\"http://sodipodi.sourceforge.net/DTD/sodipodi-0.dtd\" ";
+    out += model;
   }
   out += "width=\"";
   append_length(out, area.width());
@@ -235,7 +260,7 @@ void append_svg_head(std::string& out, const Rect& area, Rgba paper, std::string
 }
 
 Result<void> append_svg_stroke(std::string& out, const SketchStroke& stroke, std::size_t number,
-                               double tolerance_mm) {
+                               double tolerance_mm, const GrainMask* mask) {
   if (!within_reach(stroke.stroke.bounds())) {
     return fail(ErrorCode::kLimitExceeded, "the stroke reaches farther than 1e9 mm");
   }
@@ -246,22 +271,36 @@ Result<void> append_svg_stroke(std::string& out, const SketchStroke& stroke, std
   names += "\" felt:material=\"";
   if (auto ok = append_xml_attribute(names, d.material); !ok) return ok;
   const std::string count = std::to_string(number);
+  std::string picture;
+  if (mask) {
+    Result<std::string> png = mask->png(kMmPerInch * mask->width / mask->area.width());
+    if (!png) return tl::unexpected(png.error());
+    picture = *std::move(png);
+  }
   append_path_effect(out, d, count);
+  if (mask) append_mask(out, mask->area, picture, count);
   out += "<path id=\"stroke" + count + "\" d=\"";
   append_path_data(out, outline_path(stroke.stroke, tolerance_mm));
   out += '"';
   append_color(out, d.color);
+  if (mask) out += "mask=\"url(#" + std::string(kSvgMaskId) + count + ")\" ";
   out += "stroke=\"none\" inkscape:path-effect=\"#width" + count + "\" inkscape:original-d=\"";
   append_center_line(out, d);
   out += "\" " + names + "\" felt:closed=\"" + (d.closed ? "true" : "false") + "\" felt:joints=\"";
   append_joints(out, d);
   out += "\" felt:widths=\"";
   append_widths(out, d);
+  if (has_own_tone(d.widths)) {
+    out += "\" felt:tones=\"";
+    append_tones(out, d);
+  }
   out += "\"/>\n";
   return {};
 }
 
-std::string svg_page_text(const std::optional<SheetPage>& page) {
+namespace {
+
+std::string page_text(const std::optional<SheetPage>& page) {
   if (!page) return "none";
   std::string text;
   append_number(text, page->width_mm);
@@ -274,6 +313,29 @@ std::string svg_page_text(const std::optional<SheetPage>& page) {
   text += kDigits[paper.a >> 4];
   text += kDigits[paper.a & 15];
   return text;
+}
+
+}  // namespace
+
+Result<std::string> svg_model_text(const LayeredSketch& drawing) {
+  std::string out = "felt:page=\"" + page_text(drawing.page) + "\" ";
+  const auto attribute = [&out](const std::string& name, std::string_view text) {
+    out += "felt:" + name + "=\"";
+    auto ok = append_xml_attribute(out, text);
+    out += "\" ";
+    return ok ? ok : tl::unexpected(with_context(ok.error(), "the drawing's " + name));
+  };
+  if (drawing.page && !drawing.page->surface.empty()) {
+    if (auto ok = attribute("surface", drawing.page->surface); !ok) {
+      return tl::unexpected(ok.error());
+    }
+  }
+  for (std::size_t i = 0; i < drawing.materials.size(); ++i) {
+    if (auto ok = attribute("material" + std::to_string(i + 1), drawing.materials[i]); !ok) {
+      return tl::unexpected(ok.error());
+    }
+  }
+  return out;
 }
 
 Result<void> append_svg_layer_begin(std::string& out, const SketchLayer& layer,

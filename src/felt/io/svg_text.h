@@ -12,11 +12,16 @@
 
 namespace felt {
 
+struct GrainMask;
+
 /// The pieces of text that an SVG file of a sketch is made of (docs/formats/svg.md). Each function
 /// appends to `out`. Equal values give equal bytes.
 
 /// Namespace of the attributes that carry our model, and its version.
 inline constexpr std::string_view kSvgNamespace = "https://feltline.org/ns/1";
+
+/// What the ids of masks begin with that show the grain of a stroke.
+inline constexpr std::string_view kSvgMaskId = "grain";
 
 /// Bytes that the head of a file takes, whatever area it states, so that it can be put in place
 /// when the area is known at last.
@@ -26,12 +31,14 @@ inline constexpr std::size_t kSvgHeadBytes = 640;
 inline constexpr double kSvgStepsPerMm = 1e4;
 
 /// XML declaration and start of the root element, which shows `area` in mm at its true size; then
-/// the paper, a filled rectangle, unless its alpha is 0. `page`, where it is not empty, says what
-/// page the model has, as svg_page_text gives it.
-void append_svg_head(std::string& out, const Rect& area, Rgba paper, std::string_view page = {});
+/// the paper, a filled rectangle, unless its alpha is 0. `model`, where it is not empty, says what
+/// page the model has, as svg_model_text gives it.
+void append_svg_head(std::string& out, const Rect& area, Rgba paper, std::string_view model = {});
 
-/// The page of a drawing for append_svg_head: "297 210 #ffffffff", or "none".
-std::string svg_page_text(const std::optional<SheetPage>& page);
+/// What the root says of a drawing: attributes with its page ("297 210 #ffffffff", or "none"), its
+/// surface and its materials where it has any, each with a blank behind. Error: a surface or text
+/// that XML cannot hold.
+Result<std::string> svg_model_text(const LayeredSketch& drawing);
 
 /// Start of a layer, as Inkscape has them; `number` makes its element id unique. Nothing is
 /// appended on error: a name that XML cannot hold.
@@ -43,9 +50,10 @@ void append_svg_layer_end(std::string& out);
 /// One stroke: a filled path that any viewer shows right, with Inkscape's PowerStroke and our own
 /// attributes on it. `number` makes the element ids unique. `tolerance_mm` is for the outline; the
 /// model is written exactly. Nothing is appended on error: an id or material that XML cannot
-/// hold, a coordinate beyond 1e9 mm.
+/// hold, a coordinate beyond 1e9 mm. With a `mask` the path is seen through it; the path itself is
+/// the same.
 Result<void> append_svg_stroke(std::string& out, const SketchStroke& stroke, std::size_t number,
-                               double tolerance_mm);
+                               double tolerance_mm, const GrainMask* mask = nullptr);
 
 /// End of the root element.
 void append_svg_tail(std::string& out);

@@ -11,6 +11,7 @@
 #include "felt/io/svg_path_data.h"
 #include "felt/io/svg_power_stroke.h"
 #include "felt/io/svg_scan.h"
+#include "felt/stroke/width_profile.h"
 
 namespace felt {
 namespace {
@@ -40,10 +41,26 @@ bool read_joints(std::string_view text, std::vector<JointKind>& joints) {
 bool read_widths(std::string_view text, std::vector<WidthKnot>& widths) {
   SvgScan scan(text, limits::kMaxSketchNumber);
   while (!scan.at_end()) {
-    WidthKnot knot;
-    if (!scan.number(knot.u) || !scan.take(',') || !scan.number(knot.width_mm)) return false;
-    widths.push_back(knot);
+    double u = 0.0, width_mm = 0.0;
+    if (!scan.number(u) || !scan.take(',') || !scan.number(width_mm)) return false;
+    widths.push_back({u, width_mm});
   }
+  return true;
+}
+
+/// A tone for each breakpoint. False, and nothing is changed: there are more or fewer, or one that
+/// is none.
+bool read_tones(std::string_view text, std::vector<WidthKnot>& widths) {
+  SvgScan scan(text);
+  std::vector<double> tones;
+  while (!scan.at_end()) {
+    double tone = 0.0;
+    if (!scan.number(tone) || !(tone >= 0.0 && tone <= 1.0)) return false;
+    if (tones.size() == widths.size()) return false;
+    tones.push_back(tone);
+  }
+  if (tones.size() != widths.size()) return false;
+  for (std::size_t i = 0; i < tones.size(); ++i) widths[i].tone = tones[i];
   return true;
 }
 
@@ -110,11 +127,11 @@ std::vector<WidthKnot> moved_knots(const std::vector<WidthKnot>& knots, const Sv
   for (const WidthKnot& k : knots) {
     const double u = line.place(k.u);
     if (!moved.empty() && !(u > moved.back().u)) continue;
-    if (moved.empty() && u != 0.0) moved.push_back({0.0, k.width_mm});
-    moved.push_back({u, k.width_mm});
+    if (moved.empty() && u != 0.0) moved.push_back({0.0, k.width_mm, k.tone});
+    moved.push_back({u, k.width_mm, k.tone});
   }
   if (moved.empty()) return moved;
-  if (moved.back().u != end) moved.push_back({end, knots.back().width_mm});
+  if (moved.back().u != end) moved.push_back({end, knots.back().width_mm, knots.back().tone});
   return moved;
 }
 
@@ -175,9 +192,17 @@ Result<SvgWideStroke> svg_wide_stroke(const SvgVariableWidth& a, const Affine& t
   }
   const SvgContour& line = path.contours.front();
   std::optional<StrokeData> d = a.is_ours ? our_model(a, line) : std::nullopt;
+  const bool has_tones = d && !a.tones.empty() && read_tones(a.tones, d->widths);
+  if (d && !a.tones.empty() && !has_tones) {
+    wide.notices.emplace_back(
+        "has tones that are not one number of 0 to 1 a width; it got those of its widths");
+  }
   if (d && a.has_effect) {
-    const Result<SvgPowerKnots> knots = svg_power_knots(a, line.segment_count(), line.closed);
-    if (knots && !same_widths(d->widths, knots->written, line.closed)) d->widths = knots->widths;
+    Result<SvgPowerKnots> knots = svg_power_knots(a, line.segment_count(), line.closed);
+    if (knots && !same_widths(d->widths, knots->written, line.closed)) {
+      for (WidthKnot& k : knots->widths) k.tone = tone_at(d->widths, k.u);
+      d->widths = std::move(knots->widths);
+    }
   }
   if (!d) {
     Result<StrokeData> power = power_stroke(a, line, wide.notices);
@@ -189,6 +214,7 @@ Result<SvgWideStroke> svg_wide_stroke(const SvgVariableWidth& a, const Affine& t
   move_to_sheet(*d, to_mm, wide.notices);
   wide.data = *std::move(d);
   raise_widths(wide.data, wide.notices);
+  if (!has_tones) take_tone_of_width(wide.data.widths);
   if (check_invariants(wide.data)) return wide;
   mend_joints(wide.data, wide.notices);
   if (!check_invariants(wide.data)) rejoin(wide.data, wide.notices);

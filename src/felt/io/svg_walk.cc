@@ -11,6 +11,7 @@
 #include "felt/io/svg_scan.h"
 #include "felt/io/svg_servers.h"
 #include "felt/io/svg_shapes.h"
+#include "felt/io/svg_text.h"
 
 namespace felt {
 namespace {
@@ -183,7 +184,11 @@ void SvgWalker::notice_effects(const Element& e) {
     if (is_given(e.declared[p])) notice(e.node, what);
   };
   check(SvgProperty::kClipPath, "is cut to a clip path, which was ignored");
-  check(SvgProperty::kMask, "has a mask, which was ignored");
+  // Our own masks show the grain of the sheet, which is no part of the line.
+  const bool is_grain =
+      !document_.ours(e.node, "widths").empty() &&
+      e.declared[SvgProperty::kMask].starts_with("url(#" + std::string(kSvgMaskId));
+  if (!is_grain) check(SvgProperty::kMask, "has a mask, which was ignored");
   check(SvgProperty::kFilter, "has a filter, which was ignored");
 }
 
@@ -379,6 +384,7 @@ std::optional<SvgVariableWidth> SvgWalker::variable_width(const Element& e) cons
   v.center_line = document_.inkscape(e.node, "original-d");
   if (v.center_line.empty()) return std::nullopt;
   v.widths = document_.ours(e.node, "widths");
+  v.tones = document_.ours(e.node, "tones");
   v.is_ours = !v.widths.empty();
   v.id = document_.ours(e.node, "id");
   v.material = document_.ours(e.node, "material");

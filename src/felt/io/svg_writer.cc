@@ -55,36 +55,50 @@ Result<void> SvgWriter::finish() {
   return file_.commit();
 }
 
+namespace {
+
+/// Strokes one after another, numbered from 1.
+class Strokes {
+ public:
+  Strokes(const SvgOptions& options, const Rect& area) : tolerance_mm_(options.tolerance_mm) {
+    if (options.grain) masks_.emplace(*options.grain, area);
+  }
+
+  Result<void> append(std::string& text, const Sketch& strokes) {
+    for (const SketchStroke& s : strokes) {
+      if (auto ok = append(text, s); !ok) {
+        return tl::unexpected(with_context(ok.error(), "stroke " + std::to_string(number_)));
+      }
+    }
+    return {};
+  }
+
+ private:
+  Result<void> append(std::string& text, const SketchStroke& s) {
+    ++number_;
+    if (!masks_) return append_svg_stroke(text, s, number_, tolerance_mm_);
+    const Result<std::optional<GrainMask>> mask = masks_->of(s.stroke);
+    if (!mask) return tl::unexpected(mask.error());
+    return append_svg_stroke(text, s, number_, tolerance_mm_, *mask ? &**mask : nullptr);
+  }
+
+  double tolerance_mm_;
+  std::optional<GrainMasks> masks_;
+  std::size_t number_ = 0;
+};
+
+}  // namespace
+
 Result<std::string> svg_text(const Sketch& sketch, const SvgOptions& options) {
   Rect ink;
   for (const SketchStroke& s : sketch) ink.extend(s.stroke.bounds());
+  const Rect area = svg_area(ink, options);
   std::string text;
-  append_svg_head(text, svg_area(ink, options), options.paper);
-  std::size_t number = 0;
-  for (const SketchStroke& s : sketch) {
-    if (auto ok = append_svg_stroke(text, s, ++number, options.tolerance_mm); !ok) {
-      return tl::unexpected<Error>(with_context(ok.error(), "stroke " + std::to_string(number)));
-    }
-  }
+  append_svg_head(text, area, options.paper);
+  if (auto ok = Strokes(options, area).append(text, sketch); !ok) return tl::unexpected(ok.error());
   append_svg_tail(text);
   return text;
 }
-
-namespace {
-
-/// The strokes of a layer, numbered on from `number`.
-Result<void> append_layer(std::string& text, const SketchLayer& layer, std::size_t& number,
-                          double tolerance_mm) {
-  for (const SketchStroke& s : layer.strokes) {
-    if (auto ok = append_svg_stroke(text, s, ++number, tolerance_mm); !ok) {
-      return tl::unexpected<Error>(with_context(ok.error(), "stroke " + std::to_string(number)));
-    }
-  }
-  append_svg_layer_end(text);
-  return {};
-}
-
-}  // namespace
 
 Result<std::string> svg_text(const LayeredSketch& drawing, const SvgOptions& options) {
   Rect ink;
@@ -92,17 +106,20 @@ Result<std::string> svg_text(const LayeredSketch& drawing, const SvgOptions& opt
     for (const SketchStroke& s : layer.strokes) ink.extend(s.stroke.bounds());
   }
   const std::optional<SheetPage>& page = drawing.page;
+  const Result<std::string> model = svg_model_text(drawing);
+  if (!model) return tl::unexpected(model.error());
+  const Rect area = page ? page->area() : svg_area(ink, options);
   std::string text;
-  append_svg_head(text, page ? page->area() : svg_area(ink, options),
-                  page ? page->paper : options.paper, svg_page_text(page));
-  std::size_t number = 0;
+  append_svg_head(text, area, page ? page->paper : options.paper, *model);
+  Strokes strokes(options, area);
   for (std::size_t i = 0; i < drawing.layers.size(); ++i) {
     const SketchLayer& layer = drawing.layers[i];
     auto ok = append_svg_layer_begin(text, layer, i + 1);
-    if (ok) ok = append_layer(text, layer, number, options.tolerance_mm);
+    if (ok) ok = strokes.append(text, layer.strokes);
     if (!ok) {
       return tl::unexpected<Error>(with_context(ok.error(), "layer " + std::to_string(i + 1)));
     }
+    append_svg_layer_end(text);
   }
   append_svg_tail(text);
   return text;

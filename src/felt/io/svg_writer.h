@@ -7,6 +7,7 @@
 #include "felt/base/atomic_file.h"
 #include "felt/base/result.h"
 #include "felt/geometry/rect.h"
+#include "felt/io/grain_mask.h"
 #include "felt/io/layered_sketch.h"
 #include "felt/stroke/sketch.h"
 
@@ -21,6 +22,9 @@ struct SvgOptions {
   /// within 0.01 mm (R53); the model itself is written exactly.
   double tolerance_mm = 0.005;
   Rgba paper{255, 255, 255, 0};  ///< behind the ink; alpha 0 leaves it out
+  /// Of svg_text: strokes are seen through a picture of the sheet's grain, which all viewers show.
+  /// Lines and outlines stay what they are, and import_svg reads them as without it.
+  std::optional<GrainPrint> grain{};
 };
 
 /// Writes a sketch as SVG, stroke by stroke, in memory that does not grow with their number.

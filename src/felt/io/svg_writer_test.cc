@@ -55,6 +55,8 @@ StrokeData model_of(const pugi::xml_node& path) {
   for (std::size_t i = 0; i + 1 < widths.size(); i += 2) {
     d.widths.push_back({widths[i], widths[i + 1]});
   }
+  const auto tones = numbers_in(path.attribute("felt:tones").value());
+  for (std::size_t i = 0; i < tones.size(); ++i) d.widths.at(i).tone = tones[i];
   std::istringstream joints(path.attribute("felt:joints").value());
   for (std::string kind; joints >> kind;) {
     d.joints.push_back(kind == "smooth" ? JointKind::kSmooth : JointKind::kCorner);

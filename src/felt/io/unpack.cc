@@ -105,13 +105,9 @@ Result<std::string> file_in_zip(std::string_view bytes, const std::string& name,
   }
 }
 
-std::string gzip(std::string_view text) {
-  z_stream stream{};
-  FELT_CHECK(deflateInit2(&stream, 9, Z_DEFLATED, kGzipWindow, 9, Z_DEFAULT_STRATEGY) == Z_OK);
-  // No time, no name; 255: unknown system, so that all machines write the same.
-  gz_header header{};
-  header.os = 255;
-  FELT_CHECK(deflateSetHeader(&stream, &header) == Z_OK);
+namespace {
+
+std::string packed_by(z_stream& stream, std::string_view text) {
   std::string packed;
   std::array<char, kBlock> block;
   int status = Z_OK;
@@ -129,6 +125,24 @@ std::string gzip(std::string_view text) {
   }
   deflateEnd(&stream);
   return packed;
+}
+
+}  // namespace
+
+std::string gzip(std::string_view text) {
+  z_stream stream{};
+  FELT_CHECK(deflateInit2(&stream, 9, Z_DEFLATED, kGzipWindow, 9, Z_DEFAULT_STRATEGY) == Z_OK);
+  // No time, no name; 255: unknown system, so that all machines write the same.
+  gz_header header{};
+  header.os = 255;
+  FELT_CHECK(deflateSetHeader(&stream, &header) == Z_OK);
+  return packed_by(stream, text);
+}
+
+std::string zlib_packed(std::string_view bytes) {
+  z_stream stream{};
+  FELT_CHECK(deflateInit(&stream, Z_DEFAULT_COMPRESSION) == Z_OK);
+  return packed_by(stream, bytes);
 }
 
 }  // namespace felt

@@ -31,4 +31,7 @@ Result<std::string> file_in_zip(std::string_view bytes, const std::string& name,
 /// Gzip'ed data: the same bytes for the same text, since it holds neither a time nor a name.
 std::string gzip(std::string_view text);
 
+/// Data as zlib packs it (RFC 1950), which PDF calls FlateDecode. Likewise.
+std::string zlib_packed(std::string_view bytes);
+
 }  // namespace felt

@@ -1,59 +1,150 @@
 #include "felt/render/grain.h"
 
-#include <algorithm>
 #include <cmath>
+#include <mutex>
+#include <string>
+#include <vector>
+
+#include "felt/render/ink_look.h"
+#include "felt/render/relief_texture.h"
 
 namespace felt {
 namespace {
 
-// In RMS heights. Of a nearly normal distribution a third lies above the light cut, all but 1 %
-// above the heavy one.
-constexpr double kLightCut = 0.35;
-constexpr double kHeavyCut = -2.6;
-constexpr double kSoft = 0.9;  // half of the width of the edge of a grain
+/// A sheet of this RMS height is half as grainy as the coarsest.
+constexpr double kHalfDepthUm = 2.0;
 
-// The tooth: the same map again, so many times finer, and its share.
-constexpr double kFiner = 4.3, kFinest = 8.3;
-constexpr double kTooth = 0.65;
+/// More looks than that are made anew now and then: ten media at six scales.
+constexpr std::size_t kMostLooks = 64;
 
-double smoothstep(double x) noexcept {
-  const double y = std::clamp(x, 0.0, 1.0);
-  return y * y * (3.0 - 2.0 * y);
+/// The dust of all media, of wavelength 1. Hills of several sizes: those of one size alone, as even
+/// grain has them, look like a weave.
+const HeightField& dust() {
+  static const HeightField field(
+      {.wavelength_mm = 1.0, .rms_um = 1.0, .seed = 77, .character = HeightCharacter::kRough});
+  return field;
 }
+
+ReliefTexture& dust_texture() {
+  static ReliefTexture& texture = *new ReliefTexture(&dust());  // outlives every thread
+  return texture;
+}
+
+/// Of the dust's map: its hills are 1.3 and 2.7 wavelengths long (height_characters.cc).
+double crumb_mm_of(const MediumLook& look) noexcept {
+  return 0.55 * (look.crumb_mm > 1e-3 ? look.crumb_mm : 1e-3);
+}
+
+/// Solid whatever the tone and wherever in the line.
+bool is_solid(const MediumLook& look) noexcept {
+  return relief_weights(look).all == 0.0 && look.opacity_light == 1.0 &&
+         look.opacity_heavy == 1.0 && look.edge == 0.0 && look.rim == 0.0;
+}
+
+struct LookOf {
+  std::string id;
+  MediumLook look;
+  double wear = 0.0;
+
+  friend bool operator==(const LookOf&, const LookOf&) = default;
+};
 
 }  // namespace
 
-HeightField::Sample Grain::at(Point place) const noexcept {
-  return field_ ? field_->at(place) : HeightField::Sample{};
+struct Grain::State {
+  State(const HeightField* relief, const Materials& materials)
+      : field(relief && relief->spec().rms_um > 0.0 ? relief : nullptr), texture(field) {
+    for (const Medium& medium : materials.media()) {
+      looks.push_back({medium.id, medium.look, medium.wear});
+    }
+    if (looks.empty()) looks.push_back({"pencil", {}, 0.0});
+    for (std::size_t i = 0; i < looks.size(); ++i) {
+      if (looks[i].id == "pencil") fallback = i;
+    }
+    if (field) depth = field->spec().rms_um / (field->spec().rms_um + kHalfDepthUm);
+  }
+  [[nodiscard]] std::size_t index_of(std::string_view material) const noexcept {
+    for (std::size_t i = 0; i < looks.size(); ++i) {
+      if (looks[i].id == material) return i;
+    }
+    return fallback;
+  }
+
+  const HeightField* field;
+  double depth = 0.0;
+  std::vector<LookOf> looks;
+  std::size_t fallback = 0;
+  mutable ReliefTexture texture;
+
+  struct Made {
+    std::size_t medium = 0;
+    const ReliefLevel* sheet = nullptr;
+    const ReliefLevel* crumb = nullptr;
+    std::shared_ptr<const InkLook> look;
+  };
+  mutable std::mutex mutex;
+  mutable std::vector<Made> made;
+};
+
+Grain::Grain(const HeightField* field, const Materials& materials)
+    : state_(std::make_shared<const State>(field, materials)) {}
+
+bool operator==(const Grain& a, const Grain& b) noexcept {
+  if (a.state_ == b.state_) return true;
+  return a.state_ && b.state_ && a.state_->field == b.state_->field &&
+         a.state_->looks == b.state_->looks;
 }
 
 bool Grain::is_smooth() const noexcept {
-  return !field_ || !(field_->spec().rms_um > 0.0);
+  return !state_ || !state_->field;
+}
+
+HeightField::Sample Grain::at(Point place) const noexcept {
+  return is_smooth() ? HeightField::Sample{} : state_->field->at(place);
 }
 
 double Grain::relief(Point place) const noexcept {
-  if (is_smooth()) return 0.0;
-  const auto finer = [&](double by) { return field_->at({by * place.x, by * place.y}).height_mm; };
-  const double h = at(place).height_mm + kTooth * (finer(kFiner) + finer(kFinest));
-  const double rms_mm = 1e-3 * field_->spec().rms_um * std::sqrt(1.0 + 2.0 * kTooth * kTooth);
-  return h / rms_mm;
+  return is_smooth() ? 0.0 : seen_relief(*state_->field, place);
 }
 
-double Grain::alpha(Point place, double pressure, double share) const noexcept {
-  if (is_smooth()) return 1.0;
-  const double cut = kLightCut + (kHeavyCut - kLightCut) * std::clamp(pressure, 0.0, 1.0);
-  const double seen = smoothstep(0.5 + (relief(place) - cut) / (2.0 * kSoft));
-  return 1.0 - share * (1.0 - seen);
+double Grain::alpha(Point place, double tone, std::string_view material) const noexcept {
+  if (!state_) return 1.0;
+  const LookOf& of = state_->looks[state_->index_of(material)];
+  const ReliefWeights weights = relief_weights(of.look);
+  double r = 0.0;
+  if (weights.sheet > 0.0) r += weights.sheet * state_->depth * relief(place);
+  if (weights.crumb > 0.0) {
+    const double crumb_mm = crumb_mm_of(of.look);
+    r += weights.crumb * seen_relief(dust(), {place.x / crumb_mm, place.y / crumb_mm});
+  }
+  return ink_alpha(of.look, of.wear, tone, r, 0.0);
 }
 
-double grain_share(std::string_view material) noexcept {
-  if (material == "pencil" || material == "chalk") return 1.0;
-  return material == "crayon" ? 0.8 : 0.0;
-}
-
-double pressure_of_width(double width_mm) noexcept {
-  constexpr double kThinnest = 0.3, kBroadest = 6.0;
-  return std::clamp((width_mm - kThinnest) / (kBroadest - kThinnest), 0.0, 1.0);
+std::shared_ptr<const InkLook> Grain::look(std::string_view material, double px_per_mm) const {
+  if (!state_) return nullptr;
+  const std::size_t medium = state_->index_of(material);
+  const LookOf& of = state_->looks[medium];
+  if (is_solid(of.look)) return nullptr;
+  const ReliefWeights weights = relief_weights(of.look);
+  const double crumb_mm = crumb_mm_of(of.look);
+  const auto sheet = state_->field && weights.sheet > 0.0
+                         ? state_->texture.level(px_per_mm * state_->field->spec().wavelength_mm)
+                         : nullptr;
+  const auto crumb = weights.crumb > 0.0 ? dust_texture().level(px_per_mm * crumb_mm) : nullptr;
+  const std::lock_guard lock(state_->mutex);
+  for (const State::Made& m : state_->made) {
+    if (m.medium == medium && m.sheet == sheet.get() && m.crumb == crumb.get()) return m.look;
+  }
+  const auto made = std::make_shared<InkLook>(
+      of.look, of.wear,
+      SeenRelief{state_->depth, sheet ? sheet->kept : 0.0, crumb ? crumb->kept : 0.0});
+  made->sheet = sheet;
+  made->crumb = crumb;
+  if (state_->field) made->sheet_tile_mm = state_->field->tile_mm();
+  made->crumb_tile_mm = HeightField::kWavesPerTile * crumb_mm;
+  if (state_->made.size() >= kMostLooks) state_->made.clear();
+  state_->made.push_back({medium, sheet.get(), crumb.get(), made});
+  return made;
 }
 
 }  // namespace felt

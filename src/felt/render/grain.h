@@ -1,46 +1,66 @@
 #pragma once
 
+#include <memory>
 #include <string_view>
 
 #include "felt/geometry/height_field.h"
+#include "felt/material/materials.h"
 
 namespace felt {
 
-/// The relief of the sheet for the eye (paper, "future work"; specification 5i; R47): dry ink lies
-/// on the hills and leaves the valleys bare, and the harder it is pressed on, the deeper it goes.
+struct InkLook;
+
+/// How media look on a sheet (paper, "future work"; specification 5i; R47): dry ink lies on the
+/// hills of the relief and leaves the valleys bare, and the harder it is pressed on, the deeper it
+/// goes. For a medium's MediumLook, tone t and push q = t (1 - 0.45 rho^2) at rho radii from the
+/// middle of the line, where the tip presses less:
 ///
-///   alpha = smoothstep((r - h_cut(p)) / soft),   r = h(x) + tooth (h(4.3 x) + h(8.3 x))
+///   alpha = opacity(t) (1 - G (1 - seen)),  seen = smoothstep(1/2 + (w r - cut(q)) / (2 soft))
+///   r = (grain d s(x) + crumb c(x) + streaks b(n)) / n,   n = |(grain, crumb, streaks)|
+///   G = min(1, n),  w = 1 - wear q,  cut = cut_light + (cut_heavy - cut_light) q
 ///
-/// h is the very height that the hand feels at x. The tooth is the same map again at finer scales:
-/// grain shorter than 1 mm cannot be given to a hand at 1 kHz, stable and strong enough to be felt
-/// (specification, decision 10), but an eye misses it. r is counted in its own RMS, so that paper
-/// of 3 um and a blackboard of 11 um are alike grainy; the wavelength differs. h_cut falls from a
-/// light line, of which the hills alone are seen, to a heavy one that is nearly solid. Towards the
-/// edge of a line, where the tip presses less, it rises.
+/// The smoothstep of h - h_cut(p) is the specification's; all that it is made of is our own choice:
+/// s  the very height h that the hand feels at x, and a *tooth*: the same map finer and turned.
+///    Grain shorter than 1 mm cannot be given to a hand at 1 kHz, stable and strong enough to be
+///    felt (decision 10), but an eye misses it. In its own RMS;
+/// d  = R / (R + 2 um) of its RMS height R: a sheet of fine paper is not as grainy as canvas;
+/// c  the medium's own dust: a map of its own, as coarse as crumb_mm, fixed to the page;
+/// b  hairs, by the place n across the line: of a dry brush they are seen one by one.
+/// Within `edge` radii of the rim q falls on to -1/3, where nothing is reached any more: dust
+/// frays. At the rim wet ink dries darker: alpha (1 + rim). From afar, where a pixel is larger than
+/// the grain, alpha is that of the mean over what it no longer shows. Nothing here depends on what
+/// was drawn before: any order of painting gives the same picture.
+///
+/// A value; copies share what was made for them, 1.4 MiB of relief, from 32 pixels a wavelength on
+/// 5 MiB more, and 32 KiB a medium and scale. Any thread.
 class Grain {
  public:
-  /// `field` must outlive this; null is smooth.
-  explicit Grain(const HeightField* field = nullptr) noexcept : field_(field) {}
+  /// Plain: every medium is solid ink.
+  Grain() noexcept = default;
+  /// `field` must outlive all copies; null is a smooth sheet, on which media look like themselves.
+  explicit Grain(const HeightField* field, const Materials& materials = Materials::built_in());
 
-  /// Share of the ink that is seen at a place, 0..1, pressed on with p in 0..1. `share`: how much
-  /// of the grain the material lets through, 0 for none.
-  [[nodiscard]] double alpha(Point place, double pressure, double share) const noexcept;
-  /// r in its RMS.
-  [[nodiscard]] double relief(Point place) const noexcept;
+  [[nodiscard]] bool is_plain() const noexcept { return !state_; }
+  /// There is no relief: plain, or a smooth sheet.
+  [[nodiscard]] bool is_smooth() const noexcept;
   /// What it looks at: the same function of the same object that a Texture feels.
   [[nodiscard]] HeightField::Sample at(Point place) const noexcept;
-  [[nodiscard]] bool is_smooth() const noexcept;
+  /// s in its RMS; 0 where there is no relief.
+  [[nodiscard]] double relief(Point place) const noexcept;
+  /// alpha in the middle of a line of a medium, by its id, without streaks; an unknown one looks
+  /// like the pencil. Plain: 1.
+  [[nodiscard]] double alpha(Point place, double tone, std::string_view material) const noexcept;
+
+  /// The same as tables for a scale, for whoever fills pixels (ink_look.h). Null: solid ink.
+  [[nodiscard]] std::shared_ptr<const InkLook> look(std::string_view material,
+                                                    double px_per_mm) const;
+
+  /// Both draw the same pixels: of one relief, and with media that look alike.
+  friend bool operator==(const Grain& a, const Grain& b) noexcept;
 
  private:
-  const HeightField* field_;
+  struct State;
+  std::shared_ptr<const State> state_;
 };
-
-/// How much of the grain a material of strokes lets through: pencil and chalk all, crayon, which is
-/// wax and fills, less; felt-tip and all others, which are wet, none.
-double grain_share(std::string_view material) noexcept;
-
-/// How hard a line was pressed on, by its width: 0 at the pencil's thinnest of 0.3 mm, 1 at its
-/// broadest of 6 mm. A stroke keeps its width and not the pressure.
-double pressure_of_width(double width_mm) noexcept;
 
 }  // namespace felt

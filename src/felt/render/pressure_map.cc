@@ -3,75 +3,238 @@
 #include <algorithm>
 #include <cmath>
 
-#include "felt/render/grain.h"
-#include "felt/render/segment_runs.h"
-
 namespace felt {
 namespace {
 
-/// Steps along the stroke, in shares of the tip's radius: the edge deviates by 1 % of it.
-constexpr double kStepOfRadius = 0.25;
-constexpr double kShortestStepPx = 0.7;
+/// Pixels that are worked on at once; rows have room for that many more.
+constexpr int kLanes = 8;
 
-/// Share of the pressure that is left at the edge of the tip.
-constexpr double kAtEdge = 0.55;
+/// What is left of the tone at the edge of the tip: 1 - this.
+constexpr float kLessAtEdge = 0.45F;
+
+/// The outermost pixels of a line are inked in part.
+constexpr double kRimPx = 1.0;
+/// A tip is that much broader than its ink: of a hair the pixels beside its middle are no rim.
+constexpr double kSoftPx = 0.5;
+/// Of a way that is broader by more than that per length the dabs do not end where it is square.
+constexpr double kTaper = 0.1;
+constexpr auto kBesidePx = static_cast<float>(kRimPx - kSoftPx);
+
+constexpr float kMostKey = 4095.0F, kMostRim = 1023.0F, kMostAcross = 511.0F;
+
+/// One choice after the other: of nested ones a compiler makes no vectors.
+inline float clamped(float x, float low, float high) noexcept {
+  const float least = x < low ? low : x;
+  return least > high ? high : least;
+}
+
+/// Of length 1, or 0.
+Vec direction(Vec from, Vec to) noexcept {
+  const double length = norm(to - from);
+  return length > 0.0 ? (to - from) / length : Vec{};
+}
+
+/// To a fine grid: so that a place is the same one in a picture that begins some pixels farther on,
+/// whatever was rounded on the way there.
+Vec on_grid(Vec px) noexcept {
+  constexpr double kGrid = 1024.0;
+  return {std::floor(kGrid * px.x + 0.5) / kGrid, std::floor(kGrid * px.y + 0.5) / kGrid};
+}
 
 }  // namespace
 
-void PressureMap::begin(PixelRect area) {
+/// From dab a to dab b, and how far beyond either it reaches: a cap at an end of the line, enough
+/// to close the wedge between two strips at a joint.
+struct PressureMap::Strip {
+  TipAt a, b;
+  double before = 0.0, after = 0.0;
+};
+
+void PressureMap::begin(PixelRect area, double edge) {
   area_ = area;
-  values_.assign(static_cast<std::size_t>(area.width()) * static_cast<std::size_t>(area.height()),
-                 0.0F);
+  const double from = 1.0 - std::clamp(edge, 0.0, 1.0);
+  edge_from_ = edge > 0.0 ? static_cast<float>(from * from) : 2.0F;
+  stride_ = static_cast<std::size_t>(area.width()) + kLanes;
+  values_.assign(stride_ * static_cast<std::size_t>(area.height()), 0);
 }
 
-void PressureMap::make(const Stroke& stroke, const View& view, PixelRect area) {
-  begin(area);
-  const Rect near = view.area_mm({area.x0 - 2.0, area.y0 - 2.0}, {area.x1 + 2.0, area.y1 + 2.0});
-  for (int i = 0; i < stroke.segment_count(); ++i) {
-    const Cubic c = stroke.segment(i);
-    if (!near.intersects(segment_area(stroke, i))) continue;
-    // The control polygon is at least as long as the curve.
-    double length_px = 0.0, thinnest_px = 1e300;
-    for (std::size_t k = 1; k < 4; ++k) {
-      length_px += view.px_per_mm * distance(c.p[k - 1], c.p[k]);
-    }
-    for (int k = 0; k <= 8; ++k) {
-      thinnest_px = std::min(thinnest_px, view.px_per_mm * stroke.width_mm(i + 0.125 * k));
-    }
-    const double step_px = std::max(kShortestStepPx, 0.5 * kStepOfRadius * thinnest_px);
-    const double steps = std::clamp(std::ceil(1.5 * length_px / step_px), 1.0, 1e6);
-    for (double k = 0; k <= steps; ++k) {
-      const double t = k / steps;
-      const double width = stroke.width_mm(i + t);
-      const Vec at = view.to_px(evaluate(c, t));
-      press(at, 0.5 * view.px_per_mm * width, pressure_of_width(width));
-    }
+double PressureMap::push_at(int x, int y) const noexcept {
+  const std::int32_t value = row(y)[x - area_.x0];
+  return value == 0 ? kLeastPush
+                    : kLeastPush + (1.0 - kLeastPush) * (value >> kPushShift) /
+                                       static_cast<double>(kMostKey);
+}
+
+void PressureMap::lay(std::span<const TipAt> tips, Vec into, Vec out) {
+  if (tips.empty()) return;
+  way_.assign(tips.begin(), tips.end());
+  for (TipAt& tip : way_) tip.center_px = on_grid(tip.center_px);
+  const std::vector<TipAt>& way = way_;
+  const auto radius = [&](std::size_t i) { return way[i].radius_px + kRimPx; };
+  if (way.size() == 1) return lay(Strip{way[0], way[0], radius(0), radius(0)});
+  /// How far two strips that meet in a dab must reach beyond it.
+  const auto joint = [&](Vec from, Vec to, std::size_t dab) {
+    const double turn = dot(from, to) > 0.0 ? std::abs(cross(from, to)) : 1.0;
+    return turn * radius(dab) + kSoftPx;
+  };
+  Vec along = direction(way[0].center_px, way[1].center_px);
+  double before = joint(into, along, 0);
+  for (std::size_t i = 0; i + 1 < way.size(); ++i) {
+    const Vec next =
+        i + 2 < way.size() ? direction(way[i + 1].center_px, way[i + 2].center_px) : out;
+    const double after = joint(along, next, i + 1);
+    // A tip that grows as it moves covers what lies behind it.
+    const double length = norm(way[i + 1].center_px - way[i].center_px);
+    const double grows = way[i + 1].radius_px - way[i].radius_px;
+    const double behind = grows > kTaper * length ? radius(i + 1) - length : 0.0;
+    const double ahead = -grows > kTaper * length ? radius(i) - length : 0.0;
+    lay_in_pieces({way[i], way[i + 1], std::max(before, behind), std::max(after, ahead)});
+    before = after;
+    along = next;
   }
 }
 
-void PressureMap::press(Vec center_px, double radius_px, double pressure) {
-  const double radius = radius_px + 1.0;  // the outermost pixels are inked in part
-  if (!(center_px.x + radius > area_.x0 && center_px.x - radius < area_.x1 &&
-        center_px.y + radius > area_.y0 && center_px.y - radius < area_.y1)) {
+/// Of a strip that is much longer than a picture only what lies near it, cut at places of its own.
+void PressureMap::lay_in_pieces(const Strip& strip) {
+  constexpr double kLongPx = 1024.0;
+  const Vec way = strip.b.center_px - strip.a.center_px;
+  const double length = norm(way);
+  if (!(length > kLongPx)) return lay(strip);
+  const Vec middle{0.5 * (area_.x0 + area_.x1), 0.5 * (area_.y0 + area_.y1)};
+  const double reach = area_.width() + area_.height() +
+                       std::max(strip.a.radius_px, strip.b.radius_px) + strip.before + strip.after;
+  const double at = dot(middle - strip.a.center_px, way) / length;
+  const double pieces = std::ceil(length / kLongPx);
+  const double first = std::max(0.0, std::floor((at - reach) / kLongPx));
+  const double last = std::min(pieces - 1.0, std::floor((at + reach) / kLongPx));
+  const auto tip_at = [&](double n) {
+    if (n >= pieces) return strip.b;
+    const double t = n * kLongPx / length;
+    return TipAt{strip.a.center_px + t * way,
+                 strip.a.radius_px + t * (strip.b.radius_px - strip.a.radius_px),
+                 strip.a.tone + t * (strip.b.tone - strip.a.tone)};
+  };
+  for (double n = first; n <= last; ++n) {
+    lay(Strip{tip_at(n), tip_at(n + 1.0), n == 0.0 ? strip.before : kRimPx,
+              n + 1.0 == pieces ? strip.after : kRimPx});
+  }
+}
+
+/// What of a strip lies in the map, in single precision, and how to walk its rows.
+struct PressureMap::Walk {
+  float dx, dy, len, per_length, low, high;
+  float r0, dr, tone0, dtone, taper;  // taper: radius won on the way, per length
+  float rest_x, rest_y, widest2;
+  int home_x, home_y;
+  double from, to, cut_x, per_row, reach;  // in x: of the strip; of its breadth at row 0
+  bool is_steep = false;
+  int y0, y1;
+};
+
+void PressureMap::lay(const Strip& strip) {
+  const TipAt &a = strip.a, &b = strip.b;
+  const double widest = std::max(a.radius_px, b.radius_px) + kRimPx;
+  const Vec way = b.center_px - a.center_px;
+  const double length = norm(way);
+  const Vec d = length > 0.0 ? way / length : Vec{1.0, 0.0};
+  const double ends = std::max(strip.before, strip.after);
+  const Vec reach{std::abs(d.x) * ends + std::abs(d.y) * widest,
+                  std::abs(d.y) * ends + std::abs(d.x) * widest};
+  const Vec low =
+      Vec{std::min(a.center_px.x, b.center_px.x), std::min(a.center_px.y, b.center_px.y)} - reach;
+  const Vec high =
+      Vec{std::max(a.center_px.x, b.center_px.x), std::max(a.center_px.y, b.center_px.y)} + reach;
+  if (!(widest < 1e6 && length < 1e7) || !(high.x > area_.x0 && low.x < area_.x1) ||
+      !(high.y > area_.y0 && low.y < area_.y1)) {
     return;
   }
-  const auto first = [](double from, int least) {
-    return std::max(least, static_cast<int>(std::floor(std::max(from, least - 1.0))));
-  };
-  const auto past = [](double to, int most) {
-    return std::min(most, static_cast<int>(std::ceil(std::min(to, most + 1.0))));
-  };
-  const int y1 = past(center_px.y + radius, area_.y1), x1 = past(center_px.x + radius, area_.x1);
-  for (int y = first(center_px.y - radius, area_.y0); y < y1; ++y) {
-    const double dy = y + 0.5 - center_px.y;
-    for (int x = first(center_px.x - radius, area_.x0); x < x1; ++x) {
-      const double dx = x + 0.5 - center_px.x;
-      const double share = (dx * dx + dy * dy) / (radius * radius);
-      if (share > 1.0) continue;
-      float& value =
-          values_[static_cast<std::size_t>(y - area_.y0) * static_cast<std::size_t>(area_.width()) +
-                  static_cast<std::size_t>(x - area_.x0)];
-      value = std::max(value, static_cast<float>(pressure * (1.0 - (1.0 - kAtEdge) * share)));
+  const double home_x = std::floor(a.center_px.x + 0.3717);
+  const double home_y = std::floor(a.center_px.y + 0.3717);
+  Walk w{};
+  w.dx = static_cast<float>(d.x);
+  w.dy = static_cast<float>(d.y);
+  w.len = static_cast<float>(length);
+  w.per_length = static_cast<float>(length > 0.0 ? 1.0 / length : 0.0);
+  w.low = static_cast<float>(-strip.before);
+  w.high = static_cast<float>(length + strip.after);
+  w.r0 = static_cast<float>(a.radius_px + kSoftPx);
+  w.dr = static_cast<float>(b.radius_px - a.radius_px);
+  w.taper = w.dr * w.per_length;
+  w.tone0 = static_cast<float>(std::clamp(a.tone, 0.0, 1.0));
+  w.dtone = static_cast<float>(std::clamp(b.tone, 0.0, 1.0)) - w.tone0;
+  w.rest_x = static_cast<float>(home_x + 0.5 - a.center_px.x);
+  w.rest_y = static_cast<float>(home_y + 0.5 - a.center_px.y);
+  w.widest2 = static_cast<float>(widest * widest);
+  w.home_x = static_cast<int>(home_x);
+  w.home_y = static_cast<int>(home_y);
+  w.from = low.x;
+  w.to = high.x;
+  w.is_steep = std::abs(d.y) > 0.05;
+  if (w.is_steep) {
+    w.per_row = d.x / d.y;
+    w.cut_x = a.center_px.x + w.per_row * (0.5 - a.center_px.y);
+    w.reach = widest / std::abs(d.y);
+  }
+  w.y0 = std::max(area_.y0, static_cast<int>(std::floor(std::max(low.y, -1e6))));
+  w.y1 = std::min(area_.y1, static_cast<int>(std::ceil(std::min(high.y, 1e6))) + 1);
+  std::abs(b.radius_px - a.radius_px) > kTaper* length ? walk<true>(w) : walk<false>(w);
+}
+
+// Eight pixels at a time in plain numbers, so that a compiler makes vectors of it. Places are taken
+// from the strip's own begin: the same numbers wherever the picture begins.
+template <bool kTapers>
+void PressureMap::walk(const Walk& walk) {
+  const Walk w = walk;
+  const float edge_from = edge_from_;
+  const float per_edge = edge_from < 1.0F ? 1.0F / (1.0F - edge_from) : 0.0F;
+  constexpr auto kLeast = static_cast<float>(kLeastPush);
+  constexpr float kPerPush = kMostKey / (1.0F - kLeast);
+  for (int y = w.y0; y < w.y1; ++y) {
+    double from = w.from, to = w.to;
+    if (w.is_steep) {  // what of the row lies within its breadth
+      const double middle = w.cut_x + w.per_row * y;
+      from = std::max(from, middle - w.reach);
+      to = std::min(to, middle + w.reach);
+    }
+    const int x0 = std::max(area_.x0, static_cast<int>(std::floor(std::max(from, -1e6))));
+    const int x1 = std::min(area_.x1, static_cast<int>(std::ceil(std::min(to, 1e6))) + 1);
+    const float py = static_cast<float>(y - w.home_y) + w.rest_y;
+    std::int32_t* values = values_.data() + static_cast<std::size_t>(y - area_.y0) * stride_;
+    for (int x = x0; x < x1; x += kLanes) {
+      std::int32_t* lanes = values + (x - area_.x0);
+      for (int k = 0; k < kLanes; ++k) {
+        const float px = static_cast<float>(x + k - w.home_x) + w.rest_x;
+        const float along = px * w.dx + py * w.dy;
+        const float across = px * w.dy - py * w.dx;
+        float at = clamped(along, 0.0F, w.len);
+        if constexpr (kTapers) {  // the dab that a place belongs to lies towards the broader end
+          at = along + w.taper * across * across / (w.r0 + w.taper * at);
+          at = clamped(at, 0.0F, w.len);
+        }
+        const float t = at * w.per_length;
+        const float past = along - at;
+        const float per_r = 1.0F / (w.r0 + t * w.dr);
+        const float rho2 = (across * across + past * past) * per_r * per_r;
+        const float rim = rho2 < 1.0F ? rho2 : 1.0F;
+        const float in_edge = (rim - edge_from) * per_edge;
+        const float at_edge = in_edge > 0.0F ? in_edge : 0.0F;
+        const float firm = (w.tone0 + t * w.dtone) * (1.0F - kLessAtEdge * rim);
+        const float push = firm + (kLeast - firm) * (at_edge * at_edge);
+        const float side = across * per_r;
+        const float place = clamped(side, -1.0F, 1.0F);
+        const auto key = static_cast<std::int32_t>((push - kLeast) * kPerPush);
+        const auto rim_key = static_cast<std::int32_t>(rim * kMostRim);
+        const auto across_key = static_cast<std::int32_t>((place + 1.0F) * (0.5F * kMostAcross));
+        const std::int32_t value = (key << kPushShift) | (rim_key << kRimShift) | across_key;
+        const float reach = w.r0 + t * w.dr + kBesidePx;
+        const float reach2 = kTapers ? w.widest2 : reach * reach;
+        const float beside2 = across * across + past * past;
+        const std::int32_t is_in = static_cast<std::int32_t>(along >= w.low) &
+                                   static_cast<std::int32_t>(along <= w.high) &
+                                   static_cast<std::int32_t>(beside2 <= reach2);
+        const std::int32_t laid = -is_in & value;
+        lanes[k] = lanes[k] < laid ? laid : lanes[k];
+      }
     }
   }
 }

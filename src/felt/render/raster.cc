@@ -10,8 +10,11 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <string>
+#include <utility>
 #include <vector>
 
+#include "felt/render/ink_look.h"
 #include "felt/render/pressure_map.h"
 #include "felt/render/segment_runs.h"
 
@@ -24,6 +27,9 @@ constexpr unsigned kCellBlocks = 16384;
 
 /// Of the tolerance, for the centre line: as much as StrokeOutliner gives it.
 constexpr double kTraceShare = 0.5;
+
+/// How far the way of a tip may be from where the tip went: what a medium makes of it is soft.
+constexpr double kWayTolerancePx = 0.25;
 
 /// Clips in floating point, so that no coordinate overflows AGG's integers.
 using Cells = agg::rasterizer_scanline_aa<agg::rasterizer_sl_clip_dbl>;
@@ -67,23 +73,47 @@ PixelRect pixels_of(const Stroke& stroke, const View& view, PixelRect clip) noex
           whole(std::ceil(to.y) + 1.0, clip.y0, clip.y1)};
 }
 
-/// Ink with alpha 0..1 over a premultiplied pixel.
-void blend_over(std::uint8_t* pixel, PixelOrder order, Rgba color, double alpha) noexcept {
+constexpr unsigned over_255(unsigned product) noexcept {  // rounded
+  return (product + 128U + ((product + 128U) >> 8U)) >> 8U;
+}
+
+/// Ink with these alphas over premultiplied pixels.
+void blend_row(std::uint8_t* pixel, PixelOrder order, Rgba color, const std::uint8_t* alphas,
+               int count) noexcept {
   const bool rgba = order == PixelOrder::kRgba;
-  const double source[4] = {static_cast<double>(rgba ? color.r : color.b),
-                            static_cast<double>(color.g),
-                            static_cast<double>(rgba ? color.b : color.r), 255.0};
-  for (int k = 0; k < 4; ++k) {
-    const double mixed = alpha * source[k] + (1.0 - alpha) * pixel[k];
-    pixel[k] = static_cast<std::uint8_t>(std::clamp(mixed + 0.5, 0.0, 255.0));
+  const unsigned first = rgba ? color.r : color.b, third = rgba ? color.b : color.r;
+  const unsigned opacity = color.a;
+  for (int x = 0; x < count; ++x, pixel += 4) {
+    const unsigned alpha = opacity == 255U ? alphas[x] : over_255(opacity * alphas[x]);
+    if (alpha == 0U) continue;
+    const unsigned left = 255U - alpha;
+    pixel[0] = static_cast<std::uint8_t>(over_255(first * alpha + pixel[0] * left));
+    pixel[1] = static_cast<std::uint8_t>(over_255(color.g * alpha + pixel[1] * left));
+    pixel[2] = static_cast<std::uint8_t>(over_255(third * alpha + pixel[2] * left));
+    pixel[3] = static_cast<std::uint8_t>(over_255(255U * alpha + pixel[3] * left));
   }
 }
 
 }  // namespace
 
 struct Rasterizer::State {
-  /// Rows that are worked on at a time, so that the masks of a large stroke stay small.
-  static constexpr int kBandRows = 128;
+  /// Rows that are worked on at a time, so that the map of a large stroke stays small.
+  static constexpr int kBandRows = 64;
+  static constexpr std::size_t kMostLooks = 32;
+  /// A piece of where the tip went; how it came there and went on, of a ring.
+  struct Way {
+    std::vector<TipAt> tips;
+    Vec into, out;
+  };
+
+  /// Of a ring the last run goes on with the first.
+  [[nodiscard]] bool goes_round(const Stroke& stroke) const noexcept {
+    const auto& found = runs.runs();
+    return stroke.closed() && found.size() > 1 && found.front().first == 0 &&
+           found.back().last == stroke.segment_count();
+  }
+  /// Where the tip of the stroke went, near what is shown, in pixels.
+  void walk(const Stroke& stroke, const View& view, const Rect& shown);
 
   Cells cells{kCellBlocks};
   agg::scanline_u8 line;
@@ -91,9 +121,36 @@ struct Rasterizer::State {
   SegmentRuns runs;
   std::vector<Dab> dabs, more_dabs;
   Outline joined;
-  std::vector<std::uint8_t> mask;  // RGBA; its alpha is the coverage
   PressureMap pressure;
+  std::vector<Way> ways;
+  Grain grain;  // that the looks are of
+  double looks_px_per_mm = 0.0;
+  std::vector<std::pair<std::string, std::shared_ptr<const InkLook>>> looks;
 };
+
+void Rasterizer::State::walk(const Stroke& stroke, const View& view, const Rect& shown) {
+  runs.find(stroke, shown);
+  const std::size_t count = runs.runs().size();
+  ways.resize(count);
+  for (std::size_t n = 0; n < count; ++n) {
+    const SegmentRun& run = runs.runs()[n];
+    flatten(stroke, run.first, run.last, kWayTolerancePx / view.px_per_mm, dabs);
+    ways[n] = {std::move(ways[n].tips), {}, {}};
+    ways[n].tips.clear();
+    for (const Dab& dab : dabs) {
+      ways[n].tips.push_back({view.to_px(dab.center), view.px_per_mm * dab.radius_mm, dab.tone});
+    }
+  }
+  if (!stroke.closed() || !(runs.is_whole(stroke) || goes_round(stroke))) return;
+  const std::vector<TipAt>&first = ways.front().tips, &last = ways.back().tips;
+  const auto direction = [](const TipAt& from, const TipAt& to) {
+    const Vec way = to.center_px - from.center_px;
+    const double length = norm(way);
+    return length > 0.0 ? way / length : Vec{};
+  };
+  ways.front().into = direction(last[last.size() - 2], last.back());
+  ways.back().out = direction(first[0], first[1]);
+}
 
 Rasterizer::Rasterizer() : state_(std::make_unique<State>()) {}
 Rasterizer::~Rasterizer() = default;
@@ -104,6 +161,17 @@ void Rasterizer::fill(const Outline& outline, const View& view, PixelRect clip, 
                       Pixels target) {
   const PixelRect part = clip.intersected(target.rect());
   if (part.empty() || color.a == 0) return;
+  load(outline, view, part);
+  Cells& cells = state_->cells;
+  if (target.order == PixelOrder::kRgba) {
+    blend<agg::pixfmt_rgba32_pre>(cells, state_->line, part, color, target);
+  } else {
+    blend<agg::pixfmt_bgra32_pre>(cells, state_->line, part, color, target);
+  }
+}
+
+/// The outline, as cells of what it covers within a part.
+void Rasterizer::load(const Outline& outline, const View& view, PixelRect part) {
   Cells& cells = state_->cells;
   cells.reset();
   cells.clip_box(part.x0, part.y0, part.x1, part.y1);
@@ -117,11 +185,6 @@ void Rasterizer::fill(const Outline& outline, const View& view, PixelRect clip, 
     }
     cells.close_polygon();
   }
-  if (target.order == PixelOrder::kRgba) {
-    blend<agg::pixfmt_rgba32_pre>(cells, state_->line, part, color, target);
-  } else {
-    blend<agg::pixfmt_bgra32_pre>(cells, state_->line, part, color, target);
-  }
 }
 
 /// The outline of what a stroke inks in `shown`; of a stroke that lies there as a whole, its own.
@@ -132,9 +195,7 @@ const Outline& Rasterizer::trace_near(const Stroke& stroke, const View& view, co
   if (s.runs.is_whole(stroke)) return s.outliner.trace(stroke, tolerance_mm);
   s.joined.clear();
   const auto& runs = s.runs.runs();
-  // Of a ring the last run goes on with the first.
-  const bool goes_round = stroke.closed() && runs.size() > 1 && runs.front().first == 0 &&
-                          runs.back().last == stroke.segment_count();
+  const bool goes_round = s.goes_round(stroke);
   for (std::size_t i = goes_round ? 1 : 0; i < runs.size(); ++i) {
     flatten(stroke, runs[i].first, runs[i].last, kTraceShare * tolerance_mm, s.dabs);
     if (goes_round && i + 1 == runs.size()) {
@@ -170,35 +231,56 @@ void Rasterizer::draw_center_line(const Stroke& stroke, const View& view, PixelR
        {color.r, color.g, color.b, 255}, target);
 }
 
+/// The same look as the last time, in most cases.
+const InkLook* Rasterizer::look_of(const Stroke& stroke, const View& view, const Grain& grain) {
+  State& s = *state_;
+  if (!(grain == s.grain) || view.px_per_mm != s.looks_px_per_mm) {
+    s.looks.clear();
+    s.grain = grain;
+    s.looks_px_per_mm = view.px_per_mm;
+  }
+  const auto found = std::find_if(s.looks.begin(), s.looks.end(), [&](const auto& known) {
+    return known.first == stroke.material();
+  });
+  if (found != s.looks.end()) return found->second.get();
+  if (s.looks.size() >= State::kMostLooks) s.looks.clear();
+  s.looks.emplace_back(stroke.material(), grain.look(stroke.material(), view.px_per_mm));
+  return s.looks.back().second.get();
+}
+
 void Rasterizer::draw(const Stroke& stroke, const View& view, PixelRect clip, const Grain& grain,
                       Pixels target) {
-  const double share = grain_share(stroke.material());
-  if (grain.is_smooth() || !(share > 0.0)) return draw(stroke, view, clip, target);
+  const InkLook* look = grain.is_plain() ? nullptr : look_of(stroke, view, grain);
+  if (look == nullptr) return draw(stroke, view, clip, target);
   const PixelRect part = pixels_of(stroke, view, clip.intersected(target.rect()));
   if (part.empty() || stroke.color().a == 0) return;
-  const Outline& outline = trace_near(stroke, view, shown_by(part, view));
-  const double opacity = stroke.color().a / (255.0 * 255.0);
-  for (int top = part.y0; top < part.y1; top += State::kBandRows) {
-    const PixelRect band{part.x0, top, part.x1, std::min(part.y1, top + State::kBandRows)};
-    std::vector<std::uint8_t>& mask = state_->mask;
-    mask.assign(std::size_t{4} * static_cast<std::size_t>(band.width()) *
-                    static_cast<std::size_t>(band.height()),
-                0);
-    const Pixels coverage{mask.data(), band.width(), band.height(),
-                          std::ptrdiff_t{4} * band.width(), PixelOrder::kRgba};
-    const View shifted = view.from({static_cast<double>(band.x0), static_cast<double>(band.y0)});
-    fill(outline, shifted, coverage.rect(), {255, 255, 255, 255}, coverage);
-    state_->pressure.make(stroke, view, band);
-    for (int y = band.y0; y < band.y1; ++y) {
-      for (int x = band.x0; x < band.x1; ++x) {
-        const std::uint8_t covered =
-            coverage.data[(y - band.y0) * coverage.stride + std::ptrdiff_t{4} * (x - band.x0) + 3];
-        if (covered == 0) continue;
-        const double seen = grain.alpha(view.to_mm({x + 0.5, y + 0.5}),
-                                        static_cast<double>(state_->pressure.at(x, y)), share);
-        blend_over(target.data + y * target.stride + std::ptrdiff_t{4} * x, target.order,
-                   stroke.color(), opacity * covered * seen);
-      }
+  const Rect shown = shown_by(part, view);
+  if (!shown.intersects(rough_bounds(stroke))) return;
+  State& s = *state_;
+  load(trace_near(stroke, view, shown), view, part);
+  if (!s.cells.rewind_scanlines()) return;
+  s.line.reset(s.cells.min_x(), s.cells.max_x());
+  s.walk(stroke, view, shown);
+  const InkShade shade(*look, view);
+  PixelRect band{part.x0, part.y0, part.x1, part.y0};
+  while (s.cells.sweep_scanline(s.line)) {
+    const int y = s.line.y();
+    if (y < part.y0 || y >= part.y1) continue;
+    if (y >= band.y1) {
+      band.y0 = y;
+      band.y1 = std::min(part.y1, y + State::kBandRows);
+      s.pressure.begin(band, look->edge);
+      for (const auto& way : s.ways) s.pressure.lay(way.tips, way.into, way.out);
+    }
+    auto span = s.line.begin();
+    for (unsigned left = s.line.num_spans(); left > 0; --left, ++span) {
+      const int from = std::max<int>(span->x, part.x0);
+      const int count = std::min(span->x + span->len, part.x1) - from;
+      if (count <= 0) continue;
+      std::uint8_t* alphas = span->covers + (from - span->x);
+      shade.row(s.pressure, from, y, count, alphas);
+      blend_row(target.data + y * target.stride + std::ptrdiff_t{4} * from, target.order,
+                stroke.color(), alphas, count);
     }
   }
 }

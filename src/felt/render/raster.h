@@ -39,12 +39,14 @@ class Rasterizer {
   void draw_center_line(const Stroke& stroke, const View& view, PixelRect clip, double width_px,
                         Pixels target);
 
-  /// The same as `draw` on a sheet with a relief (R47): materials that are dry show it
-  /// (grain_share).
+  /// The same as `draw` with the stroke's medium as it looks on a sheet (R47); a plain grain gives
+  /// the pixels of the above.
   void draw(const Stroke& stroke, const View& view, PixelRect clip, const Grain& grain,
             Pixels target);
 
  private:
+  void load(const Outline& outline, const View& view, PixelRect part);
+  const InkLook* look_of(const Stroke& stroke, const View& view, const Grain& grain);
   const Outline& trace_near(const Stroke& stroke, const View& view, const Rect& shown);
 
   struct State;

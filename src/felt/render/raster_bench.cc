@@ -21,6 +21,32 @@ void FullScreen(benchmark::State& state) {
 }
 BENCHMARK(FullScreen)->Arg(1000)->Arg(10000)->Unit(benchmark::kMillisecond);
 
+/// The same with the look of a medium on a relief: 0 is plain, then those of media() in order.
+void FullScreenOfMedium(benchmark::State& state) {
+  const auto n = static_cast<std::size_t>(state.range(0));
+  static const HeightField relief(
+      {.wavelength_mm = 1.3, .rms_um = 11.0, .seed = 11, .character = HeightCharacter::kRough});
+  Materials materials = Materials::built_in();
+  if (n > 0) {
+    Medium medium = materials.media()[n - 1];
+    state.SetLabel(medium.id);
+    medium.id = "pencil";
+    materials.put(medium);
+  }
+  const Grain grain = n == 0 ? Grain() : Grain(&relief, materials);
+  const Sketch sketch = testing::screen_of_strokes(1000);
+  Image image = Image::create(1920, 1080).value();
+  Rasterizer rasterizer;
+  rasterizer.draw(sketch[0].stroke, {{0, 0}, 4.0}, {0, 0, 1920, 1080}, grain, image.pixels());
+  for (auto _ : state) {
+    fill(image.pixels(), {0, 0, 1920, 1080}, {255, 255, 255, 255});
+    for (const auto& s : sketch) {
+      rasterizer.draw(s.stroke, {{0, 0}, 4.0}, {0, 0, 1920, 1080}, grain, image.pixels());
+    }
+  }
+}
+BENCHMARK(FullScreenOfMedium)->DenseRange(0, 9)->Unit(benchmark::kMillisecond);
+
 /// A dirty patch of 64 x 64 pixels; every stroke is asked whether it touches it.
 void DirtyPatch(benchmark::State& state) {
   const Sketch sketch = testing::screen_of_strokes(static_cast<int>(state.range(0)));

@@ -50,10 +50,25 @@ class Device {
   /// when all of them were told. For pens that are faster than the loop and push back with nothing:
   /// no force depends on these. On the haptic thread, after read().
   virtual std::optional<PenSample> between() noexcept { return std::nullopt; }
+  /// Along the pen, of any length, in the frame of its places, as of the last read(): for drivers
+  /// that know how it is held but not yet where the sheet lies. CalibratedDevice, which does, makes
+  /// PenSample::lean_deg of it. None where the device does not know. On the haptic thread, after
+  /// read().
+  virtual std::optional<Vec3> pen_axis() noexcept { return std::nullopt; }
   /// Asks for a force, which holds until the next one.
   virtual tl::expected<void, DeviceFault> write(const Force& force) noexcept = 0;
   /// No force, at once. Must work in any state.
   virtual void stop() noexcept = 0;
+};
+
+/// What a hand wants from now on.
+struct Aim {
+  Vec3 target_mm;
+  std::optional<double> pressure{};
+  std::uint32_t buttons = 0;
+  std::optional<double> lean_deg{};  ///< of the pen from the upright, 0..90; absent where unknown
+
+  friend constexpr bool operator==(const Aim&, const Aim&) noexcept = default;
 };
 
 /// What drives a simulated hand: a mouse, a tablet or a script says where the hand wants the pen;
@@ -62,16 +77,18 @@ class HandInput {
  public:
   virtual ~HandInput() = default;
 
-  /// From the next read() on. `pressure` and `buttons` are passed through to the samples; without
+  /// From the next read() on. Pressure, buttons and lean are passed through to the samples; without
   /// pressure the depth in the plane decides.
-  virtual void aim(const Vec3& target_mm, std::optional<double> pressure,
-                   std::uint32_t buttons) noexcept = 0;
+  virtual void aim(const Aim& aim) noexcept = 0;
+  /// Likewise, of a pen whose lean nobody knows.
+  void aim(const Vec3& target_mm, std::optional<double> pressure, std::uint32_t buttons) noexcept {
+    aim(Aim{target_mm, pressure, buttons});
+  }
   /// The same for a hand that says when it was there, on the loop's clock: what arrives late and
   /// several at once is played in its own spacing. A hand that cannot takes it as it comes.
-  virtual void aim_at(std::int64_t time_ns, const Vec3& target_mm, std::optional<double> pressure,
-                      std::uint32_t buttons) noexcept {
+  virtual void aim_at(std::int64_t time_ns, const Aim& aim) noexcept {
     static_cast<void>(time_ns);
-    aim(target_mm, pressure, buttons);
+    this->aim(aim);
   }
 };
 

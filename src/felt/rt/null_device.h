@@ -25,18 +25,12 @@ class NullDevice final : public Device, public HandInput {
   tl::expected<void, DeviceFault> write(const Force&) noexcept override { return {}; }
   void stop() noexcept override {}
 
-  void aim(const Vec3& target_mm, std::optional<double> pressure,
-           std::uint32_t buttons) noexcept override;
+  using HandInput::aim;
+  void aim(const Aim& aim) noexcept override { aimed_.publish(aim); }
 
  private:
-  struct Pose {
-    Vec3 position{0.0, 0.0, 10.0};
-    std::optional<double> pressure;
-    std::uint32_t buttons = 0;
-  };
-
   Capabilities capabilities_;
-  LatestValue<Pose> aimed_;
+  LatestValue<Aim> aimed_{Aim{{0.0, 0.0, 10.0}}};
   VelocityFilter velocity_;
   std::optional<std::int64_t> last_ns_;
 };

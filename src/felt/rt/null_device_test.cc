@@ -22,6 +22,14 @@ TEST(NullDevice, R51_ThePenIsWhereTheMouseIsAndForcesDoNothing) {
   }
 }
 
+TEST(NullDevice, ThePenLeansAsTheHandSays) {
+  NullDevice device;
+  device.aim({{1, 2, -1}, 0.5, 1, 32.5});
+  EXPECT_EQ(device.read(0)->lean_deg, 32.5);
+  device.aim({1, 2, -1}, 0.5, 1);
+  EXPECT_EQ(device.read(1 * kMs)->lean_deg, std::nullopt);
+}
+
 TEST(NullDevice, R55_HasNoForcesWhateverItIsTold) {
   Capabilities wishes;
   wishes.max_force_n = 3.0;

@@ -20,6 +20,7 @@ namespace {
 
 constexpr std::int64_t kSecond = 1'000'000'000;
 constexpr std::int64_t kStatsEvery = 100'000'000;
+constexpr std::int64_t kSilentNs = 500'000'000;
 constexpr std::size_t kStackBytes = 128 * 1024;  // far more than a tick uses
 
 std::int64_t clock_ns(clockid_t clock) noexcept {
@@ -65,6 +66,10 @@ LoopScheduling schedule(int fifo_priority) noexcept {
 
 std::string describe(const RealtimeStatus& status) {
   std::string text;
+  if (status.is_silent) {
+    return "The haptic loop stands still: the device, or its maker's software, does not answer; "
+           "close it, connect it anew and open it again.";
+  }
   switch (status.scheduling) {
     case LoopScheduling::kNotRunning:
       return "The haptic loop is not running.";
@@ -79,21 +84,33 @@ std::string describe(const RealtimeStatus& status) {
           "The haptic loop runs as an ordinary thread and will be late when the machine is busy;"
           " allow real time for your user by rtprio in /etc/security/limits.d";
       break;
+    case LoopScheduling::kHost:
+      text = "The haptic loop is run by the device's own software";
+      break;
   }
   text += status.memory_locked ? ", with its memory locked."
                                : "; its memory may be swapped out (memlock is limited).";
   return text;
 }
 
-RealtimeThread::RealtimeThread(Servo& servo, const RealtimeOptions& options)
-    : servo_(servo), options_(options), epoch_ns_(clock_ns(CLOCK_MONOTONIC)) {}
+RealtimeThread::RealtimeThread(Servo& servo, const RealtimeOptions& options, LoopHost* host)
+    : servo_(servo), options_(options), host_(host), epoch_ns_(clock_ns(CLOCK_MONOTONIC)) {}
 
 RealtimeThread::~RealtimeThread() {
-  stop();
+  while (!stop()) {
+  }
 }
 
 std::int64_t RealtimeThread::now_ns() const noexcept {
   return clock_ns(CLOCK_MONOTONIC) - epoch_ns_;
+}
+
+RealtimeStatus RealtimeThread::status() const noexcept {
+  RealtimeStatus status = status_;
+  if (!is_running()) return status;
+  const std::int64_t ticked_ns = ticked_ns_.load(std::memory_order_relaxed);
+  status.is_silent = now_ns() - std::max(ticked_ns, first_due_ns_) > kSilentNs;
+  return status;
 }
 
 const LoopStats& RealtimeThread::stats() noexcept {
@@ -105,6 +122,11 @@ Result<void> RealtimeThread::start() {
   if (is_running()) return {};
   stop_asked_.store(false, std::memory_order_relaxed);
   is_set_up_.store(false, std::memory_order_relaxed);
+  has_ended_.store(false, std::memory_order_relaxed);
+  ticked_ns_.store(kNever, std::memory_order_relaxed);
+  own_stats_ = {};
+  next_stats_ns_ = 0;
+  if (host_ != nullptr) return start_hosted();
   try {
     thread_ = std::thread([this] { run(); });
   } catch (const std::system_error& error) {
@@ -115,11 +137,24 @@ Result<void> RealtimeThread::start() {
   return {};
 }
 
-void RealtimeThread::stop() noexcept {
-  if (!is_running()) return;
-  stop_asked_.store(true, std::memory_order_relaxed);
-  thread_.join();
+bool RealtimeThread::stop() noexcept {
+  if (!is_running()) return true;
+  if (!(is_hosted_ ? stop_hosted() : stop_thread())) return false;
   status_ = {};
+  return true;
+}
+
+bool RealtimeThread::stop_thread() noexcept {
+  stop_asked_.store(true, std::memory_order_relaxed);
+  const auto has_ended = [this] { return has_ended_.load(std::memory_order_acquire); };
+  if (!wait_until(options_.stop_patience_ns, has_ended)) {
+    if (thread_.joinable()) thread_.detach();
+    is_detached_ = true;
+    return false;
+  }
+  if (thread_.joinable()) thread_.join();
+  is_detached_ = false;
+  return true;
 }
 
 void RealtimeThread::run() noexcept {
@@ -128,6 +163,7 @@ void RealtimeThread::run() noexcept {
   is_set_up_.notify_one();
   loop();
   servo_.stop();
+  has_ended_.store(true, std::memory_order_release);
 }
 
 void RealtimeThread::set_up() noexcept {
@@ -148,25 +184,101 @@ std::int64_t RealtimeThread::wait_for(std::int64_t deadline_ns) const noexcept {
   return now_ns();
 }
 
+void RealtimeThread::tick(std::int64_t now_ns, std::int64_t late_ns) noexcept {
+  const std::int64_t cpu_ns = options_.measure_cpu ? clock_ns(CLOCK_THREAD_CPUTIME_ID) : 0;
+  ticked_ns_.store(now_ns, std::memory_order_release);
+  servo_.step(now_ns);
+  if (options_.measure_cpu) own_stats_.add_cpu(clock_ns(CLOCK_THREAD_CPUTIME_ID) - cpu_ns);
+  own_stats_.tick(now_ns, late_ns, servo_.options().period_ns);
+  if (now_ns < next_stats_ns_) return;
+  stats_.publish(own_stats_);
+  next_stats_ns_ = now_ns + kStatsEvery;
+}
+
 void RealtimeThread::loop() noexcept {
   const std::int64_t period_ns = servo_.options().period_ns;
-  LoopStats stats;
-  std::int64_t next_stats_ns = 0;
   std::int64_t deadline_ns = first_due_ns_;
   while (!stop_asked_.load(std::memory_order_relaxed)) {
     const std::int64_t woke_ns = wait_for(deadline_ns);
-    const std::int64_t cpu_ns = options_.measure_cpu ? clock_ns(CLOCK_THREAD_CPUTIME_ID) : 0;
-    servo_.step(woke_ns);
-    if (options_.measure_cpu) stats.add_cpu(clock_ns(CLOCK_THREAD_CPUTIME_ID) - cpu_ns);
     const std::int64_t late_ns = woke_ns - deadline_ns;
-    stats.tick(woke_ns, late_ns, period_ns);
+    tick(woke_ns, late_ns);
     deadline_ns += period_ns * (1 + std::max<std::int64_t>(late_ns, 0) / period_ns);
-    if (woke_ns >= next_stats_ns) {
-      stats_.publish(stats);
-      next_stats_ns = woke_ns + kStatsEvery;
-    }
   }
-  stats_.publish(stats);
+  stats_.publish(own_stats_);
+}
+
+// Edit thread; false when it lost patience. There is no event to wait for: the haptic thread wakes
+// nobody.
+template <class Condition>
+bool RealtimeThread::wait_until(std::int64_t patience_ns, Condition condition) const {
+  const std::int64_t until_ns = now_ns() + patience_ns;
+  while (!condition()) {
+    if (now_ns() >= until_ns) return false;
+    static_cast<void>(wait_for(now_ns() + kSecond / 1000));
+  }
+  return true;
+}
+
+Result<void> RealtimeThread::start_hosted() {
+  status_ = {.scheduling = LoopScheduling::kHost,
+             .memory_locked = options_.lock_memory && lock_memory()};
+  hosted_.store(Hosted::kTicking, std::memory_order_relaxed);
+  const Result<void> started = host_->start_loop(
+      [](void* self) noexcept { static_cast<RealtimeThread*>(self)->hosted_tick(); }, this);
+  if (!started) {
+    status_ = {};
+    return started;
+  }
+  is_hosted_ = true;
+  if (wait_until(options_.host_patience_ns,
+                 [this] { return ticked_ns_.load(std::memory_order_acquire) != kNever; })) {
+    return {};
+  }
+  static_cast<void>(stop());  // no tick was ever under way
+  return fail(ErrorCode::kIo,
+              "the device's own software has started its haptic loop, but does not run it: "
+              "disconnect the device, connect it again and open it anew");
+}
+
+bool RealtimeThread::stop_hosted() noexcept {
+  // One that was asked to end before, in vain, may have done so since.
+  if (hosted_.load(std::memory_order_acquire) == Hosted::kTicking) {
+    hosted_.store(Hosted::kLastTick, std::memory_order_relaxed);
+  }
+  const auto is_done = [this] { return hosted_.load(std::memory_order_acquire) == Hosted::kDone; };
+  // Without a tick so far there is no reason to expect one.
+  if (ticked_ns_.load(std::memory_order_relaxed) != kNever) {
+    wait_until(options_.host_patience_ns, is_done);
+  }
+  // The host would wait for that tick for ever, and the servo is its own until it ends.
+  if (!is_done() && is_in_tick_.load(std::memory_order_acquire)) return false;
+  host_->stop_loop();
+  if (!is_done()) servo_.stop();
+  hosted_.store(Hosted::kDone, std::memory_order_relaxed);
+  stats_.publish(own_stats_);
+  is_hosted_ = false;
+  return true;
+}
+
+void RealtimeThread::hosted_tick() noexcept {
+  is_in_tick_.store(true, std::memory_order_release);
+  step_hosted();
+  is_in_tick_.store(false, std::memory_order_release);
+}
+
+void RealtimeThread::step_hosted() noexcept {
+  const Hosted state = hosted_.load(std::memory_order_acquire);
+  if (state == Hosted::kDone) return;
+  if (state == Hosted::kLastTick) {
+    servo_.stop();
+    hosted_.store(Hosted::kDone, std::memory_order_release);
+    return;
+  }
+  const std::int64_t now = now_ns();
+  const std::int64_t last_ns = ticked_ns_.load(std::memory_order_relaxed);
+  const std::int64_t period_ns = servo_.options().period_ns;
+  if (last_ns == kNever) first_due_ns_ = now;
+  tick(now, last_ns == kNever ? 0 : now - last_ns - period_ns);
 }
 
 }  // namespace felt

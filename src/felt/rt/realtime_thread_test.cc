@@ -38,7 +38,7 @@ TEST(RealtimeThread, RunsTheServoHandsOverAndEndsWithoutForce) {
     servo->heartbeat(loop.now_ns());
     return samples >= 50;
   });
-  loop.stop();
+  EXPECT_TRUE(loop.stop());
   EXPECT_FALSE(loop.is_running());
   EXPECT_EQ(loop.status().scheduling, LoopScheduling::kNotRunning);
   EXPECT_EQ(device.stops, 1);
@@ -53,11 +53,11 @@ TEST(RealtimeThread, StartsAgainStopsTwiceAndStopsWhenDestroyed) {
   const auto servo = std::make_unique<Servo>(device, ServoOptions{});
   {
     RealtimeThread loop(*servo, {});
-    loop.stop();  // nothing to stop
+    EXPECT_TRUE(loop.stop());  // nothing to stop
     ASSERT_TRUE(loop.start().has_value());
     ASSERT_TRUE(loop.start().has_value());
-    loop.stop();
-    loop.stop();
+    EXPECT_TRUE(loop.stop());
+    EXPECT_TRUE(loop.stop());
     ASSERT_TRUE(loop.start().has_value());
   }
   EXPECT_EQ(device.stops, 2);
@@ -75,7 +75,7 @@ TEST(RealtimeThread, WithoutAskingItIsAnOrdinaryThreadAndSaysSo) {
   EXPECT_NE(loop.status().scheduling, LoopScheduling::kFifo);
   EXPECT_FALSE(loop.status().memory_locked);
   wait_until([&] { return loop.stats().ticks() > 0 && servo->for_edit().size() >= 5; });
-  loop.stop();
+  EXPECT_TRUE(loop.stop());
   EXPECT_EQ(loop.stats().cpu().count(), loop.stats().ticks());
 }
 
@@ -112,7 +112,7 @@ TEST(RealtimeThread, TheEditSideMayDoEverythingWhileItRuns) {
     static_cast<void>(loop.stats());
     std::this_thread::sleep_for(std::chrono::microseconds(100));
   }
-  loop.stop();
+  EXPECT_TRUE(loop.stop());
 }
 
 }  // namespace

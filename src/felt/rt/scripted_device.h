@@ -30,12 +30,14 @@ class ScriptedDevice final : public Device {
     ++writes;
     return {};
   }
+  std::optional<Vec3> pen_axis() noexcept override { return axis; }
   void stop() noexcept override {
     force = {};
     ++stops;
   }
 
   PenSample sample{0, {0.0, 0.0, 1.0}, {}, {}, 0};
+  std::optional<Vec3> axis;
   std::optional<DeviceFault> read_fault;
   std::optional<DeviceFault> write_fault;
   Force force;  ///< holds, as in a device

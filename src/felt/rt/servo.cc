@@ -62,7 +62,9 @@ void Servo::sense_and_act(std::int64_t now_ns) noexcept {
   report_.terms.clear();
   if (!sample) {
     chain_.device_failed();
-    static_cast<void>(device_.write(Force{}));  // it has failed already
+    // It has failed already; whichever way to let go still reaches it, counts.
+    static_cast<void>(device_.write(Force{}));
+    device_.stop();
     return;
   }
   report_.sample = *sample;

@@ -42,17 +42,10 @@ struct ServoOptions {
 /// with a virtual clock by replay and tests (`VirtualClock`); it neither knows nor cares. step() is
 /// real-time safe: no allocation, lock, I/O or exception, and denormals are zero within.
 ///
-/// A vendor's callback needs nothing but this, on the one thread that the vendor calls it from:
-///
-///   Status servo_callback(void* data) {              // at the device's own rate
-///     auto& loop = *static_cast<Loop*>(data);
-///     loop.servo.step(loop.clock.now_ns());          // monotonic, 0 when the session began
-///     return kCallAgain;
-///   }
-///
-/// and Servo::stop() once the vendor's scheduler has stopped. Which threads may call what is
-/// checked by clang (thread_roles.h). The object is large (tens of KiB) and lives on the heap as a
-/// rule.
+/// A vendor's callback needs nothing but step(now) with a monotonic clock, 0 when the session
+/// began, on the one thread that the vendor calls it from, and stop() at the end: `RealtimeThread`
+/// with a `LoopHost` does that. Which threads may call what is checked by clang (thread_roles.h).
+/// The object is large (tens of KiB) and lives on the heap as a rule.
 class Servo {
  public:
   static constexpr std::size_t kRingSamples = 16384;  ///< 16 s at 1 kHz

@@ -27,12 +27,13 @@ struct SetOption {
   friend bool operator==(const SetOption&, const SetOption&) = default;
 };
 
-/// {"event":"pen","x":..,"y":..,"z":..,"pressure":..,"buttons":0}: the sample as read. Velocity is
-/// no part of the text form; the player derives it as a device would.
+/// {"event":"pen","x":..,"y":..,"z":..,"pressure":..,"buttons":0,"lean":32.5}: the sample as read.
+/// Velocity is no part of the text form; the player derives it as a device would.
 struct PenEvent {
   Vec3 position;
   std::optional<double> pressure;
   std::uint32_t buttons = 0;
+  std::optional<double> lean_deg{};  ///< of the pen from the upright, 0..90; absent where unknown
   friend bool operator==(const PenEvent&, const PenEvent&) = default;
 };
 
@@ -42,6 +43,7 @@ struct HandEvent {
   Vec3 target;
   std::optional<double> pressure;
   std::uint32_t buttons = 0;
+  std::optional<double> lean_deg{};
   friend bool operator==(const HandEvent&, const HandEvent&) = default;
 };
 
@@ -114,12 +116,21 @@ struct UseDevice {
   friend bool operator==(const UseDevice&, const UseDevice&) = default;
 };
 
+/// {"event":"material","text":"kind = \"sheet\"..."}: this sheet or medium is known from now on,
+/// and is the one of its id: what is in use is taken over at once. The text says all of it
+/// (docs/formats/material.md).
+struct UseMaterial {
+  std::string text;
+  friend bool operator==(const UseMaterial&, const UseMaterial&) = default;
+};
+
 /// Everything that can happen to a drawing session: its only input (architecture section 6). Times
 /// never run backwards.
 struct Event {
   std::int64_t time_ns = 0;
   std::variant<SelectTool, SetOption, PenEvent, HandEvent, UndoEvent, RedoEvent, CancelEvent,
-               ImportEvent, SelectStrokes, DeleteEvent, DuplicateEvent, LayerEvent, UseDevice>
+               ImportEvent, SelectStrokes, DeleteEvent, DuplicateEvent, LayerEvent, UseDevice,
+               UseMaterial>
       what;
   friend bool operator==(const Event&, const Event&) = default;
 };

@@ -32,11 +32,12 @@ class SpringPen final : public Device, public HandInput {
     // Critically damped, 0.05 kg on 400 N/m, semi-implicit Euler at 0.1 ms.
     for (; time_ns_ + 100'000 <= now_ns; time_ns_ += 100'000) {
       const Vec3 force_n{force_.x, force_.y, force_.z};
-      const Vec3 acceleration = 20.0 * (0.4 * (target_ - at_) - 0.00894 * velocity_ + force_n);
+      const Vec3 acceleration =
+          20.0 * (0.4 * (aim_.target_mm - at_) - 0.00894 * velocity_ + force_n);
       velocity_ += 0.1 * acceleration;  // N/kg = mm/ms^2 * 1e3; 1e-4 s
       at_ += 1e-4 * velocity_;
     }
-    return PenSample{now_ns, at_, velocity_, pressure_, buttons_};
+    return PenSample{now_ns, at_, velocity_, aim_.pressure, aim_.buttons, aim_.lean_deg};
   }
   tl::expected<void, DeviceFault> write(const Force& force) noexcept override {
     force_ = force;
@@ -47,13 +48,10 @@ class SpringPen final : public Device, public HandInput {
     force_ = {};
     stopped_ = true;
   }
-  void aim(const Vec3& target, std::optional<double> pressure,
-           std::uint32_t buttons) noexcept override {
-    if (!aimed_) at_ = target;
+  void aim(const Aim& aim) noexcept override {
+    if (!aimed_) at_ = aim.target_mm;
     aimed_ = true;
-    target_ = target;
-    pressure_ = pressure;
-    buttons_ = buttons;
+    aim_ = aim;
   }
   [[nodiscard]] double largest_written_n() const { return written_; }
   [[nodiscard]] bool stopped() const { return stopped_; }
@@ -61,9 +59,8 @@ class SpringPen final : public Device, public HandInput {
  private:
   Capabilities capabilities_;
   std::int64_t time_ns_ = 0;
-  Vec3 at_{0, 0, 20}, velocity_, target_{0, 0, 20};
-  std::optional<double> pressure_;
-  std::uint32_t buttons_ = 0;
+  Vec3 at_{0, 0, 20}, velocity_;
+  Aim aim_{{0, 0, 20}};
   Force force_;
   double written_ = 0.0;
   bool aimed_ = false, stopped_ = false;
@@ -155,6 +152,22 @@ TEST(Player, DrawsWhatThePenDoes) {
   EXPECT_EQ(played.report->events, 14U);
   EXPECT_EQ(played.report->samples, played.report->ticks);
   EXPECT_EQ(played.report->start_ns, 700 * kMs);
+}
+
+/// Through the loop, and into what is recorded.
+TEST(Player, ThePenLeansAsTheScriptSays) {
+  const auto lean_at_the_end = [](auto pose) {
+    pose.lean_deg = 41.5;
+    const Played played = play({{0, pose}, {50 * kMs, pose}});
+    EXPECT_TRUE(played.report);
+    EXPECT_FALSE(played.recorded.empty());
+    for (const Event& event : played.recorded) {
+      EXPECT_EQ(std::get<PenEvent>(event.what).lean_deg, 41.5);
+    }
+    return played.samples.back().lean_deg;
+  };
+  EXPECT_EQ(lean_at_the_end(PenEvent{{0, 0, 5}, {}, 0}), 41.5);
+  EXPECT_EQ(lean_at_the_end(HandEvent{{0, 0, 5}, {}, 0}), 41.5);
 }
 
 TEST(Player, ForcesMoveAHand) {

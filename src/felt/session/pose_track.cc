@@ -1,6 +1,7 @@
 #include "felt/session/pose_track.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace felt {
 namespace {
@@ -63,6 +64,13 @@ std::optional<double> pressure_between(const ScriptPose& a, const ScriptPose& b,
   return presses(a) ? b.pressure : a.pressure;
 }
 
+/// What nobody said of one of them is not made up.
+std::optional<double> lean_between(const ScriptPose& a, const ScriptPose& b, std::int64_t now_ns) {
+  if (!a.lean_deg || !b.lean_deg) return a.lean_deg;
+  // A lean that stays is to stay the same number.
+  return std::lerp(*a.lean_deg, *b.lean_deg, part(now_ns, a.time_ns, b.time_ns));
+}
+
 }  // namespace
 
 ScriptPose between(const ScriptPose& a, const ScriptPose& b, std::int64_t now_ns) noexcept {
@@ -72,6 +80,7 @@ ScriptPose between(const ScriptPose& a, const ScriptPose& b, std::int64_t now_ns
   pose.time_ns = now_ns;
   pose.position = place_between(a, b, now_ns);
   pose.pressure = pressure_between(a, b, now_ns);
+  pose.lean_deg = lean_between(a, b, now_ns);
   return pose;
 }
 
@@ -86,10 +95,12 @@ std::optional<ScriptPose> PoseTrack::find_next() {
   while (searched_ < events_.size()) {
     const Event& event = events_[searched_++];
     if (const auto* pen = std::get_if<PenEvent>(&event.what)) {
-      return ScriptPose{event.time_ns, pen->position, pen->pressure, pen->buttons, false};
+      return ScriptPose{event.time_ns, pen->position, pen->pressure,
+                        pen->buttons,  false,         pen->lean_deg};
     }
     if (const auto* hand = std::get_if<HandEvent>(&event.what)) {
-      return ScriptPose{event.time_ns, hand->target, hand->pressure, hand->buttons, true};
+      return ScriptPose{event.time_ns, hand->target, hand->pressure,
+                        hand->buttons, true,         hand->lean_deg};
     }
   }
   return {};

@@ -22,7 +22,8 @@ class ScriptedDevice final : public Device {
 
   void set(const ScriptPose& pose) noexcept {
     pose_ = pose;
-    if (pose_.by_hand) hand_->aim(pose_.position, pose_.pressure, pose_.buttons);
+    if (pose_.by_hand)
+      hand_->aim(Aim{pose_.position, pose_.pressure, pose_.buttons, pose_.lean_deg});
   }
   [[nodiscard]] bool by_hand() const noexcept { return pose_.by_hand; }
 
@@ -35,7 +36,8 @@ class ScriptedDevice final : public Device {
     const double dt_s = 1e-9 * static_cast<double>(now_ns - last_ns_);
     last_ns_ = now_ns;
     const Vec3 velocity = velocity_.update(pose_.position, dt_s);
-    return PenSample{now_ns, pose_.position, velocity, pose_.pressure, pose_.buttons};
+    return PenSample{now_ns,         pose_.position, velocity,
+                     pose_.pressure, pose_.buttons,  pose_.lean_deg};
   }
   tl::expected<void, DeviceFault> write(const Force& force) noexcept override {
     if (pose_.by_hand) return below_.write(force);

@@ -7,6 +7,8 @@
 #include "felt/base/check.h"
 #include "felt/document/edit_builder.h"
 #include "felt/document/visible_strokes.h"
+#include "felt/geometry/lean.h"
+#include "felt/material/material_file.h"
 #include "felt/session/layer_edit.h"
 
 namespace felt {
@@ -49,9 +51,11 @@ struct Session::Apply {
   std::int64_t time_ns;
 
   Result<void> operator()(const SelectTool& e) const { return session.select(e.id); }
-  Result<void> operator()(const SetOption& e) const { return session.set_option(e.id, e.value); }
+  Result<void> operator()(const SetOption& e) const {
+    return session.set_option(time_ns, e.id, e.value);
+  }
   Result<void> operator()(const PenEvent& e) const {
-    return session.sample({time_ns, e.position, {}, e.pressure, e.buttons});
+    return session.sample({time_ns, e.position, {}, e.pressure, e.buttons, e.lean_deg});
   }
   Result<void> operator()(const HandEvent&) const {
     return fail(ErrorCode::kUnsupported, "a hand event is for the player, which moves the device");
@@ -74,6 +78,7 @@ struct Session::Apply {
     session.options_.device = e.capabilities;
     return ended;
   }
+  Result<void> operator()(const UseMaterial& e) const { return session.use_material(e); }
 };
 
 Session::Session(std::vector<std::unique_ptr<Tool>> tools, SessionOptions options)
@@ -86,6 +91,7 @@ Session::Session(std::vector<std::unique_ptr<Tool>> tools, SessionOptions option
   selection_.hold_to(document_);
   FELT_CHECK(!tools_.empty());
   active_ = find_tool("pencil").value_or(0);
+  sheet_.follow(options_.materials);
   if (!highest_open_layer(document_)) {
     const Edit edit = add_layer_on_top(document_);
     FELT_CHECK(document_.apply(edit).has_value());
@@ -108,11 +114,13 @@ Result<void> Session::sample(const PenSample& told) {
   }
   PenSample sample = told;
   sample.pressure = clean_pressure(told.pressure);
+  sample.lean_deg = clean_lean(told.lean_deg);
   const double dt_s = static_cast<double>(sample.time_ns - last_sample_ns_) * 1e-9;
   sample.velocity = velocity_.update(sample.position, dt_s);
   last_sample_ns_ = sample.time_ns;
   if (options_.on_event) {
-    record({sample.time_ns, PenEvent{sample.position, sample.pressure, sample.buttons}});
+    record({sample.time_ns,
+            PenEvent{sample.position, sample.pressure, sample.buttons, sample.lean_deg}});
   }
 
   const bool was_down = std::exchange(pen_is_down_, in_contact(sample));
@@ -153,18 +161,54 @@ Result<void> Session::select(const std::string& id) {
   return ended;
 }
 
-Result<void> Session::set_option(const std::string& id, const OptionValue& value) {
+Result<void> Session::set_option(std::int64_t time_ns, const std::string& id,
+                                 const OptionValue& value) {
   const auto [owner, name] = split_id(id);
-  Result<void> done;
+  const auto in_context = [owner = std::string(owner)](const Error& error) {
+    return tl::unexpected(with_context(error, owner));
+  };
   if (owner == "sheet") {
-    done = sheet_.set(name, value);
-  } else {
-    const Result<std::size_t> found = find_tool(owner);
-    if (!found) return tl::unexpected(found.error());
-    done = tools_[*found]->set_option(name, value);
+    if (Result<void> done = sheet_.set(name, value, options_.materials); !done) {
+      return in_context(done.error());
+    }
+    if (name == "material") tell_material(time_ns, OpenChoice::kSheets, value);
+    return {};
   }
-  if (!done) return tl::unexpected(with_context(done.error(), std::string(owner)));
+  const Result<std::size_t> found = find_tool(owner);
+  if (!found) return tl::unexpected(found.error());
+  Tool& tool = *tools_[*found];
+  OpenChoice open = OpenChoice::kNone;
+  for (const OptionSpec& row : tool.info().options) {
+    if (row.id != name) continue;
+    open = row.open;
+    if (Result<void> known = check_choice(row, value, options_.materials); !known) {
+      return in_context(known.error());
+    }
+  }
+  if (Result<void> done = tool.set_option(name, value); !done) return in_context(done.error());
+  tell_material(time_ns, open, value);
   return {};
+}
+
+Result<void> Session::use_material(const UseMaterial& event) {
+  Result<AnyMaterial> material = read_material(event.text);
+  if (!material) return tl::unexpected(material.error());
+  told_.push_back(material_key(*material));
+  put(options_.materials, *std::move(material));
+  sheet_.follow(options_.materials);
+  return {};
+}
+
+void Session::tell_material(std::int64_t time_ns, OpenChoice kind, const OptionValue& value) {
+  const auto* id = std::get_if<std::string>(&value);
+  if (!options_.on_event || !id || kind == OpenChoice::kNone) return;
+  for (const AnyMaterial& own : not_built_in(options_.materials)) {
+    const bool is_sheet = std::holds_alternative<SurfaceMaterial>(own);
+    if (id_of(own) != *id || is_sheet != (kind == OpenChoice::kSheets)) continue;
+    if (std::find(told_.begin(), told_.end(), material_key(own)) != told_.end()) return;
+    told_.push_back(material_key(own));
+    record({time_ns, UseMaterial{write_material(own)}});
+  }
 }
 
 void Session::cancel() {
@@ -237,8 +281,8 @@ Sketch Session::sketch() const {
 }
 
 Scene Session::scene() const {
-  return {document_,         index_,          selection_,    layer_,
-          sheet_.material(), options_.device, sheet_.color()};
+  return {document_,         index_,          selection_,     layer_,
+          sheet_.material(), options_.device, sheet_.color(), options_.materials};
 }
 
 Result<std::size_t> Session::find_tool(std::string_view id) const {

@@ -24,6 +24,9 @@ namespace felt {
 struct SessionOptions {
   /// What will push back; no force describes mouse and tablet. UseDevice changes it.
   Capabilities device;
+  /// Sheets and media that are known: those that Feltline brings, and a person's own. UseMaterial
+  /// adds to them.
+  Materials materials = Materials::built_in();
   /// What is there before the first event; the history starts after it.
   Document document = {};
   /// What of it is selected then; marks that do not fit count for nothing.
@@ -59,8 +62,9 @@ struct SessionOptions {
 /// layers are no longer selected. Neither is part of undo.
 ///
 /// Samples that no device can mean (not finite, or farther than 1e9 mm) are dropped. Velocities are
-/// worked out here from places and times, whatever the device says, and pressures held to 0..1: a
-/// recording has no velocity, and must give the same session.
+/// worked out here from places and times, whatever the device says, pressures held to 0..1 and
+/// leans to 0..90 degrees (one that is not a number is none): a recording has no velocity, and must
+/// give the same session.
 ///
 /// Edit thread only; no clock, thread or file.
 class Session {
@@ -69,7 +73,8 @@ class Session {
   Session(std::vector<std::unique_ptr<Tool>> tools, SessionOptions options);
 
   /// Error: no such tool or option, or a value that it does not take; a HandEvent, which is for the
-  /// Player; an ImportEvent, whose file the caller reads for import(). Nothing changes then, and
+  /// Player; an ImportEvent, whose file the caller reads for import(); a material whose text
+  /// read_material refuses. Nothing changes then, and
   /// the event is not recorded. Likewise for a layer that is not there or cannot be used.
   Result<void> apply(const Event& event);
   /// What a PenEvent ends in. Error: the tool made an edit that does not fit: a defect.
@@ -95,6 +100,8 @@ class Session {
   /// The layer in use.
   [[nodiscard]] LayerId layer() const noexcept { return layer_; }
   [[nodiscard]] const History& history() const noexcept { return history_; }
+  /// All that are known now. A UseMaterial may move them.
+  [[nodiscard]] const Materials& materials() const noexcept { return options_.materials; }
   [[nodiscard]] const SheetOptions& sheet() const noexcept { return sheet_; }
   [[nodiscard]] std::span<const std::unique_ptr<Tool>> tools() const noexcept { return tools_; }
   [[nodiscard]] const Tool& tool() const noexcept { return *tools_[active_]; }
@@ -119,7 +126,10 @@ class Session {
   [[nodiscard]] Scene scene() const;
   [[nodiscard]] Result<std::size_t> find_tool(std::string_view id) const;
   Result<void> select(const std::string& id);
-  Result<void> set_option(const std::string& id, const OptionValue& value);
+  Result<void> set_option(std::int64_t time_ns, const std::string& id, const OptionValue& value);
+  Result<void> use_material(const UseMaterial& event);
+  /// Before an option names a material that only this program has, which is no part of a recording.
+  void tell_material(std::int64_t time_ns, OpenChoice kind, const OptionValue& value);
   Result<void> undo();
   Result<void> redo();
   /// Before the document changes behind the tool's back, while no gesture is in work. With the pen
@@ -154,7 +164,8 @@ class Session {
   Contact contact_;
   bool must_lift_ = false;  // what the pen does until then is no gesture of the tool in hand
   bool pen_is_down_ = false;
-  bool gesture_is_open_ = false;  // touched the sheet, and nothing came of it yet
+  bool gesture_is_open_ = false;   // touched the sheet, and nothing came of it yet
+  std::vector<std::string> told_;  // kinds and ids of materials that a recording has
   std::uint64_t dropped_ = 0;
   std::uint64_t edits_ = 0;
   std::uint64_t selections_ = 0;

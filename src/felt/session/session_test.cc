@@ -5,7 +5,9 @@
 
 #include <limits>
 #include <random>
+#include <utility>
 
+#include "felt/material/material_file.h"
 #include "felt/session/fake_tools.h"
 
 namespace felt {
@@ -311,7 +313,100 @@ TEST(Session, EveryMaterialCanBeChosen) {
   Desk desk;
   for (const SurfaceMaterial& material : surface_materials()) {
     desk.must(SetOption{"sheet.material", std::string(material.id)});
-    EXPECT_EQ(&desk.session.sheet().material(), &material);
+    EXPECT_EQ(desk.session.sheet().material(), material);
+  }
+}
+
+std::string text_of_sheet(const std::string& id, const std::string& figures) {
+  return "kind = \"sheet\"\nid = \"" + id + "\"\n[feel]\n" + figures + "\n";
+}
+
+TEST(Session, IsToldOfMaterials) {
+  std::vector<Event> recorded;
+  SessionOptions options;
+  options.on_event = [&recorded](const Event& event) { recorded.push_back(event); };
+  Desk desk(std::move(options));
+  const SetOption choose{"sheet.material", std::string("my-paper")};
+  EXPECT_THAT(desk.tell(choose).error().message,
+              HasSubstr("option 'material' cannot be 'my-paper': it is one of paper, rough-paper"));
+  desk.must(UseMaterial{text_of_sheet("my-paper", "friction = 0.4")});
+  desk.must(choose);
+  EXPECT_EQ(desk.session.sheet().material().friction, 0.4);
+  EXPECT_EQ(desk.session.option("sheet.material"), OptionValue(std::string("my-paper")));
+  // It becomes another one while it is in use.
+  desk.must(UseMaterial{text_of_sheet("my-paper", "friction = 0.7")});
+  EXPECT_EQ(desk.session.sheet().material().friction, 0.7);
+  EXPECT_EQ(desk.session.materials().find_surface("my-paper")->friction, 0.7);
+  EXPECT_EQ(recorded.size(), 3u);
+
+  EXPECT_EQ(desk.tell(UseMaterial{text_of_sheet("my-paper", "friction = 7")}).error().message,
+            "material:4: feel.friction is 7, it must be 0 to 1.5");
+  EXPECT_FALSE(desk.tell(UseMaterial{"kind = \"sheet\"\nid = \"a\"\ngrain.picture = \"a.png\""}));
+  EXPECT_EQ(desk.session.sheet().material().friction, 0.7);
+  EXPECT_EQ(recorded.size(), 3u);
+}
+
+TEST(Session, FeelsAnotherFigureOfTheSameSheetFromThenOn) {
+  Session session(make_tools(), {.device = Capabilities{.max_force_n = 3.3}});
+  ASSERT_TRUE(session.apply({0, UseMaterial{text_of_sheet("paper", "stiffness_n_per_m = 500")}}));
+  const auto push = [&session] {
+    ForceModel model = session.force();
+    ForceMemory memory;
+    PenSample sample;
+    sample.position = {0.0, 0.0, -1.0};
+    return std::pair(model.fade_id(), model(sample, memory).z);
+  };
+  const auto before = push();
+  ASSERT_TRUE(session.apply({0, UseMaterial{text_of_sheet("paper", "stiffness_n_per_m = 250")}}));
+  const auto after = push();
+  EXPECT_GT(before.second, 0.0);
+  EXPECT_NEAR(after.second, 0.5 * before.second, 1e-9);
+  EXPECT_NE(before.first, after.first) << "another feel is faded to";
+  EXPECT_EQ(after, push());
+}
+
+TEST(Session, ARecordingHasTheMaterialsThatItNames) {
+  const auto draw = [](Session& session) {
+    for (const Event& event : {Event{1, SetOption{"pencil.material", std::string("my-pen")}},
+                               Event{2, SetOption{"pencil.material", std::string("chalk")}},
+                               Event{3, SetOption{"pencil.material", std::string("my-pen")}},
+                               Event{4, SetOption{"sheet.material", std::string("my-paper")}}}) {
+      ASSERT_TRUE(session.apply(event));
+    }
+  };
+  std::vector<Event> recorded;
+  SessionOptions options;
+  options.on_event = [&recorded](const Event& event) { recorded.push_back(event); };
+  Medium pen = *find_medium("ink-pen");
+  pen.id = "my-pen";
+  options.materials.put(pen);
+  SurfaceMaterial paper = *find_surface("wood");
+  paper.id = "my-paper";
+  options.materials.put(paper);
+  paper.id = "not-used";
+  options.materials.put(paper);
+  Session session(make_tools(), options);
+  draw(session);
+  ASSERT_EQ(recorded.size(), 6u) << "each is told once, and what is not named is not";
+  EXPECT_EQ(std::get<UseMaterial>(recorded[0].what).text, write_material(pen));
+  EXPECT_TRUE(std::holds_alternative<UseMaterial>(recorded[4].what));
+
+  Session elsewhere(make_tools(), {});
+  EXPECT_FALSE(elsewhere.apply({0, SetOption{"pencil.material", std::string("my-pen")}}));
+  for (const Event& event : recorded) {
+    const Result<void> told = elsewhere.apply(event);
+    ASSERT_TRUE(told) << told.error().message;
+  }
+  EXPECT_EQ(elsewhere.sheet().material(), session.sheet().material());
+  EXPECT_EQ(*elsewhere.materials().find_medium("my-pen"), pen);
+  EXPECT_EQ(elsewhere.force().fade_id(), session.force().fade_id());
+}
+
+TEST(Session, OnlyWhatDrawsIsTakenIntoThePencil) {
+  Session session(make_tools(), {});
+  for (const Medium& medium : media()) {
+    const Event event{0, SetOption{"pencil.material", medium.id}};
+    EXPECT_EQ(session.apply(event).has_value(), medium.draws) << medium.id;
   }
 }
 
@@ -348,6 +443,23 @@ TEST(Session, DropsSamplesThatNoDeviceCanMean) {
   desk.lift(5, 0);
   EXPECT_EQ(desk.session.dropped_samples(), 3U);
   EXPECT_EQ(desk.session.sketch()[0].stroke.segment_count(), 1);
+}
+
+TEST(Session, LeansAreHeldToWhatAPenCanDo) {
+  std::vector<Event> recorded;
+  SessionOptions options;
+  options.on_event = [&](const Event& event) { recorded.push_back(event); };
+  Desk desk(std::move(options));
+  const auto lean = [&](std::optional<double> told) {
+    desk.must(PenEvent{{0, 0, 5}, {}, 0, told});
+    return std::get<PenEvent>(recorded.back().what).lean_deg;
+  };
+  EXPECT_EQ(lean({}), std::nullopt);
+  EXPECT_EQ(lean(32.5), 32.5);
+  EXPECT_EQ(lean(-1.0), 0.0);
+  EXPECT_EQ(lean(std::numeric_limits<double>::infinity()), 90.0);
+  EXPECT_EQ(lean(std::numeric_limits<double>::quiet_NaN()), std::nullopt);
+  EXPECT_EQ(desk.session.dropped_samples(), 0U) << "the place is as good as ever";
 }
 
 TEST(Session, TellsEveryEditSoThatACopyFollows) {

@@ -25,12 +25,21 @@ std::span<const OptionSpec> SheetOptions::table() {
       .kind = OptionKind::kChoice,
       .choices = materials,
       .help = "What the sheet is made of: its hardness and its friction.",
+      .open = OpenChoice::kSheets,
   }}};
   return rows;
 }
 
-Result<void> SheetOptions::set(std::string_view id, const OptionValue& value) {
-  if (id != "color") return values_.set(id, value);
+Result<void> SheetOptions::set(std::string_view id, const OptionValue& value,
+                               const Materials& known) {
+  if (id != "color") {
+    if (id == "material") {
+      if (Result<void> is_one = check_choice(table()[0], value, known); !is_one) return is_one;
+    }
+    Result<void> set = values_.set(id, value);
+    if (set) follow(known);
+    return set;
+  }
   const auto* text = std::get_if<std::string>(&value);
   const std::optional<Rgba> color = text ? color_from_text(*text) : std::nullopt;
   if (!color) {
@@ -47,8 +56,8 @@ Result<OptionValue> SheetOptions::get(std::string_view id) const {
   return values_.get(id);
 }
 
-const SurfaceMaterial& SheetOptions::material() const noexcept {
-  return surface_materials()[values_.choice(0)];
+void SheetOptions::follow(const Materials& known) {
+  if (const SurfaceMaterial* sheet = known.find_surface(values_.open_choice(0))) material_ = *sheet;
 }
 
 }  // namespace felt

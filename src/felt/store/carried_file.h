@@ -37,15 +37,19 @@ class CarriedFile {
   FeltSchema schema_;
 };
 
-/// Copies all rows of a table that is the same in both, for which `stays` says so.
+/// Copies all rows of a table for which `stays` says so; the other one may have columns more.
 template <class Stays>
 Result<void> copy_rows(const Database& from, const Database& to, const FeltTable& table,
                        Stays stays) {
-  std::string marks = "?";
+  std::string marks = "?", names;
   for (std::size_t i = 1; i < table.columns.size(); ++i) marks += ",?";
+  for (const std::string& column : table.columns) {
+    names += (names.empty() ? "\"" : ", \"") + column + "\"";
+  }
   const auto read = from.prepare(("SELECT * FROM " + table.name + " NOT INDEXED").c_str());
   if (!read) return tl::unexpected(read.error());
-  const auto write = to.prepare(("INSERT INTO " + table.name + " VALUES(" + marks + ")").c_str());
+  const auto write =
+      to.prepare(("INSERT INTO " + table.name + "(" + names + ") VALUES(" + marks + ")").c_str());
   if (!write) return tl::unexpected(write.error());
   for (;;) {
     const Result<bool> more = read->step();

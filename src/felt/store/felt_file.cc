@@ -73,7 +73,7 @@ Result<StoredDrawing> parse(std::string_view bytes, std::shared_ptr<const std::s
   if (auto ok = database->check_pages(); !ok) {
     return tl::unexpected(with_context(ok.error(), kDamaged));
   }
-  Result<StoredDrawing> drawing = read_tables(*database);
+  Result<StoredDrawing> drawing = read_tables(*database, *schema);
   if (drawing && schema->has_extras()) {
     drawing->extras.file = keep ? std::move(keep) : std::make_shared<const std::string>(bytes);
   }

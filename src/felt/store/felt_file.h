@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "felt/base/id.h"
 #include "felt/base/result.h"
@@ -39,11 +40,13 @@ struct StoredView {
 struct StoredDrawing {
   Document document;
   SheetPage page;
-  std::string material{};            ///< of the sheet, by id; "" where none was chosen
   Rgba color{};                      ///< of new ink
   LayerId layer{};                   ///< in use; none where none was chosen
   GplPalette palette{};              ///< the drawing's own colours; within GplLimits
   std::optional<StoredView> view{};  ///< none where it was never seen
+  /// Texts of the materials that it uses and that Feltline does not bring, at most
+  /// limits::kMaxMaterialTexts of is_material_text().
+  std::vector<std::string> materials{};
   FeltExtras extras{};
 
   friend bool operator==(const StoredDrawing&, const StoredDrawing&) = default;

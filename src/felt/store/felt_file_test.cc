@@ -34,7 +34,10 @@ StoredDrawing random_drawing(std::uint64_t seed) {
   drawing.page = {10.0 + static_cast<double>(random() % 499'000) / 100.0,
                   5000.0,
                   {1, static_cast<std::uint8_t>(random()), 3, static_cast<std::uint8_t>(random())}};
-  drawing.material = random() % 2 == 0 ? "" : "Bütten";
+  drawing.page.surface = random() % 2 == 0 ? "" : "Bütten";
+  for (std::uint64_t i = random() % 3; i > 0; --i) {
+    drawing.materials.push_back("id = \"m" + std::to_string(i) + "\"\n");
+  }
   drawing.color = {static_cast<std::uint8_t>(random()), 0, 255, 128};
   const auto layers = drawing.document.layers();
   if (random() % 3 > 0) drawing.layer = layers[random() % layers.size()].id;
@@ -174,7 +177,7 @@ TEST_F(FeltFileTest, LimitsAreKeptExactly) {
   ASSERT_TRUE(drawing.document.apply(more));
   EXPECT_EQ(felt_bytes(drawing).error().code, ErrorCode::kLimitExceeded);
   StoredDrawing named;
-  named.material = std::string(kMaxLayerNameBytes + 1, 'n');
+  named.page.surface = std::string(kMaxLayerNameBytes + 1, 'n');
   EXPECT_FALSE(felt_bytes(named));
 }
 

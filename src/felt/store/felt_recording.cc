@@ -5,6 +5,7 @@
 #include <memory>
 #include <utility>
 
+#include "felt/geometry/lean.h"
 #include "felt/store/felt_file.h"
 
 namespace felt {
@@ -101,7 +102,9 @@ Result<void> check_recording(const FeltRecording& recording) {
     const RecordedSample& s = recording.samples[i];
     const double pressure = s.pen.pressure.value_or(0.0);
     if (s.time_ns < std::exchange(last_ns, s.time_ns)) return bad("time runs back at sample", i);
-    if (!is_place(s.pen.position) || !(pressure >= 0.0 && pressure <= 1.0)) {
+    const double lean_deg = s.pen.lean_deg.value_or(0.0);
+    if (!is_place(s.pen.position) || !(pressure >= 0.0 && pressure <= 1.0) ||
+        !(lean_deg >= 0.0 && lean_deg <= kMostLeanDeg)) {
       return bad("impossible numbers in sample", i);
     }
   }

@@ -95,6 +95,43 @@ TEST(FeltRecording, IsCarriedUnreadAndOthersAreAdded) {
   EXPECT_TRUE(recordings_of(StoredDrawing()).value().empty());
 }
 
+/// What draw() recorded, by a pen that leans in its middle part.
+FeltRecording leaning() {
+  FeltRecording recording = draw().recording;
+  for (std::size_t i = 100; i < 700; ++i) {
+    recording.samples[i].pen.lean_deg = 0.1 * static_cast<double>(i);
+  }
+  return recording;
+}
+
+TEST(FeltRecording, APensLeanIsKept) {
+  StoredDrawing drawing;
+  ASSERT_TRUE(add_recording(drawing, leaning()));
+  const std::string once = felt_bytes(drawing).value();
+  const StoredDrawing back = parse_felt(once).value();
+  EXPECT_TRUE(read_recording(back, 0).value() == leaning());
+  EXPECT_EQ(felt_bytes(back).value(), once) << "carried as it is";
+}
+
+/// Recordings of a time when no pen leaned, and those that know of none: as they ever were.
+TEST(FeltRecording, WithoutLeanItIsTheSameFileAsEver) {
+  const std::string bytes = felt_bytes(drawing_of(draw())).value();
+  EXPECT_EQ(bytes.find("lean"), std::string::npos);
+}
+
+TEST(FeltRecording, OneThatLeansStandsBesideOneThatDoesNot) {
+  const FeltRecording plain = draw().recording, leans = leaning();
+  for (const bool plain_first : {true, false}) {
+    StoredDrawing drawing;
+    ASSERT_TRUE(add_recording(drawing, plain_first ? plain : leans));
+    drawing = parse_felt(felt_bytes(drawing).value()).value();
+    ASSERT_TRUE(add_recording(drawing, plain_first ? leans : plain));
+    drawing = parse_felt(felt_bytes(drawing).value()).value();
+    EXPECT_TRUE(read_recording(drawing, 0).value() == (plain_first ? plain : leans));
+    EXPECT_TRUE(read_recording(drawing, 1).value() == (plain_first ? leans : plain));
+  }
+}
+
 /// The working store does not hold them: they are where they were.
 TEST(FeltRecording, IsThereAfterARecovery) {
   const felt::testing::TestFolder folder;
@@ -118,13 +155,16 @@ class Queries : public ::testing::Test {
  protected:
   Queries() : recorded_(draw()) {
     bytes_ = felt_bytes(drawing_of(recorded_)).value();
+    open();
+  }
+  ~Queries() override { sqlite3_close(db_); }
+
+  void open() {
     EXPECT_EQ(sqlite3_open(":memory:", &db_), SQLITE_OK);
     auto* data = reinterpret_cast<unsigned char*>(bytes_.data());
     const auto size = static_cast<sqlite3_int64>(bytes_.size());
-    EXPECT_EQ(sqlite3_deserialize(db_, "main", data, size, size, SQLITE_DESERIALIZE_READONLY),
-              SQLITE_OK);
+    EXPECT_EQ(sqlite3_deserialize(db_, "main", data, size, size, 0), SQLITE_OK);
   }
-  ~Queries() override { sqlite3_close(db_); }
 
   double number(const char* sql) {
     sqlite3_stmt* statement = nullptr;
@@ -160,6 +200,38 @@ TEST_F(Queries, PlainSqlReadsSamplesForcesAndEvents) {
             1);
 }
 
+TEST_F(Queries, PlainSqlReadsTheLean) {
+  sqlite3_close(db_);
+  StoredDrawing drawing;
+  ASSERT_TRUE(add_recording(drawing, leaning()));
+  bytes_ = felt_bytes(drawing).value();
+  open();
+  EXPECT_EQ(number("SELECT count(lean_deg) FROM recorded_samples"), 600);
+  EXPECT_EQ(number("SELECT lean_deg FROM recorded_samples WHERE sample = 325"), 32.5);
+}
+
+/// A lean that was changed, or taken away, is damage that the sum of the leans shows.
+TEST_F(Queries, AChangedLeanIsDamage) {
+  sqlite3_close(db_);
+  StoredDrawing drawing;
+  ASSERT_TRUE(add_recording(drawing, leaning()));
+  const std::string good = felt_bytes(drawing).value();
+  for (const char* change : {"UPDATE recording_sample SET lean_deg = 12.0 WHERE id = 326",
+                             "UPDATE recording_sample SET lean_deg = NULL WHERE id = 326",
+                             "UPDATE recording_sample SET lean_deg = 'x' WHERE id = 326",
+                             "UPDATE recording_sample SET lean_deg = 120.0 WHERE id = 326"}) {
+    bytes_ = good;
+    open();
+    EXPECT_EQ(sqlite3_exec(db_, change, nullptr, nullptr, nullptr), SQLITE_OK) << change;
+    sqlite3_int64 size = 0;
+    unsigned char* data = sqlite3_serialize(db_, "main", &size, 0);
+    const std::string changed(reinterpret_cast<char*>(data), static_cast<std::size_t>(size));
+    sqlite3_free(data);
+    sqlite3_close(std::exchange(db_, nullptr));
+    EXPECT_FALSE(read_recording(parse_felt(changed).value(), 0)) << change;
+  }
+}
+
 TEST_F(Queries, ASampleTakesFewBytes) {
   StoredDrawing drawing;
   drawing.document = recorded_.document;
@@ -174,12 +246,17 @@ TEST(FeltRecording, WhatIsOutOfOrderOrDamagedIsAnError) {
   EXPECT_THAT(add_recording(drawing, bad).error().message, HasSubstr("sample 1"));
   bad.samples = {{5, {{std::nan(""), 0, 0}, {}, 0}, std::nullopt}};
   EXPECT_THAT(add_recording(drawing, bad).error().message, HasSubstr("sample 0"));
+  for (const double lean : {-0.1, 90.1, std::nan("")}) {
+    bad.samples = {{5, {{0, 0, 0}, {}, 0, lean}, std::nullopt}};
+    EXPECT_THAT(add_recording(drawing, bad).error().message, HasSubstr("sample 0"));
+  }
   bad.samples.clear();
   bad.events = {{1, {0, UndoEvent{}}}};
   EXPECT_THAT(add_recording(drawing, bad).error().message, HasSubstr("event 0"));
   EXPECT_TRUE(drawing.extras.empty());
 
-  const std::string bytes = felt_bytes(drawing_of(draw())).value();
+  ASSERT_TRUE(add_recording(drawing, leaning()));
+  const std::string bytes = felt_bytes(drawing).value();
   std::mt19937 random(3);
   for (int run = 0; run < 100; ++run) {
     std::string changed = bytes;

@@ -8,8 +8,11 @@
 
 #include "felt/base/read_file.h"
 #include "felt/base/utf8.h"
+#include "felt/io/limits.h"
+#include "felt/io/material_texts.h"
 #include "felt/store/felt_sheet.h"
 #include "felt/store/felt_tables.h"
+#include "felt/store/material_table.h"
 #include "felt/store/page_scan.h"
 #include "felt/store/stroke_blob.h"
 
@@ -53,6 +56,7 @@ class Findings {
     const auto& v = row.values;
     if (v.empty() || !is_none(v[0]) || !is_id(row.id)) return;
     if (take_stroke(row) || take_layer(row) || take_drawing(row) || take_view(row)) return;
+    if (take_material(row)) return;
     if (!take_color(row)) ++others;
   }
 
@@ -69,6 +73,7 @@ class Findings {
   std::map<std::int64_t, NamedColor> colors;
   std::optional<StoredDrawing> head;  // without document and palette's colours
   std::optional<StoredView> view;
+  std::map<std::int64_t, std::string> materials;
   std::int64_t last_stroke = 0, last_layer = 0;
   std::size_t others = 0;
 
@@ -113,8 +118,7 @@ class Findings {
       if (!whole(v[i]) || *whole(v[i]) < 0 || *whole(v[i]) > kMaxId) return false;
     }
     StoredDrawing found;
-    found.page = {*number(v[1]), *number(v[2]), color_of(*whole(v[3]))};
-    found.material = *text(v[4]);
+    found.page = {*number(v[1]), *number(v[2]), color_of(*whole(v[3])), *text(v[4])};
     found.color = color_of(*whole(v[5]));
     found.layer = {static_cast<std::uint64_t>(*whole(v[6]))};
     found.palette.name = *text(v[9]);
@@ -123,7 +127,7 @@ class Findings {
       return mm >= SheetPage::kLeastMm && mm <= SheetPage::kMostMm;
     };
     if (!is_side(found.page.width_mm) || !is_side(found.page.height_mm) || head ||
-        found.material.size() > kMaxLayerNameBytes || !is_utf8(found.material)) {
+        found.page.surface.size() > kMaxLayerNameBytes || !is_utf8(found.page.surface)) {
       return true;
     }
     head = std::move(found);
@@ -139,6 +143,15 @@ class Findings {
     }
     view =
         StoredView{{*number(v[1]), *number(v[2])}, *number(v[3]), *number(v[4]), *whole(v[5]) == 1};
+    return true;
+  }
+  bool take_material(const ScannedRow& row) {
+    const auto& v = row.values;
+    if (v.size() != 3 || !text(v[1]) || !whole(v[2])) return false;
+    if (!is_material_text(*text(v[1])) || material_checksum(*text(v[1])) != *whole(v[2])) {
+      return false;
+    }
+    if (materials.size() < limits::kMaxMaterialTexts) materials.try_emplace(row.id, *text(v[1]));
     return true;
   }
   bool take_color(const ScannedRow& row) {
@@ -255,6 +268,7 @@ class Assembly {
       d.palette = {};
       out_.problems.emplace_back("The drawing's own colours are lost.");
     }
+    for (auto& [id, text] : found_.materials) add_material_text(d.materials, text);
     d.view = found_.view;
     if (!check_sheet(d)) d.view.reset();
     if (found_.others > 0) {

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <random>
 #include <set>
 
@@ -44,7 +45,7 @@ StoredDrawing some_drawing() {
                           {{1}, places[1]}});
   EXPECT_TRUE(drawing.document.apply(edit));
   drawing.page = {300.0, 200.5, {9, 9, 9, 255}};
-  drawing.material = "paper";
+  drawing.page.surface = "paper";
   drawing.layer = {2};
   drawing.palette = {"mine", 4, {{{1, 2, 3, 255}, "Grün"}, {{4, 5, 6, 255}, ""}}};
   drawing.view = StoredView{{10.0, 0.5}, 3.0, -20.0, true};
@@ -61,6 +62,24 @@ bool keeps_all_of(const StoredDrawing& got, const StoredDrawing& drawing,
       const StrokePtr found = got.document.find(id);
       if (!found || !(*found == *drawing.document.find(id))) return false;
       if (got.document.layer_of(id) != layer.id) return false;
+    }
+  }
+  return true;
+}
+
+/// All ink but the lost one is there. A flipped bit may make a stroke's number that of another one:
+/// both are whole then, and one of them got a new number.
+bool keeps_ink_of(const StoredDrawing& got, const StoredDrawing& drawing,
+                  const std::set<std::uint64_t>& lost) {
+  std::vector<StrokePtr> all;
+  for (const Layer& layer : got.document.layers()) {
+    for (const StrokeId id : layer.strokes) all.push_back(got.document.find(id));
+  }
+  for (const Layer& layer : drawing.document.layers()) {
+    for (const StrokeId id : layer.strokes) {
+      const Stroke& stroke = *drawing.document.find(id);
+      const auto is_it = [&stroke](const StrokePtr& other) { return *other == stroke; };
+      if (!lost.contains(id.value) && std::none_of(all.begin(), all.end(), is_it)) return false;
     }
   }
   return true;
@@ -153,7 +172,7 @@ TEST(FeltSalvage, FlippedBitsCostOnlyWhatTheyHit) {
     const Result<Salvaged> salvaged = salvage_felt_bytes(changed);
     ASSERT_TRUE(salvaged) << "byte " << at;
     const std::set<std::uint64_t> lost = strokes_in(bytes, at / kPage, at / kPage + 1);
-    EXPECT_TRUE(at / kPage == 0 || keeps_all_of(salvaged->drawing, drawing, lost)) << "byte " << at;
+    EXPECT_TRUE(at / kPage == 0 || keeps_ink_of(salvaged->drawing, drawing, lost)) << "byte " << at;
   }
 }
 

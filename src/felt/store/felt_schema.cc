@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "felt/base/check.h"
+#include "felt/store/material_table.h"
 
 namespace felt {
 namespace {
@@ -56,13 +57,17 @@ constexpr std::array kRecordingTables = {
              "cut_x INTEGER, cut_y INTEGER, cut_z INTEGER)",
              13}};
 
+/// Columns that are there only where a pen's lean is known: (table, column).
+constexpr std::array kLeanColumns = {std::pair{"recording", "lean_checksum INTEGER"},
+                                     std::pair{"recording_sample", "lean_deg REAL"}};
+
 constexpr std::array kRecordingViews = {
     "CREATE VIEW recordings AS SELECT id AS recording, device, 1000000000.0 / period_ns AS "
     "rate_hz, "
     "samples, events, 0.000001 * start_ns AS start_ms, 0.000001 * end_ns AS end_ms FROM recording",
     "CREATE VIEW recorded_samples AS SELECT r.id AS recording, s.id - r.first_sample AS sample, "
     "0.000001 * (r.start_ns + (s.id - r.first_sample) * r.period_ns + s.late_ns) AS t_ms, "
-    "s.x_mm, s.y_mm, s.z_mm, s.pressure, s.buttons, 0.0001 * s.asked_x AS asked_x_n, "
+    "s.x_mm, s.y_mm, s.z_mm, s.pressure, s.buttons, /lean/0.0001 * s.asked_x AS asked_x_n, "
     "0.0001 * s.asked_y AS asked_y_n, 0.0001 * s.asked_z AS asked_z_n, "
     "0.0001 * (s.asked_x - s.cut_x) AS sent_x_n, 0.0001 * (s.asked_y - s.cut_y) AS sent_y_n, "
     "0.0001 * (s.asked_z - s.cut_z) AS sent_z_n FROM recording AS r JOIN recording_sample AS s "
@@ -71,6 +76,9 @@ constexpr std::array kRecordingViews = {
     "e.before_sample - r.first_sample AS before_sample, 0.000001 * e.time_ns AS t_ms, e.kind, "
     "e.line FROM recording AS r JOIN recording_event AS e "
     "ON e.id >= r.first_event AND e.id < r.first_event + r.events"};
+
+/// Stands in a view for the lean, where there is one.
+constexpr std::string_view kLeanMark = "/lean/";
 
 constexpr std::size_t kMostSchemaRows = 4 * kMaxForeignTables;
 
@@ -165,6 +173,11 @@ Result<void> place(FeltSchema& schema, FeltTable table) {
     schema.recordings.push_back(std::move(table));
     return {};
   }
+  if (table.name == "material") {
+    if (table.sql != kMaterialTable) return bad("the table 'material' is another");
+    schema.has_materials = true;
+    return {};
+  }
   if (schema.foreign.size() == kMaxForeignTables) {
     return fail(ErrorCode::kLimitExceeded, "has more than 64 tables that are not ours");
   }
@@ -224,14 +237,33 @@ Result<void> make_tables(Database& database, const FeltSchema* like) {
   return {};
 }
 
-Result<void> make_recording_tables(Database& database, const FeltSchema* like) {
-  for (std::size_t i = 0; i < kRecordingTables.size(); ++i) {
-    std::string sql(kRecordingTables[i].sql);
-    if (like && i < like->recordings.size()) sql = like->recordings[i].sql;
-    if (auto ok = database.run(sql.c_str()); !ok) return ok;
+bool has_lean(const FeltTable& table) {
+  for (const auto& [name, column] : kLeanColumns) {
+    if (table.name != name) continue;
+    const std::string part = std::string(", ") + column;
+    return table.sql.ends_with(part + ")") || table.sql.find(part + ", ") != std::string::npos;
   }
-  for (const char* view : kRecordingViews) {
-    if (auto ok = database.run(view); !ok) return ok;
+  return false;
+}
+
+Result<void> make_recording_tables(Database& database, const FeltSchema* like, bool with_lean) {
+  bool has_leans = false;
+  for (std::size_t i = 0; i < kRecordingTables.size(); ++i) {
+    FeltTable table{
+        std::string(kRecordingTables[i].name), std::string(kRecordingTables[i].sql), {}};
+    if (like && i < like->recordings.size()) table.sql = like->recordings[i].sql;
+    for (const auto& [name, column] : kLeanColumns) {
+      if (!with_lean || table.name != name || has_lean(table)) continue;
+      table.sql.replace(table.sql.size() - 1, 1, std::string(", ") + column + ")");
+    }
+    has_leans = has_lean(table);  // of the last one, which is that of samples
+    if (auto ok = database.run(table.sql.c_str()); !ok) return ok;
+  }
+  for (std::string view : kRecordingViews) {
+    if (const std::size_t at = view.find(kLeanMark); at != std::string::npos) {
+      view.replace(at, kLeanMark.size(), has_leans ? "s.lean_deg, " : "");
+    }
+    if (auto ok = database.run(view.c_str()); !ok) return ok;
   }
   return {};
 }

@@ -27,6 +27,7 @@ struct FeltTable {
 /// What tables a file has.
 struct FeltSchema {
   FeltTable drawing, layer, palette, shown, stroke;
+  bool has_materials = false;  ///< the table `material` (material_table.h)
   /// All three or none.
   std::vector<FeltTable> recordings;
   /// Of a newer Feltline, in the order of their names.
@@ -46,8 +47,11 @@ const OwnTable& own_table(std::string_view name);
 
 /// Makes our tables in an empty database; those that a drawing carries columns in as `like` says.
 Result<void> make_tables(Database& database, const FeltSchema* like);
-/// Makes those of recordings, and the views through which other programs read them.
-Result<void> make_recording_tables(Database& database, const FeltSchema* like);
+/// Makes those of recordings, and the views through which other programs read them. Columns for the
+/// pen's lean are there where `like` has them, or where they are asked for.
+Result<void> make_recording_tables(Database& database, const FeltSchema* like, bool with_lean);
+/// Whether a table of recordings has its column for the lean.
+[[nodiscard]] bool has_lean(const FeltTable& table);
 
 /// Takes a definition apart: CREATE TABLE name(column TYPE [PRIMARY KEY] [NOT NULL] [DEFAULT
 /// literal], ...) with exactly these blanks, names of a-z, 0-9 and _, types INTEGER, REAL, TEXT and

@@ -7,6 +7,7 @@
 #include "felt/store/byte_stream.h"
 #include "felt/store/crc32c.h"
 #include "felt/store/felt_sheet.h"
+#include "felt/store/material_table.h"
 #include "felt/store/stroke_blob.h"
 
 namespace felt {
@@ -23,7 +24,7 @@ std::uint32_t checksum_of(const StoredDrawing& d) {
   out.f64(d.page.width_mm);
   out.f64(d.page.height_mm);
   out.u32(static_cast<std::uint32_t>(number_of(d.page.paper)));
-  out.text(d.material);
+  out.text(d.page.surface);
   out.u32(static_cast<std::uint32_t>(number_of(d.color)));
   out.u64(d.layer.value);
   out.u64(d.document.new_id().value);
@@ -55,7 +56,7 @@ Result<void> check_drawing(const StoredDrawing& d) {
   if (!is_side(d.page.width_mm) || !is_side(d.page.height_mm)) {
     return bad("the sheet is not 10 to 5000 mm on a side");
   }
-  if (!is_name(d.material)) return bad("the material of the sheet has an impossible name");
+  if (!is_name(d.page.surface)) return bad("the material of the sheet has an impossible name");
   if (d.layer && !d.document.layer(d.layer)) return bad("the layer in use is not there");
   if (d.document.layers().size() > kMaxLayers) {
     return fail(ErrorCode::kLimitExceeded, "has more than 10000 layers");
@@ -73,7 +74,7 @@ Result<void> write_drawing_row(const Database& db, const StoredDrawing& d) {
   row->bind(1, d.page.width_mm);
   row->bind(2, d.page.height_mm);
   row->bind(3, number_of(d.page.paper));
-  row->bind_text(4, d.material);
+  row->bind_text(4, d.page.surface);
   row->bind(5, number_of(d.color));
   row->bind(6, static_cast<std::int64_t>(d.layer.value));
   row->bind(7, static_cast<std::int64_t>(d.document.new_id().value - 1));
@@ -155,8 +156,7 @@ Result<Head> read_drawing_row(const Database& db, StoredDrawing& d) {
       !is_counter(row->integer(7)) || !row->is_text(9) || !is_counter(row->integer(10))) {
     return bad("the table 'drawing' holds an impossible value");
   }
-  d.page = {row->real(0), row->real(1), color_of(row->integer(2))};
-  d.material = std::string(row->text(3));
+  d.page = {row->real(0), row->real(1), color_of(row->integer(2)), std::string(row->text(3))};
   d.color = color_of(row->integer(4));
   d.layer = {static_cast<std::uint64_t>(row->integer(5))};
   d.palette.name = std::string(row->text(9));
@@ -237,10 +237,11 @@ Result<void> write_tables(Database& database, const StoredDrawing& drawing,
       .and_then([&] { return write_drawing_row(database, drawing); })
       .and_then([&] { return write_layers(database, drawing.document); })
       .and_then([&] { return write_strokes(database, drawing.document); })
-      .and_then([&] { return write_sheet(database, drawing); });
+      .and_then([&] { return write_sheet(database, drawing); })
+      .and_then([&] { return write_materials(database, drawing); });
 }
 
-Result<StoredDrawing> read_tables(const Database& database) {
+Result<StoredDrawing> read_tables(const Database& database, const FeltSchema& schema) {
   StoredDrawing drawing;
   const Result<Head> head = read_drawing_row(database, drawing);
   if (!head) return tl::unexpected(head.error());
@@ -250,6 +251,7 @@ Result<StoredDrawing> read_tables(const Database& database) {
                           .and_then([&] { return read_strokes(database, edit); })
                           .and_then([&] { return drawing.document.apply(edit); })
                           .and_then([&] { return read_sheet(database, drawing); });
+  if (done && schema.has_materials) done = read_materials(database, drawing);
   if (!done) return tl::unexpected(done.error());
   drawing.document.reserve_ids({head->last_stroke}, {head->last_layer});
   if (auto ok = check_drawing(drawing); !ok) return tl::unexpected(ok.error());

@@ -17,9 +17,9 @@ inline constexpr std::int64_t kMaxId = std::int64_t{1} << 53;
 /// that is too large), by its name.
 Result<void> write_tables(Database& database, const StoredDrawing& drawing, const FeltSchema* like);
 
-/// The other way round, from a database that is not trusted, whose schema is ours (read_schema):
+/// The other way round, from a database that is not trusted, whose schema (read_schema) is ours:
 /// every row must make sense with the others. Extras are not read. Error: names the row and the
 /// reason.
-Result<StoredDrawing> read_tables(const Database& database);
+Result<StoredDrawing> read_tables(const Database& database, const FeltSchema& schema);
 
 }  // namespace felt

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "felt/io/event_writer.h"
+#include "felt/material/material_file.h"
 #include "felt/store/byte_stream.h"
 
 namespace felt {
@@ -15,6 +16,7 @@ constexpr std::size_t kMaxScriptBytes = std::size_t{1} << 20;  // of a context
 constexpr std::size_t kMaxMarks = std::size_t{1} << 26;
 constexpr std::size_t kMostUntold = std::size_t{1} << 20;  // 17 min at 1 kHz
 constexpr std::size_t kSampleBytes = 8 + 4 * 8 + 4;
+constexpr std::size_t kLeaningBytes = kSampleBytes + 8;
 constexpr std::size_t kLeastSelectedBytes = 12;
 
 PenSample sample_of(const Event& event, const PenEvent& pen) {
@@ -23,25 +25,35 @@ PenSample sample_of(const Event& event, const PenEvent& pen) {
   sample.position = pen.position;
   sample.pressure = pen.pressure;
   sample.buttons = pen.buttons;
+  sample.lean_deg = pen.lean_deg;
   return sample;
 }
 
-void append_sample(ByteWriter& out, const PenSample& sample) {
+/// NaN is none.
+double number_or_nan(std::optional<double> value) {
+  return value.value_or(std::numeric_limits<double>::quiet_NaN());
+}
+std::optional<double> unless_nan(double value) {
+  return std::isnan(value) ? std::nullopt : std::optional(value);
+}
+
+void append_sample(ByteWriter& out, const PenSample& sample, LiveKind kind) {
   out.u64(static_cast<std::uint64_t>(sample.time_ns));
   out.f64(sample.position.x);
   out.f64(sample.position.y);
   out.f64(sample.position.z);
-  out.f64(sample.pressure.value_or(std::numeric_limits<double>::quiet_NaN()));
+  out.f64(number_or_nan(sample.pressure));
   out.u32(sample.buttons);
+  if (kind == LiveKind::kLeaning) out.f64(number_or_nan(sample.lean_deg));
 }
 
-PenSample read_sample(ByteReader& in) {
+PenSample read_sample(ByteReader& in, LiveKind kind) {
   PenSample sample;
   sample.time_ns = static_cast<std::int64_t>(in.u64());
   sample.position = {in.f64(), in.f64(), in.f64()};
-  const double pressure = in.f64();
-  if (!std::isnan(pressure)) sample.pressure = pressure;
+  sample.pressure = unless_nan(in.f64());
   sample.buttons = in.u32();
+  if (kind == LiveKind::kLeaning) sample.lean_deg = unless_nan(in.f64());
   return sample;
 }
 
@@ -50,6 +62,7 @@ PenSample read_sample(ByteReader& in) {
 void LiveInk::begin() {
   close();
   options_.clear();
+  materials_.clear();
   tool_.clear();
   layer_ = {};
   selection_ = {};
@@ -63,6 +76,11 @@ void LiveInk::context(const Event& event) {
   if (const auto* option = std::get_if<SetOption>(&event.what))
     options_[option->id] = option->value;
   if (const auto* device = std::get_if<UseDevice>(&event.what)) device_ = *device;
+  if (const auto* told = std::get_if<UseMaterial>(&event.what)) {
+    if (const Result<AnyMaterial> material = read_material(told->text)) {
+      materials_[material_key(*material)] = told->text;
+    }
+  }
   if (const auto* layer = std::get_if<LayerEvent>(&event.what)) {
     if (layer->what == LayerEvent::Do::kUse) layer_ = layer->layer;
   }
@@ -102,6 +120,15 @@ void LiveInk::sample(const PenSample& sample) {
   if (sample.time_ns > told_ns_ && untold_.size() < kMostUntold) untold_.push_back(sample);
 }
 
+/// Some option names the material of this key.
+bool LiveInk::is_chosen(std::string_view key) const {
+  const std::string_view id = key.substr(key.find(' ') + 1);
+  return std::any_of(options_.begin(), options_.end(), [&](const auto& option) {
+    const auto* text = std::get_if<std::string>(&option.second);
+    return text && *text == id;
+  });
+}
+
 /// What the ink of this gesture depends on besides the document, as events.
 void LiveInk::open() {
   open_ = true;
@@ -112,6 +139,9 @@ void LiveInk::open() {
   };
   if (device_) add(*device_);
   if (!tool_.empty()) add(SelectTool{tool_});
+  for (const auto& [key, text] : materials_) {
+    if (is_chosen(key)) add(UseMaterial{text});
+  }
   for (const auto& [id, value] : options_) add(SetOption{id, value});
   if (layer_) add(LayerEvent{LayerEvent::Do::kUse, layer_, {}});
   for (const Event& event : air_) append_event_line(script, event);
@@ -175,11 +205,15 @@ LiveInk::Changes LiveInk::take() {
   if (!events_.empty()) keep(changes, LiveKind::kEvents, std::exchange(events_, {}));
   std::string samples;
   ByteWriter out(samples);
+  const bool leans = std::any_of(untold_.begin(), untold_.end(), [](const PenSample& sample) {
+    return sample.lean_deg.has_value();
+  });
+  const LiveKind kind = leans ? LiveKind::kLeaning : LiveKind::kSamples;
   for (const PenSample& sample : untold_) {
-    if (sample.time_ns > kept_ns_) append_sample(out, sample);
+    if (sample.time_ns > kept_ns_) append_sample(out, sample, kind);
   }
   if (!untold_.empty()) kept_ns_ = std::max(kept_ns_, untold_.back().time_ns);
-  if (!samples.empty()) keep(changes, LiveKind::kSamples, std::move(samples));
+  if (!samples.empty()) keep(changes, kind, std::move(samples));
   return changes;
 }
 
@@ -192,9 +226,11 @@ Result<void> read_live_chunk(LiveKind kind, std::string_view bytes, LiveStretch&
     return {};
   }
   ByteReader in(bytes);
-  if (kind == LiveKind::kSamples) {
-    if (bytes.size() % kSampleBytes != 0) return damaged();
-    while (in.left() > 0) stretch.overhang.push_back(read_sample(in));
+  if (kind == LiveKind::kSamples || kind == LiveKind::kLeaning) {
+    if (bytes.size() % (kind == LiveKind::kLeaning ? kLeaningBytes : kSampleBytes) != 0) {
+      return damaged();
+    }
+    while (in.left() > 0) stretch.overhang.push_back(read_sample(in, kind));
     return {};
   }
   if (kind != LiveKind::kContext) return damaged();

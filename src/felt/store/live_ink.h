@@ -64,11 +64,13 @@ class LiveInk {
  private:
   void open();
   void close();
+  [[nodiscard]] bool is_chosen(std::string_view key) const;
   void keep(Changes& changes, LiveKind kind, std::string bytes);
   bool overhang_touches();
 
   std::map<std::string, OptionValue> options_;
   std::optional<UseDevice> device_;
+  std::map<std::string, std::string> materials_;  // texts by "sheet my-paper"
   std::string tool_;
   LayerId layer_;
   Selection selection_;

@@ -1,7 +1,9 @@
 #include "felt/store/recording_tables.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -46,6 +48,13 @@ class Checksum {
     }
     if (bytes_.size() > kPieceBytes) fold();
   }
+  /// Of the leans, in a sum of its own: programs that know none must find theirs unchanged.
+  void lean(std::int64_t number, double lean_deg) {
+    ByteWriter out(bytes_);
+    out.u64(static_cast<std::uint64_t>(number));
+    out.f64(lean_deg);
+    if (bytes_.size() > kPieceBytes) fold();
+  }
   void event(std::size_t before_sample, std::string_view line) {
     ByteWriter out(bytes_);
     out.u64(before_sample);
@@ -67,11 +76,27 @@ class Checksum {
   std::uint32_t crc_ = 0;
 };
 
+/// What a recording is checked by.
+struct Checksums {
+  Checksum all, leans;
+
+  void sample(const RecordedSample& s, std::int64_t number) {
+    all.sample(s);
+    if (s.pen.lean_deg) leans.lean(number, *s.pen.lean_deg);
+  }
+};
+
+bool knows_lean(const FeltRecording& recording) {
+  return std::any_of(recording.samples.begin(), recording.samples.end(),
+                     [](const RecordedSample& s) { return s.pen.lean_deg.has_value(); });
+}
+
 /// The row of `recording`.
 struct Head {
   std::string device;
   std::int64_t start_ns = 0, period_ns = 0, first_sample = 1, samples = 0, first_event = 1,
                events = 0, end_ns = 0, checksum = 0;
+  std::optional<std::int64_t> lean_checksum{};
 
   [[nodiscard]] std::int64_t due_ns(std::int64_t sample) const noexcept {
     return start_ns + sample * period_ns;
@@ -97,15 +122,16 @@ std::string line_of(const Event& event) {
 // --- Writing
 
 Result<void> write_samples(const Database& to, const FeltRecording& recording, const Head& head,
-                           Checksum& checksum) {
-  const auto row = to.prepare(
-      "INSERT INTO recording_sample(id, late_ns, x_mm, y_mm, z_mm, "
-      "pressure, buttons, asked_x, asked_y, asked_z, cut_x, cut_y, cut_z) "
-      "VALUES(?,?,?,?,?,?,?,?,?,?,?,?,?)");
+                           bool with_lean, Checksums& checksums) {
+  const std::string lean_name = with_lean ? ", lean_deg" : "", lean_mark = with_lean ? ",?" : "";
+  const auto row = to.prepare(("INSERT INTO recording_sample(id, late_ns, x_mm, y_mm, z_mm, "
+                               "pressure, buttons, asked_x, asked_y, asked_z, cut_x, cut_y, cut_z" +
+                               lean_name + ") VALUES(?,?,?,?,?,?,?,?,?,?,?,?,?" + lean_mark + ")")
+                                  .c_str());
   if (!row) return tl::unexpected(row.error());
   std::int64_t n = 0;
   for (const RecordedSample& s : recording.samples) {
-    checksum.sample(s);
+    checksums.sample(s, n);
     row->bind(1, head.first_sample + n);
     row->bind(2, s.time_ns - head.due_ns(n++));
     row->bind(3, s.pen.position.x);
@@ -113,7 +139,8 @@ Result<void> write_samples(const Database& to, const FeltRecording& recording, c
     row->bind(5, s.pen.position.z);
     s.pen.pressure ? row->bind(6, *s.pen.pressure) : row->bind_null(6);
     row->bind(7, std::int64_t{s.pen.buttons});
-    for (int i = 8; i <= 13; ++i) row->bind_null(i);
+    for (int i = 8; i <= (with_lean ? 14 : 13); ++i) row->bind_null(i);
+    if (s.pen.lean_deg) row->bind(14, *s.pen.lean_deg);
     if (s.forces) {
       const auto& [asked, sent] = *s.forces;
       const double a[] = {asked.x, asked.y, asked.z}, b[] = {sent.x, sent.y, sent.z};
@@ -150,9 +177,12 @@ Result<void> write_events(const Database& to, const FeltRecording& recording, co
 }
 
 Result<void> write_head(const Database& to, const Head& head) {
+  const bool leans = head.lean_checksum.has_value();
   const auto row = to.prepare(
-      "INSERT INTO recording(device, start_ns, period_ns, first_sample, samples, first_event, "
-      "events, end_ns, checksum) VALUES(?,?,?,?,?,?,?,?,?)");
+      leans ? "INSERT INTO recording(device, start_ns, period_ns, first_sample, samples, "
+              "first_event, events, end_ns, checksum, lean_checksum) VALUES(?,?,?,?,?,?,?,?,?,?)"
+            : "INSERT INTO recording(device, start_ns, period_ns, first_sample, samples, "
+              "first_event, events, end_ns, checksum) VALUES(?,?,?,?,?,?,?,?,?)");
   if (!row) return tl::unexpected(row.error());
   row->bind_text(1, head.device);
   int at = 2;
@@ -160,6 +190,7 @@ Result<void> write_head(const Database& to, const Head& head) {
                                    head.first_event, head.events, head.end_ns, head.checksum}) {
     row->bind(at++, value);
   }
+  if (leans) row->bind(at, *head.lean_checksum);
   return row->step().map([](bool) {});
 }
 
@@ -189,19 +220,23 @@ Result<void> write_recording(const Database& to, const FeltRecording& recording)
     head.start_ns = recording.samples.front().time_ns;
     head.end_ns = recording.samples.back().time_ns;
   }
-  Checksum checksum;
-  if (auto ok = write_samples(to, recording, head, checksum); !ok) return ok;
-  if (auto ok = write_events(to, recording, head, checksum); !ok) return ok;
-  head.checksum = checksum.value();
+  const bool with_lean = knows_lean(recording);
+  Checksums checksums;
+  if (auto ok = write_samples(to, recording, head, with_lean, checksums); !ok) return ok;
+  if (auto ok = write_events(to, recording, head, checksums.all); !ok) return ok;
+  head.checksum = checksums.all.value();
+  if (with_lean) head.lean_checksum = checksums.leans.value();
   return write_head(to, head);
 }
 
 // --- Reading
 
-Result<std::vector<Head>> read_heads(const Database& db) {
+Result<std::vector<Head>> read_heads(const Database& db, bool with_lean) {
   const auto row = db.prepare(
-      "SELECT device, start_ns, period_ns, first_sample, samples, first_event, events, end_ns, "
-      "checksum FROM recording NOT INDEXED");
+      with_lean ? "SELECT device, start_ns, period_ns, first_sample, samples, first_event, events, "
+                  "end_ns, checksum, lean_checksum FROM recording NOT INDEXED"
+                : "SELECT device, start_ns, period_ns, first_sample, samples, first_event, events, "
+                  "end_ns, checksum FROM recording NOT INDEXED");
   if (!row) return tl::unexpected(row.error());
   std::vector<Head> heads;
   for (;;) {
@@ -215,6 +250,8 @@ Result<std::vector<Head>> read_heads(const Database& db) {
     for (int i = 1; i <= 8; ++i) {
       good = good && row->is_integer(i) && row->integer(i) >= 0 && row->integer(i) <= kMostNumber;
     }
+    const bool has_leans = with_lean && !row->is_null(9);
+    good = good && (!has_leans || row->is_integer(9));
     // A device loops in 0.2..4 ms; what is far from it only makes the products below too large.
     if (!good || row->integer(2) > 1'000'000'000 || row->integer(4) > 1'000'000'000) {
       return bad("recording " + std::to_string(heads.size()) + " holds an impossible value");
@@ -225,9 +262,13 @@ Result<std::vector<Head>> read_heads(const Database& db) {
                                 &head.first_event, &head.events, &head.end_ns, &head.checksum}) {
       *value = row->integer(at++);
     }
+    if (has_leans) head.lean_checksum = row->integer(9);
     heads.push_back(std::move(head));
   }
 }
+
+/// Of a sample that is read, where it may lean.
+constexpr int kLeanColumn = 13;
 
 bool is_sample_row(const Statement& row) {
   bool good = row.is_integer(1) && std::abs(row.integer(1)) <= kMostNumber;
@@ -241,6 +282,9 @@ bool is_sample_row(const Statement& row) {
                                    : row.is_integer(i) && row.integer(i) <= kMostSteps &&
                                          row.integer(i) >= -kMostSteps);
   }
+  if (row.columns() > kLeanColumn) {
+    good = good && (row.is_null(kLeanColumn) || row.is_real(kLeanColumn));
+  }
   return good;
 }
 
@@ -250,6 +294,9 @@ RecordedSample sample_of(const Statement& row, std::int64_t due_ns) {
   s.pen.position = {row.real(2), row.real(3), row.real(4)};
   if (!row.is_null(5)) s.pen.pressure = row.real(5);
   s.pen.buttons = static_cast<std::uint32_t>(row.integer(6));
+  if (row.columns() > kLeanColumn && !row.is_null(kLeanColumn)) {
+    s.pen.lean_deg = row.real(kLeanColumn);
+  }
   if (row.is_null(7)) return s;
   const auto force = [&row](int at, bool sent) {
     const auto value = [&](int i) {
@@ -263,10 +310,13 @@ RecordedSample sample_of(const Statement& row, std::int64_t due_ns) {
 }
 
 Result<void> read_samples(const Database& db, const Head& head, FeltRecording& recording,
-                          Checksum& checksum) {
+                          Checksums& checksums) {
+  const std::string lean = head.lean_checksum ? ", lean_deg" : "";
   const auto row = db.prepare(
-      "SELECT id, late_ns, x_mm, y_mm, z_mm, pressure, buttons, asked_x, asked_y, asked_z, cut_x, "
-      "cut_y, cut_z FROM recording_sample NOT INDEXED WHERE id >= ? AND id < ?");
+      ("SELECT id, late_ns, x_mm, y_mm, z_mm, pressure, buttons, asked_x, asked_y, asked_z, cut_x, "
+       "cut_y, cut_z" +
+       lean + " FROM recording_sample NOT INDEXED WHERE id >= ? AND id < ?")
+          .c_str());
   if (!row) return tl::unexpected(row.error());
   row->bind(1, head.first_sample);
   row->bind(2, head.first_sample + head.samples);
@@ -278,7 +328,7 @@ Result<void> read_samples(const Database& db, const Head& head, FeltRecording& r
       return bad("sample " + std::to_string(n) + " holds an impossible value");
     }
     recording.samples.push_back(sample_of(*row, head.due_ns(n)));
-    checksum.sample(recording.samples.back());
+    checksums.sample(recording.samples.back(), n);
   }
 }
 
@@ -328,12 +378,15 @@ Result<FeltRecording> read_one(const Database& db, const Head& head) {
   FeltRecording recording;
   recording.device = head.device;
   recording.period_ns = head.period_ns;
-  Checksum checksum;
-  Result<void> done = read_samples(db, head, recording, checksum)
-                          .and_then([&] { return read_events(db, head, recording, checksum); })
+  Checksums checksums;
+  Result<void> done = read_samples(db, head, recording, checksums)
+                          .and_then([&] { return read_events(db, head, recording, checksums.all); })
                           .and_then([&] { return check_recording(recording); });
   if (!done) return tl::unexpected(done.error());
-  if (checksum.value() != head.checksum) return bad("its checksum is not that of its samples");
+  if (checksums.all.value() != head.checksum ||
+      (head.lean_checksum && checksums.leans.value() != *head.lean_checksum)) {
+    return bad("its checksum is not that of its samples");
+  }
   return recording;
 }
 
@@ -353,7 +406,8 @@ RecordingInfo info_of(const FeltRecording& r) {
 /// Those of the file, or none.
 Result<std::vector<Head>> heads_of(const CarriedFile& file) {
   if (!file.database() || file.schema()->recordings.empty()) return std::vector<Head>();
-  return read_heads(*file.database());
+  const auto& tables = file.schema()->recordings;
+  return read_heads(*file.database(), std::count_if(tables.begin(), tables.end(), has_lean) == 2);
 }
 
 }  // namespace
@@ -362,7 +416,9 @@ Result<void> write_recordings(Database& to, const FeltExtras& extras, const Carr
   const FeltSchema* like = carried.schema();
   const bool has_carried = like && !like->recordings.empty();
   if (!has_carried && extras.added.empty()) return {};
-  if (auto ok = make_recording_tables(to, like); !ok) return ok;
+  const bool with_lean = std::any_of(extras.added.begin(), extras.added.end(),
+                                     [](const auto& added) { return knows_lean(*added); });
+  if (auto ok = make_recording_tables(to, like, with_lean); !ok) return ok;
   if (has_carried) {
     for (const FeltTable& table : like->recordings) {
       const auto all = [](const Statement&) { return true; };

@@ -349,7 +349,7 @@ void Saver::Work::follow(const Event& event) {
   const auto* text = option ? std::get_if<std::string>(&option->value) : nullptr;
   if (!text) return;
   if (option->id == "sheet.material") {
-    drawing.material = *text;
+    drawing.page.surface = *text;
     about_is_told = false;
   } else if (option->id == "sheet.color") {
     if (const auto color = color_from_text(*text)) drawing.color = *color;

@@ -4,6 +4,8 @@
 #include <variant>
 #include <vector>
 
+#include "felt/material/material_file.h"
+
 namespace felt {
 namespace {
 
@@ -25,6 +27,9 @@ void SaverFeed::begin(const Session& session, StoredDrawing drawing, std::string
     if (const Result<OptionValue> value = session.option(id)) add(SetOption{id, *value});
   };
   add(UseDevice{session.device()});
+  for (const AnyMaterial& own : not_built_in(session.materials())) {
+    add(UseMaterial{write_material(own)});
+  }
   for (const auto& tool : session.tools()) {
     for (const OptionSpec& row : tool->info().options) {
       add_option(std::string(tool->info().id) + "." + std::string(row.id));

@@ -5,6 +5,7 @@
 #include <thread>
 
 #include "felt/store/folder_lock.h"
+#include "felt/store/live_ink.h"
 #include "felt/store/saver_test_desk.h"
 
 namespace felt {
@@ -81,6 +82,32 @@ TEST(Saver, AHungEditThreadCostsNoInk) {
             << tool << ": told " << told << ", then " << more;
       }
     }
+  }
+}
+
+/// What the session was not told of a pen that leans is kept with its lean; of one that does not,
+/// as it ever was.
+TEST(LiveInk, KeepsHowThePenLeans) {
+  for (const std::optional<double> lean : {std::optional<double>(), std::optional(32.5)}) {
+    LiveInk live;
+    live.begin();
+    std::vector<PenSample> told;
+    for (int i = 0; i < 20; ++i) {
+      const double z = i < 5 ? 3.0 : -0.3;
+      told.push_back({i * 1'000'000, {0.1 * i, 5.0, z}, {}, {}, 0});
+      if (i > 8) told.back().lean_deg = lean;
+      live.sample(told.back());
+    }
+    LiveStretch stretch;
+    for (const LiveChunk& chunk : live.take().chunks) {
+      if (chunk.kind != LiveKind::kContext) {
+        EXPECT_EQ(chunk.kind, lean ? LiveKind::kLeaning : LiveKind::kSamples);
+      }
+      ASSERT_TRUE(read_live_chunk(chunk.kind, chunk.bytes, stretch));
+      LiveStretch damaged;
+      EXPECT_FALSE(read_live_chunk(chunk.kind, chunk.bytes + "x", damaged));
+    }
+    EXPECT_EQ(stretch.overhang, told);
   }
 }
 

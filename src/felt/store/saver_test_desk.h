@@ -60,11 +60,9 @@ class SaverDesk {
   }
 
   [[nodiscard]] StoredDrawing drawing() const {
-    return {session->document(),
-            {},
-            std::string(session->sheet().material().id),
-            session->sheet().color(),
-            session->layer()};
+    SheetPage page;
+    page.surface = session->sheet().material().id;
+    return {session->document(), page, session->sheet().color(), session->layer()};
   }
 
   /// The k-th sample of a hand that writes loops and lifts between them.

@@ -8,11 +8,15 @@
 #include "felt/store/byte_stream.h"
 #include "felt/store/crc32c.h"
 #include "felt/store/packed_numbers.h"
+#include "felt/stroke/width_profile.h"
 
 namespace felt {
 namespace {
 
-constexpr std::uint8_t kVersion = 1;
+/// Of a stroke whose tones are those of its widths; all that there was before strokes had tones.
+constexpr std::uint8_t kPlain = 1;
+/// Of one with tones of its own.
+constexpr std::uint8_t kToned = 2;
 constexpr std::uint8_t kClosed = 1;  // flags
 constexpr std::size_t kChecksumBytes = 4;
 
@@ -97,6 +101,20 @@ void read_widths(NumberUnpacker& in, double end, std::vector<WidthKnot>& widths)
   widths.back().u = end;
   double before = 0.0;
   for (WidthKnot& knot : widths) before = knot.width_mm = in.take(before);
+  take_tone_of_width(widths);
+}
+
+void write_tones(NumberPacker& out, const std::vector<WidthKnot>& widths) {
+  double before = 0.0;
+  for (const WidthKnot& knot : widths) {
+    out.put(knot.tone, before);
+    before = knot.tone;
+  }
+}
+
+void read_tones(NumberUnpacker& in, std::vector<WidthKnot>& widths) {
+  double before = 0.0;
+  for (WidthKnot& knot : widths) before = knot.tone = in.take(before);
 }
 
 void write_joints(ByteWriter& out, const std::vector<JointKind>& joints) {
@@ -124,13 +142,14 @@ bool read_joints(ByteReader& in, std::size_t count, std::vector<JointKind>& join
   return true;
 }
 
-std::size_t number_count(const StrokeData& d) noexcept {
-  return 2 * written_points(d) + 2 * d.widths.size() - 2;
+std::size_t number_count(const StrokeData& d, bool toned) noexcept {
+  return 2 * written_points(d) + (toned ? 3 : 2) * d.widths.size() - 2;
 }
 
 void write_shape(std::string& bytes, const StrokeData& d) {
   ByteWriter out(bytes);
-  out.u8(kVersion);
+  const bool toned = has_own_tone(d.widths);
+  out.u8(toned ? kToned : kPlain);
   out.u8(d.closed ? kClosed : 0);
   for (const std::uint8_t c : {d.color.r, d.color.g, d.color.b, d.color.a}) out.u8(c);
   out.count(d.material.size());
@@ -141,6 +160,7 @@ void write_shape(std::string& bytes, const StrokeData& d) {
   NumberPacker numbers;
   write_points(numbers, d);
   write_widths(numbers, d.widths);
+  if (toned) write_tones(numbers, d.widths);
   numbers.append_to(bytes);
 }
 
@@ -157,7 +177,7 @@ Result<void> read_sizes(ByteReader& in, StrokeData& d) {
   return {};
 }
 
-Result<void> read_shape(ByteReader& in, StrokeData& d) {
+Result<void> read_shape(ByteReader& in, bool toned, StrokeData& d) {
   const std::uint8_t flags = in.u8();
   if ((flags & ~kClosed) != 0) return damaged("has unknown flags");
   d.closed = (flags & kClosed) != 0;
@@ -171,11 +191,14 @@ Result<void> read_shape(ByteReader& in, StrokeData& d) {
   if (!read_joints(in, segments - (d.closed ? 0 : 1), d.joints)) {
     return damaged("has no joints as it should");
   }
-  NumberUnpacker numbers(in, number_count(d));
+  NumberUnpacker numbers(in, number_count(d, toned));
   read_points(numbers, d);
   read_widths(numbers, static_cast<double>(segments), d.widths);
+  if (toned) read_tones(numbers, d.widths);
   if (!in.ok()) return damaged("has fewer points than it says");
   if (in.left() > 0 || !numbers.is_clean()) return damaged("has bytes left over");
+  // Equal strokes have equal bytes.
+  if (toned && !has_own_tone(d.widths)) return damaged("has tones that its widths say already");
   return {};
 }
 
@@ -200,10 +223,11 @@ Result<Stroke> read_stroke_blob(std::string_view bytes) {
   if (bytes.size() > kMaxStrokeBlobBytes) return damaged("is too large");
   if (bytes.size() <= kChecksumBytes) return damaged("is cut off");
   // The version is looked at first: another one may keep its checksum elsewhere.
-  if (static_cast<std::uint8_t>(bytes[0]) != kVersion) {
-    return fail(ErrorCode::kUnsupported,
-                "is of version " + std::to_string(static_cast<unsigned char>(bytes[0])) +
-                    ", this program knows version " + std::to_string(kVersion));
+  const auto version = static_cast<std::uint8_t>(bytes[0]);
+  if (version != kPlain && version != kToned) {
+    return fail(ErrorCode::kUnsupported, "is of version " + std::to_string(version) +
+                                             ", this program knows versions up to " +
+                                             std::to_string(kToned));
   }
   const std::string_view shape = bytes.substr(0, bytes.size() - kChecksumBytes);
   if (ByteReader(bytes.substr(shape.size())).u32() != crc32c(shape)) {
@@ -211,7 +235,7 @@ Result<Stroke> read_stroke_blob(std::string_view bytes) {
   }
   ByteReader in(shape.substr(1));
   StrokeData data;
-  if (auto ok = read_shape(in, data); !ok) return tl::unexpected(ok.error());
+  if (auto ok = read_shape(in, version == kToned, data); !ok) return tl::unexpected(ok.error());
   return Stroke::create(std::move(data));
 }
 

@@ -16,7 +16,7 @@ inline constexpr std::size_t kMaxStrokeKnots = 1'000'000;
 inline constexpr std::size_t kMaxMaterialBytes = 4096;
 /// No stroke has more bytes as a blob.
 inline constexpr std::size_t kMaxStrokeBlobBytes =
-    17 * (3 * kMaxStrokeSegments + 1 + kMaxStrokeKnots) + kMaxStrokeSegments / 8 + 8192;
+    17 * (3 * kMaxStrokeSegments + 1) + 26 * kMaxStrokeKnots + kMaxStrokeSegments / 8 + 8192;
 
 /// Appends a stroke as bytes, exactly (docs/formats/felt.md): a version, the shape with every
 /// double to its last bit, and a CRC-32C of it all. Equal strokes give equal bytes. Nothing is

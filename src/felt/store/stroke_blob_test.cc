@@ -3,7 +3,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <bit>
 #include <cstring>
+#include <limits>
 #include <random>
 
 #include "felt/store/byte_stream.h"
@@ -112,6 +114,52 @@ TEST(StrokeBlob, LimitsAreKeptExactly) {
       EXPECT_TRUE(read_stroke_blob(bytes).value() == stroke);
     }
   }
+}
+
+/// What was written before strokes had tones, byte for byte: one segment from (0, 0) to (3, 0), 0.5
+/// to 1 mm wide.
+TEST(StrokeBlob, WithoutTonesOfItsOwnItIsWhatItEverWas) {
+  const Stroke stroke = felt::testing::straight_stroke({0, 0}, {3, 0}, 0.5, 1.0);
+  const std::string bytes = blob_of(stroke);
+  EXPECT_EQ(bytes.substr(0, 2), std::string("\1\0", 2));
+  constexpr char kOld[] =
+      "\x01\x00\x00\x00\x00\xff\x06pencil\x01\x02\x00\x0a\x09\x0a\xaa\xf0\x3f\x40\x08\x40\xe0\x3f"
+      "\xf0"
+      "\x3f\x67\x5c\xd9\x86";
+  EXPECT_EQ(bytes, std::string(kOld, sizeof kOld - 1));
+  EXPECT_TRUE(read_stroke_blob(bytes).value() == stroke);
+}
+
+TEST(StrokeBlob, TonesMakeItVersion2) {
+  StrokeData data = felt::testing::straight_stroke({0, 0}, {3, 0}, 0.5, 1.0).data();
+  data.widths[0].tone = 0.75;
+  const std::string bytes = blob_of(Stroke::create(data).value());
+  EXPECT_EQ(bytes[0], 2);
+  EXPECT_TRUE(read_stroke_blob(bytes).value().data() == data);
+}
+
+/// Bytes that somebody made, with a right checksum.
+TEST(StrokeBlob, TonesThatAreNoneAreAnErrorThatNamesThePlace) {
+  StrokeData data = felt::testing::straight_stroke({0, 0}, {3, 0}, 0.5, 1.0).data();
+  data.widths[0].tone = 0.75;
+  data.widths[1].tone = 0.75;  // costs no byte beside the one before
+  std::string bytes = blob_of(Stroke::create(data).value());
+  bytes.resize(bytes.size() - 4);
+  const auto with_tone = [&](double tone) {
+    std::string made = bytes;
+    const std::size_t at = made.rfind('\xe8');  // 0.75 = 3fe8 0000 0000 0000
+    const auto bits = std::bit_cast<std::uint64_t>(tone);
+    made[at] = static_cast<char>((bits >> 48) & 0xff);
+    made[at + 1] = static_cast<char>((bits >> 56) & 0xff);
+    ByteWriter(made).u32(crc32c(made));
+    return read_stroke_blob(made);
+  };
+  EXPECT_TRUE(with_tone(0.75));
+  EXPECT_TRUE(with_tone(1.0));
+  EXPECT_THAT(with_tone(1.5).error().message, HasSubstr("I7: width breakpoint 0 has tone 1.5"));
+  EXPECT_THAT(with_tone(-0.5).error().message, HasSubstr("I7: width breakpoint 0 has tone -0.5"));
+  EXPECT_THAT(with_tone(std::numeric_limits<double>::infinity()).error().message,
+              HasSubstr("I3: width breakpoint 0 is not finite"));
 }
 
 TEST(StrokeBlob, SaysWhatIsWrong) {

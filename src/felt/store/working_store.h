@@ -30,6 +30,7 @@ enum class LiveKind : std::uint8_t {
   kContext = 1,  ///< what the gesture depends on besides the document
   kEvents = 2,   ///< lines of an event script that the session was told
   kSamples = 3,  ///< samples of the haptic loop that the session was not told yet
+  kLeaning = 4,  ///< likewise, of a pen whose lean is known
 };
 
 /// The drawing on the desk while it is worked on, on disk: one SQLite database in WAL mode, each

@@ -23,7 +23,7 @@ void flatten(const Stroke& stroke, int first, int last, double tolerance_mm,
   const auto knots = stroke.widths();
   const int most = std::max(1, kMaxStrokeSteps / stroke.segment_count());
   out.clear();
-  out.push_back({stroke.segment(first).p[0], 0.5 * stroke.width_mm(first)});
+  out.push_back({stroke.segment(first).p[0], 0.5 * stroke.width_mm(first), stroke.tone(first)});
   // The width piece in hand runs from knot k to k + 1.
   const auto after = std::upper_bound(knots.begin(), knots.end() - 1, static_cast<double>(first),
                                       [](double u, const WidthKnot& knot) { return u < knot.u; });
@@ -36,12 +36,20 @@ void flatten(const Stroke& stroke, int first, int last, double tolerance_mm,
       const double t1 = knot_first ? b.u - i : 1.0;
       const int steps = std::min(most, flatten_steps(c, t1 - t0, tolerance_mm));
       const double slope = 0.5 * (b.width_mm - a.width_mm) / (b.u - a.u);
+      const double tone_slope = (b.tone - a.tone) / (b.u - a.u);
+      const auto dab_at = [&](Point center, double u) {
+        return Dab{center, 0.5 * a.width_mm + slope * (u - a.u),
+                   std::clamp(a.tone + tone_slope * (u - a.u), 0.0, 1.0)};
+      };
       for (int s = 1; s < steps; ++s) {
         const double t = t0 + (t1 - t0) * s / steps;
-        out.push_back({evaluate(c, t), 0.5 * a.width_mm + slope * (i + t - a.u)});
+        out.push_back(dab_at(evaluate(c, t), i + t));
       }
-      const double r1 = b.u <= i + 1 ? 0.5 * b.width_mm : 0.5 * a.width_mm + slope * (i + 1 - a.u);
-      out.push_back({knot_first ? evaluate(c, t1) : c.p[3], r1});
+      out.push_back(dab_at(knot_first ? evaluate(c, t1) : c.p[3], i + 1));
+      if (b.u <= i + 1) {
+        out.back().radius_mm = 0.5 * b.width_mm;
+        out.back().tone = b.tone;
+      }
       if (b.u <= i + 1 && k + 2 < knots.size()) ++k;
       t0 = t1;
     }

@@ -10,6 +10,7 @@ namespace felt {
 struct Dab {
   Point center;
   double radius_mm = 0.0;
+  double tone = 0.0;  ///< WidthKnot::tone
 
   friend constexpr bool operator==(const Dab&, const Dab&) noexcept = default;
 };
@@ -19,7 +20,7 @@ struct Dab {
 inline constexpr int kMaxFlattenSteps = 1 << 14;
 
 /// Steps that a stroke of many segments is divided into at most, shared evenly (but at least one
-/// a segment): 2^24 dabs take 400 MB.
+/// a segment): 2^24 dabs take 540 MB.
 inline constexpr int kMaxStrokeSteps = 1 << 24;
 
 /// Parameter steps, at least 1, so that straight lines between equal steps of t over a part of c
@@ -30,8 +31,8 @@ int flatten_steps(const Cubic& c, double span, double tolerance_mm) noexcept;
 
 /// Replaces `out` by dabs along the stroke: radius and centre, taken linearly from each dab to
 /// the next, stay within the tolerance of those of the stroke at the same parameter, unless that
-/// would take more than the largest number of steps. Segment ends and width breakpoints are hit
-/// exactly. A closed stroke's seam appears at both ends.
+/// would take more than the largest number of steps; tones are exact. Segment ends and width
+/// breakpoints are hit exactly. A closed stroke's seam appears at both ends.
 void flatten(const Stroke& stroke, double tolerance_mm, std::vector<Dab>& out);
 
 /// Likewise along the segments from `first` up to, not including, `last`: the same dabs as those of

@@ -180,13 +180,20 @@ StrokeData InkFitter::State::stroke_data() const {
   WidthFitter width(options.width);
   map.begin();
   width.begin();
-  for (std::size_t i = 0; i < samples.size(); ++i)
-    width.push(curve.sample_u[i], map.push(samples[i]));
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    const InkWidth ink = map.push(samples[i]);
+    if (options.width_map.tone) {
+      width.push(curve.sample_u[i], ink.width_mm, ink.tone);
+    } else {
+      width.push(curve.sample_u[i], ink.width_mm);
+    }
+  }
   width.finish(curve.segment_count());
   StrokeData data;
   data.points = curve.points;
   data.joints = curve.joints;
   data.widths.assign(width.knots().begin(), width.knots().end());
+  data.material = options.material;
   return data;
 }
 

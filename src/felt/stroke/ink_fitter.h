@@ -2,6 +2,7 @@
 
 #include <memory>
 #include <span>
+#include <string>
 
 #include "felt/base/chunked_vector.h"
 #include "felt/base/result.h"
@@ -29,6 +30,7 @@ struct InkFitOptions {
   PenFilterOptions filter;
   WidthMapOptions width_map = kPenWidths;
   WidthFitOptions width;
+  std::string material = StrokeData{}.material;  ///< of the stroke
 };
 
 /// Pen samples in, a variable-width stroke out, while it is being drawn.

@@ -89,7 +89,7 @@ TEST(InkFitter, R15TheWidthsFollowTheFilteredPressure) {
     const double pressure = 0.5 + 0.4 * std::sin(0.03 * static_cast<double>(i));
     const InkSample sample{ink[i], pressure, static_cast<std::int64_t>(i) * 8'000'000};
     fitter.push(sample);
-    widths.push_back(map.push(sample));
+    widths.push_back(map.push(sample).width_mm);
   }
   fitter.end();
   fitter.refine();
@@ -98,6 +98,35 @@ TEST(InkFitter, R15TheWidthsFollowTheFilteredPressure) {
   for (std::size_t i = 0; i < ink.size(); ++i) {
     EXPECT_NEAR(width_at(stroke->widths(), fitter.curve().sample_u[i]), widths[i], 0.15 + 1e-9);
   }
+}
+
+TEST(InkFitter, AMediumWithAToneOfItsOwnIsFittedInBothChannels) {
+  const std::vector<Point> ink = TestInk(17).draw(testing::InkShape::kSmooth, 600);
+  InkFitOptions options;
+  options.width_map.lean_width = 2.0;
+  options.width_map.tone = ToneMapOptions{0.1, 0.9, 1.5, 0.4};
+  InkFitter fitter(options);
+  WidthMap map(options.width_map);
+  fitter.begin();
+  std::vector<InkWidth> widths;
+  for (std::size_t i = 0; i < ink.size(); ++i) {
+    const double x = static_cast<double>(i);
+    const InkSample sample{ink[i], 0.5 + 0.4 * std::sin(0.03 * x),
+                           static_cast<std::int64_t>(i) * 8'000'000,
+                           50.0 + 20.0 * std::cos(0.01 * x)};
+    fitter.push(sample);
+    widths.push_back(map.push(sample));
+  }
+  fitter.end();
+  fitter.refine();
+  const Result<Stroke> stroke = fitter.stroke();
+  ASSERT_TRUE(stroke);
+  for (std::size_t i = 0; i < ink.size(); ++i) {
+    const WidthKnot at = knot_at(stroke->widths(), fitter.curve().sample_u[i]);
+    EXPECT_NEAR(at.width_mm, widths[i].width_mm, 0.15 + 1e-9);
+    EXPECT_NEAR(at.tone, widths[i].tone, options.width.tone_tolerance + 1e-9);
+  }
+  EXPECT_EQ(*fitter.stroke(), *stroke);
 }
 
 TEST(InkFitter, RefiningMovesTheCurveByAboutTheToleranceAtMost) {

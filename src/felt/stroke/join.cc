@@ -52,22 +52,29 @@ std::vector<double> lengths_from_tip(const Stroke& stroke, StrokeTip tip) {
   return lengths;
 }
 
+/// Goes on with the breakpoints of `more`, which begin at n, up to `end`.
+void append_profile(std::vector<WidthKnot>& knots, const std::vector<WidthKnot>& more, double n,
+                    double end) {
+  const auto add = [&](double u, const WidthKnot& k) { knots.push_back({u, k.width_mm, k.tone}); };
+  // Where both profiles are the same, one breakpoint is enough; else the step is as steep as it
+  // gets.
+  const WidthKnot &in = knots.back(), &out = more.front();
+  if (in.width_mm != out.width_mm || in.tone != out.tone) add(std::nextafter(n, n + 1.0), out);
+  for (std::size_t k = 1; k < more.size(); ++k) {
+    if (const double u = n + more[k].u; u > knots.back().u) add(u, more[k]);
+  }
+  // Rounding may have swallowed the very last one.
+  knots.pop_back();
+  add(end, more.back());
+}
+
 /// Appends `more` to `data`, whose last point is its first.
 void append(StrokeData& data, const StrokeData& more, JointKind joint) {
   const double n = static_cast<double>(data.points.size() / 3);
   data.points.insert(data.points.end(), more.points.begin() + 1, more.points.end());
   data.joints.push_back(joint);
   data.joints.insert(data.joints.end(), more.joints.begin(), more.joints.end());
-  // Where both widths are the same, one breakpoint is enough; else the step is as steep as it gets.
-  const bool steps = data.widths.back().width_mm != more.widths.front().width_mm;
-  if (steps) data.widths.push_back({std::nextafter(n, n + 1.0), more.widths.front().width_mm});
-  for (std::size_t k = 1; k < more.widths.size(); ++k) {
-    const double u = n + more.widths[k].u;
-    if (u > data.widths.back().u) data.widths.push_back({u, more.widths[k].width_mm});
-  }
-  // Rounding may have swallowed the very last one.
-  const double end = static_cast<double>(data.points.size() / 3);
-  data.widths.back() = {end, more.widths.back().width_mm};
+  append_profile(data.widths, more.widths, n, static_cast<double>(data.points.size() / 3));
 }
 
 /// The same stroke with a joint at u, or at the nearest joint other than the tip where a cut there

@@ -73,6 +73,7 @@ TEST(WithTipAt, TheEndLiesExactlyThereAndTheInvariantsHold) {
       EXPECT_EQ(tip_point(*result, opposite(tip)), tip_point(s, opposite(tip)));
       EXPECT_EQ(result->widths().front(), s.widths().front());
       EXPECT_EQ(result->widths().back().width_mm, s.widths().back().width_mm);
+      EXPECT_EQ(result->widths().back().tone, s.widths().back().tone);
       // The tangent at the end that moves is kept, if it has a handle of its own.
       const auto& points = s.data().points;
       const Point handle = tip == StrokeTip::kStart ? points[1] : points[points.size() - 2];
@@ -209,9 +210,11 @@ TEST(Joined, AnyTwoStrokesMakeOneWithTheInvariantsAndTheirWidths) {
     for (int k = 0; k <= 100; ++k) {
       const double u = 0.01 * k;
       EXPECT_NEAR(one->width_mm(u * n), a.width_mm(u * n), 1e-9);
+      EXPECT_NEAR(one->tone(u * n), a.tone(u * n), 1e-9);
       if (k > 0) {
         EXPECT_NEAR(one->width_mm(n + u * b->segment_count()), b->width_mm(u * b->segment_count()),
                     1e-9);
+        EXPECT_NEAR(one->tone(n + u * b->segment_count()), b->tone(u * b->segment_count()), 1e-9);
       }
     }
   }

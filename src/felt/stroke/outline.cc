@@ -17,6 +17,11 @@ double arc_step(double r, double tolerance) noexcept {
                              : kCoarsest;
 }
 
+/// Inks the same; the outline does not know tones.
+bool is_same(const Dab& a, const Dab& b) noexcept {
+  return a.center == b.center && a.radius_mm == b.radius_mm;
+}
+
 Stretch backwards(const Stretch& s) noexcept {
   return {s.frame.backwards(), s.length_mm};
 }
@@ -48,9 +53,9 @@ const Outline& StrokeOutliner::trace(std::span<const Dab> dabs, bool closed, dou
 void StrokeOutliner::link(std::span<const Dab> dabs, bool closed) {
   dabs_.clear();
   for (const Dab& dab : dabs) {
-    if (dabs_.empty() || dab != dabs_.back()) dabs_.push_back(dab);
+    if (dabs_.empty() || !is_same(dab, dabs_.back())) dabs_.push_back(dab);
   }
-  if (closed && dabs_.size() > 1 && dabs_.front() == dabs_.back()) dabs_.pop_back();
+  if (closed && dabs_.size() > 1 && is_same(dabs_.front(), dabs_.back())) dabs_.pop_back();
   edges_.clear();
   if (dabs_.size() < 2) return;
   const std::size_t count = dabs_.size() - (closed ? 0 : 1);

@@ -55,7 +55,7 @@ class StrokeOutliner {
   void close_contour();
 
   std::vector<Dab> flattened_;
-  std::vector<Dab> dabs_;       // neighbours differ
+  std::vector<Dab> dabs_;       // neighbours differ in place or radius
   std::vector<Stretch> edges_;  // from dab i to the next one
   double tolerance_mm_ = 0.0;
   Outline outline_;

@@ -186,7 +186,7 @@ std::vector<WidthKnot> scaled_widths(const StrokeData& d, std::span<const std::u
   const auto fades = [&](std::size_t i) { return marks[3 * i] != marks[3 * i + 3]; };
   for (std::size_t k = 1; k < n; ++k) {
     if (fades(k - 1) || fades(k)) {
-      knots.push_back({static_cast<double>(k), width_at(d.widths, static_cast<double>(k))});
+      knots.push_back(knot_at(d.widths, static_cast<double>(k)));
     }
   }
   std::stable_sort(knots.begin(), knots.end(),

@@ -15,14 +15,15 @@ bool is_before(const WidthKnot& k, double u) {
   return k.u < u;
 }
 
-/// Of the places strictly between two, the one whose width is farthest from the straight line
-/// between theirs.
+/// Of the places strictly between two, the one whose width or tone is farthest from the straight
+/// line between theirs, and how far, in tolerances.
 std::pair<std::size_t, double> farthest(const std::vector<WidthKnot>& places, std::size_t from,
-                                        std::size_t to) {
+                                        std::size_t to, double tolerance_mm) {
   std::pair<std::size_t, double> worst{from, -1.0};
   for (std::size_t i = from + 1; i < to; ++i) {
-    const double error =
-        std::fabs(places[i].width_mm - width_at(std::array{places[from], places[to]}, places[i].u));
+    const WidthKnot line = knot_at(std::array{places[from], places[to]}, places[i].u);
+    const double error = std::max(std::fabs(places[i].width_mm - line.width_mm) / tolerance_mm,
+                                  std::fabs(places[i].tone - line.tone) / kFollowedTone);
     if (error > worst.second) worst = {i, error};
   }
   return worst;
@@ -30,32 +31,32 @@ std::pair<std::size_t, double> farthest(const std::vector<WidthKnot>& places, st
 
 }  // namespace
 
-void ProfileBuilder::append(double v, double width_mm) {
-  if (knots_.empty() || v > knots_.back().u) knots_.push_back({v, width_mm});
+void ProfileBuilder::append(double v, const WidthKnot& ink) {
+  if (knots_.empty() || v > knots_.back().u) knots_.push_back({v, ink.width_mm, ink.tone});
 }
 
 void ProfileBuilder::append_knots(double u0, double u1, double v0, double scale) {
   auto k = std::upper_bound(old_.begin(), old_.end(), u0,
                             [](double u, const WidthKnot& a) { return u < a.u; });
-  for (; k != old_.end() && k->u < u1; ++k) append(v0 + (k->u - u0) * scale, k->width_mm);
+  for (; k != old_.end() && k->u < u1; ++k) append(v0 + (k->u - u0) * scale, *k);
 }
 
 void ProfileBuilder::shift(double u0, double u1, double by) {
   const auto k = std::lower_bound(old_.begin(), old_.end(), u0, is_before);
   const bool knot_here = k != old_.end() && k->u == u0;
-  if (!was_shifted_ || knots_.empty() || knot_here) append(u0 + by, width_at(old_, u0));
+  if (!was_shifted_ || knots_.empty() || knot_here) append(u0 + by, knot_at(old_, u0));
   append_knots(u0, u1, u0 + by, 1.0);
   was_shifted_ = true;
 }
 
 void ProfileBuilder::stretch(double u0, double u1, double v0, double v1) {
-  append(v0, width_at(old_, u0));
+  append(v0, knot_at(old_, u0));
   append_knots(u0, u1, v0, (v1 - v0) / (u1 - u0));
   was_shifted_ = false;
 }
 
 void ProfileBuilder::follow(std::span<const Match> matches, double tolerance_mm) {
-  // The widths at the matches and at the breakpoints between them, by v.
+  // What the ink is like at the matches and at the breakpoints between them, by v.
   std::vector<WidthKnot> places;
   for (std::size_t i = 0; i < matches.size(); ++i) {
     const Match& m = matches[i];
@@ -65,28 +66,29 @@ void ProfileBuilder::follow(std::span<const Match> matches, double tolerance_mm)
       for (; k != old_.end() && k->u < m.u; ++k) {
         if (k->u == before.u) continue;
         const double share = (k->u - before.u) / (m.u - before.u);
-        places.push_back({before.v + share * (m.v - before.v), k->width_mm});
+        places.push_back({before.v + share * (m.v - before.v), k->width_mm, k->tone});
       }
     }
-    places.push_back({m.v, width_at(old_, m.u)});
+    const WidthKnot here = knot_at(old_, m.u);
+    places.push_back({m.v, here.width_mm, here.tone});
   }
   std::vector<std::size_t> kept{0, places.size() - 1};
   for (std::size_t i = 0; i + 1 < kept.size();) {
-    const auto [worst, error] = farthest(places, kept[i], kept[i + 1]);
-    if (error > tolerance_mm) {
+    const auto [worst, error] = farthest(places, kept[i], kept[i + 1], tolerance_mm);
+    if (error > 1.0) {
       kept.insert(kept.begin() + static_cast<std::ptrdiff_t>(i) + 1, worst);
     } else {
       ++i;
     }
   }
   kept.pop_back();  // the end belongs to what follows
-  for (const std::size_t i : kept) append(places[i].u, places[i].width_mm);
+  for (const std::size_t i : kept) append(places[i].u, places[i]);
   was_shifted_ = false;
 }
 
 std::vector<WidthKnot> ProfileBuilder::finish(double end) && {
   while (!knots_.empty() && knots_.back().u >= end) knots_.pop_back();
-  knots_.push_back({end, old_.back().width_mm});
+  knots_.push_back({end, old_.back().width_mm, old_.back().tone});
   return std::move(knots_);
 }
 

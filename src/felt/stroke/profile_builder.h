@@ -7,6 +7,10 @@
 
 namespace felt {
 
+/// How far `ProfileBuilder::follow` lets a tone go astray: far less than an eye can tell, and more
+/// than any width tolerance in use lets it where the tone is that of the width.
+inline constexpr double kFollowedTone = 0.01;
+
 /// Makes the width profile of a stroke that shows the same ink by another parameter, from its start
 /// to its end, a stretch at a time. Old parameters are called u, new ones v.
 ///
@@ -30,13 +34,14 @@ class ProfileBuilder {
   /// [u0, u1] becomes [v0, v1] linearly, without loss.
   void stretch(double u0, double u1, double v0, double v1);
   /// A part whose parameters belong together as `matches` say, at least two, ascending in both:
-  /// widths at these places stay within tolerance_mm, with as few breakpoints as that needs.
+  /// widths at these places stay within tolerance_mm > 0 and tones within kFollowedTone, with as
+  /// few breakpoints as that needs.
   void follow(std::span<const Match> matches, double tolerance_mm);
   /// The profile up to the new end of the stroke.
   [[nodiscard]] std::vector<WidthKnot> finish(double end) &&;
 
  private:
-  void append(double v, double width_mm);
+  void append(double v, const WidthKnot& ink);
   void append_knots(double u0, double u1, double v0, double scale);
 
   std::span<const WidthKnot> old_;

@@ -61,12 +61,18 @@ class RandomStroke {
 
   void add_widths(StrokeData& d, int n) {
     const double widest = chance(0.3) ? 8.0 : 1.5;
-    d.widths.push_back({0.0, uniform(0.05, widest)});
+    const bool has_tone = chance(0.5);
+    const auto knot = [&](double u) {
+      WidthKnot k{u, uniform(0.05, widest)};
+      if (has_tone) k.tone = uniform(0.0, 1.0);
+      return k;
+    };
+    d.widths.push_back(knot(0.0));
     for (int k = pick(0, 2 * n); k > 0; --k) {
       const double u = d.widths.back().u + uniform(0.001, 1.0);
-      if (u < n) d.widths.push_back({u, uniform(0.05, widest)});
+      if (u < n) d.widths.push_back(knot(u));
     }
-    d.widths.push_back({static_cast<double>(n), uniform(0.05, widest)});
+    d.widths.push_back(knot(n));
   }
 
   std::mt19937_64 random_;

@@ -50,23 +50,24 @@ void append_widths(const Stroke& stroke, const Span& span, int i, std::vector<Wi
                             [](const WidthKnot& a, double u) { return a.u < u; });
   const bool knot_here = k != knots.end() && k->u == begin;
   if (i == span.first || knot_here || span.cut(i) || span.cut(i - 1)) {
-    append(out, {shifted, width_at(knots, begin)});
+    const WidthKnot here = knot_at(knots, begin);
+    append(out, {shifted, here.width_mm, here.tone});
   }
   const double scale = 1.0 / (end - begin);
   for (k += knot_here ? 1 : 0; k != knots.end() && k->u < end; ++k) {
     const double within = span.cut(i) ? (k->u - begin) * scale : k->u - segment;
-    append(out, {shifted + within, k->width_mm});
+    append(out, {shifted + within, k->width_mm, k->tone});
   }
 }
 
-/// At the seam of a closed stroke the profile may step from its last to its first width: the step
-/// is kept, one unit in the last place wide.
+/// At the seam of a closed stroke the profile may step from its last to its first width or tone:
+/// the step is kept, one unit in the last place wide.
 void append_seam(const Stroke& stroke, double u, std::vector<WidthKnot>& out) {
-  const double before = stroke.widths().back().width_mm;
-  const double after = stroke.widths().front().width_mm;
-  if (before == after) return;
-  append(out, {u, before});
-  append(out, {std::nextafter(u, u + 1.0), after});
+  const WidthKnot& before = stroke.widths().back();
+  const WidthKnot& after = stroke.widths().front();
+  if (before.width_mm == after.width_mm && before.tone == after.tone) return;
+  append(out, {u, before.width_mm, before.tone});
+  append(out, {std::nextafter(u, u + 1.0), after.width_mm, after.tone});
 }
 
 }  // namespace
@@ -101,7 +102,8 @@ Result<Stroke> sub_stroke(const Stroke& stroke, double u0, double u1) {
   }
   const double end = span.last - span.first + 1;
   while (data.widths.back().u >= end) data.widths.pop_back();
-  data.widths.push_back({end, width_at(stroke.widths(), span.last % n + span.t1)});
+  const WidthKnot last = knot_at(stroke.widths(), span.last % n + span.t1);
+  data.widths.push_back({end, last.width_mm, last.tone});
   return Stroke::create(std::move(data));
 }
 
@@ -124,11 +126,12 @@ Stroke reversed(const Stroke& stroke) {
   std::reverse(data.joints.begin(), data.joints.end() - (data.closed ? 1 : 0));
   data.widths.clear();
   for (auto k = stroke.widths().rbegin(); k != stroke.widths().rend(); ++k) {
-    append(data.widths, {n - k->u, k->width_mm});
+    append(data.widths, {n - k->u, k->width_mm, k->tone});
   }
   // Rounding of n - u may have merged the breakpoints next to the end; the end itself stays.
-  if (data.widths.back().u < n) data.widths.push_back({n, stroke.widths().front().width_mm});
-  data.widths.back().width_mm = stroke.widths().front().width_mm;
+  const WidthKnot& end = stroke.widths().front();
+  if (data.widths.back().u == n) data.widths.pop_back();
+  data.widths.push_back({n, end.width_mm, end.tone});
   auto turned = Stroke::create(std::move(data));
   FELT_CHECK(turned.has_value());
   return *std::move(turned);

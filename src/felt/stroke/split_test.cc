@@ -30,6 +30,7 @@ void expect_same_ink(const Stroke& whole, const Stroke& part, double u0, double 
     // Widths jump at the seam of a random closed stroke.
     if (std::fabs(v - n) > 1e-6) {
       EXPECT_NEAR(part.width_mm(u), whole.width_mm(lap), 1e-9);
+      EXPECT_NEAR(part.tone(u), whole.tone(lap), 1e-9);
     }
   }
 }
@@ -50,6 +51,7 @@ TEST(Split, PartsTraceTheSameCurveAndWidth) {
     ++cuts;
     EXPECT_EQ(parts->first.data().points.back(), parts->second.data().points.front());
     EXPECT_EQ(parts->first.widths().back().width_mm, parts->second.widths().front().width_mm);
+    EXPECT_EQ(parts->first.widths().back().tone, parts->second.widths().front().tone);
     EXPECT_NEAR(parts->first.widths().back().width_mm, s.width_mm(u), 1e-9);
     expect_same_ink(s, parts->first, 0.0, u);
     expect_same_ink(s, parts->second, u, s.segment_count());
@@ -133,6 +135,7 @@ TEST(Reversed, IsTheSameInkBackwards) {
       const double u = s.segment_count() * k / 40.0, v = s.segment_count() - u;
       EXPECT_LE(distance(back.position(u), s.position(v)), 1e-9);
       EXPECT_NEAR(back.width_mm(u), s.width_mm(v), 1e-9);
+      EXPECT_NEAR(back.tone(u), s.tone(v), 1e-9);
     }
     for (int i = 0; i <= s.segment_count(); ++i) {
       EXPECT_EQ(back.joint(i), s.joint(s.segment_count() - i));

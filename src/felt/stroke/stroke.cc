@@ -39,6 +39,10 @@ double Stroke::width_mm(double u) const noexcept {
   return width_at(data_.widths, clamp_parameter(u, segment_count()));
 }
 
+double Stroke::tone(double u) const noexcept {
+  return tone_at(data_.widths, clamp_parameter(u, segment_count()));
+}
+
 Rect Stroke::bounds() const noexcept {
   Rect area;
   for (int i = 0; i < segment_count(); ++i) area.extend(felt::bounds(segment(i)));

@@ -19,11 +19,24 @@ enum class JointKind : std::uint8_t {
   kEnd,     ///< the first or last point of an open stroke
 };
 
+/// The tone of ink of which only the width is known (drawings of before there was tone, foreign
+/// files): 0 at 0.3 mm, 1 at 6 mm, the pencil's range of widths.
+constexpr double tone_of_width(double width_mm) noexcept {
+  const double share = (width_mm - 0.3) / (6.0 - 0.3);
+  return share > 0.0 ? (share < 1.0 ? share : 1.0) : 0.0;  // NaN: 0
+}
+
 /// One breakpoint of the width profile [Paper eq. 3]: full width `width_mm` at stroke parameter
 /// `u` = segment index + t. Linear in u between breakpoints.
+///
+/// `tone` tells how much of the medium was laid on there, 0 (a breath) .. 1 (all it gives): what
+/// remains of pressure and lean once they became a width. What a medium makes of it (opacity, how
+/// deep it goes into the relief) is MediumLook; wet ink takes no notice. Linear like the width.
+/// A breakpoint made without a tone has that of its width.
 struct WidthKnot {
   double u = 0.0;
   double width_mm = 0.0;
+  double tone = tone_of_width(width_mm);
 
   friend constexpr bool operator==(const WidthKnot&, const WidthKnot&) noexcept = default;
 };
@@ -63,7 +76,7 @@ struct StrokeData {
 /// makes a new one.
 class Stroke {
  public:
-  /// Makes a stroke, or says which invariant I1-I6 the data breaks and where.
+  /// Makes a stroke, or says which invariant I1-I7 the data breaks and where.
   static Result<Stroke> create(StrokeData data);
 
   /// Number of cubic segments, at least 1.
@@ -85,6 +98,8 @@ class Stroke {
   [[nodiscard]] Point position(double u) const noexcept;
   /// Width at u by linear interpolation [Paper eq. 3], clamped to [0, n].
   [[nodiscard]] double width_mm(double u) const noexcept;
+  /// Tone at u, 0..1, likewise.
+  [[nodiscard]] double tone(double u) const noexcept;
   /// Tight bounds of the inked area: curve bounds widened by half the largest width.
   [[nodiscard]] Rect bounds() const noexcept;
 
@@ -95,8 +110,9 @@ class Stroke {
   StrokeData data_;
 };
 
-/// The one place where the invariants I1-I6 of the specification are checked; `Stroke::create`
-/// and every test call it. Returns the first broken one, named, with the place.
+/// The one place where the invariants of the stroke model are checked: I1-I6 of the specification
+/// and I7, tones in 0..1. `Stroke::create` and every test call it. Returns the first broken one,
+/// named, with the place.
 Result<void> check_invariants(const StrokeData& data);
 
 }  // namespace felt

@@ -76,9 +76,10 @@ Result<void> check_finite(const StrokeData& d) {
     }
   }
   for (std::size_t i = 0; i < d.widths.size(); ++i) {
-    if (!std::isfinite(d.widths[i].u) || !std::isfinite(d.widths[i].width_mm)) {
-      return broken("I3", "width breakpoint " + text(i) + " is not finite: u = " +
-                              text(d.widths[i].u) + ", W = " + text(d.widths[i].width_mm));
+    const WidthKnot& knot = d.widths[i];
+    if (!std::isfinite(knot.u) || !std::isfinite(knot.width_mm) || !std::isfinite(knot.tone)) {
+      return broken("I3", "width breakpoint " + text(i) + " is not finite: u = " + text(knot.u) +
+                              ", W = " + text(knot.width_mm) + ", tone = " + text(knot.tone));
     }
   }
   return {};
@@ -146,6 +147,10 @@ Result<void> check_widths(const StrokeData& d, std::size_t n) {
     if (!(d.widths[i].width_mm >= kMinWidthMm)) {
       return broken("I4", "width breakpoint " + text(i) + " has W = " + text(d.widths[i].width_mm) +
                               " mm, less than " + text(kMinWidthMm));
+    }
+    if (!(d.widths[i].tone >= 0.0 && d.widths[i].tone <= 1.0)) {
+      return broken("I7", "width breakpoint " + text(i) + " has tone " + text(d.widths[i].tone) +
+                              ", which is not within 0 to 1");
     }
   }
   return {};

@@ -3,10 +3,12 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <limits>
 
+#include "felt/stroke/flatten.h"
 #include "felt/stroke/random_stroke.h"
 
 namespace felt {
@@ -82,6 +84,11 @@ INSTANTIATE_TEST_SUITE_P(
                  d.joints[0] = JointKind::kCorner;
                  for (std::size_t i = 4; i < 7; ++i) d.points[i] = {4.01, 0};
                }},
+        Damage{"NanTone", "I3", "width breakpoint 1", [](auto& d) { d.widths[1].tone = kNan; }},
+        Damage{"NegativeTone", "I7", "breakpoint 1 has tone -0.5",
+               [](auto& d) { d.widths[1].tone = -0.5; }},
+        Damage{"TooMuchTone", "I7", "breakpoint 2 has tone 1.01",
+               [](auto& d) { d.widths[2].tone = 1.01; }},
         Damage{"NoWidths", "I6", "there are none", [](auto& d) { d.widths.clear(); }},
         Damage{"WidthsStartLate", "I6", "0.1", [](auto& d) { d.widths[0].u = 0.1; }},
         Damage{"WidthsEndEarly", "I6", "1.9", [](auto& d) { d.widths[2].u = 1.9; }},
@@ -104,6 +111,46 @@ TEST(Stroke, SmallestDotIsLegalAnywhere) {
                                 .closed = false,
                                 .widths = {{0.0, 0.3}, {1.0, 0.3}}}))
         << x;
+  }
+}
+
+TEST(Stroke, AKnotWithoutAToneHasThatOfItsWidth) {
+  static_assert(WidthKnot{0.0, 0.3}.tone == 0.0 && WidthKnot{0.0, 6.0}.tone == 1.0);
+  static_assert(WidthKnot{0.0, 0.1}.tone == 0.0 && WidthKnot{0.0, 60.0}.tone == 1.0);
+  const Stroke s = Stroke::create(wave()).value();
+  for (const WidthKnot& k : s.widths()) EXPECT_EQ(k.tone, tone_of_width(k.width_mm));
+}
+
+TEST(Stroke, ToneIsLinearLikeTheWidth) {
+  StrokeData d = wave();
+  d.widths = {{0.0, 0.5, 1.0}, {0.75, 1.0, 0.2}, {2.0, 0.25, 0.7}};
+  const Stroke s = Stroke::create(d).value();
+  EXPECT_EQ(s.tone(-1.0), 1.0);
+  EXPECT_EQ(s.tone(0.75), 0.2);
+  EXPECT_NEAR(s.tone(0.375), 0.6, 1e-12);
+  EXPECT_EQ(s.tone(9.0), 0.7);
+}
+
+TEST(Stroke, DabsCarryTheTone) {
+  for (std::uint64_t seed = 0; seed < 200; ++seed) {
+    SCOPED_TRACE(seed);
+    const Stroke s = testing::random_stroke(seed);
+    std::vector<Dab> dabs, part;
+    flatten(s, 0.01, dabs);
+    EXPECT_EQ(dabs.front().tone, s.widths().front().tone);
+    EXPECT_EQ(dabs.back().tone, s.widths().back().tone);
+    for (const Dab& dab : dabs) EXPECT_TRUE(dab.tone >= 0.0 && dab.tone <= 1.0) << dab.tone;
+    for (const WidthKnot& k : s.widths()) {
+      const Point at = s.position(k.u);
+      EXPECT_TRUE(std::any_of(dabs.begin(), dabs.end(), [&](const Dab& dab) {
+        return distance(dab.center, at) < 1e-9 && std::fabs(dab.tone - k.tone) < 1e-9;
+      })) << k.u;
+    }
+    const int last = s.segment_count() - 1;
+    flatten(s, last, last + 1, 0.01, part);
+    ASSERT_LE(part.size(), dabs.size());
+    EXPECT_NEAR(part.front().tone, s.tone(last), 1e-12);
+    EXPECT_TRUE(std::equal(part.rbegin(), part.rend() - 1, dabs.rbegin()));
   }
 }
 

@@ -93,6 +93,8 @@ TEST(Subdivided, CarriesWidthsAndCopiesTheRest) {
       const double t = k / 64.0;
       EXPECT_NEAR(fine->width_mm(n - 1 + t), s.width_mm(n - 1 + 0.4 * t), 1e-9);
       EXPECT_NEAR(fine->width_mm(n + t), s.width_mm(n - 0.6 + 0.6 * t), 1e-9);
+      EXPECT_NEAR(fine->tone(n - 1 + t), s.tone(n - 1 + 0.4 * t), 1e-9);
+      EXPECT_NEAR(fine->tone(n + t), s.tone(n - 0.6 + 0.6 * t), 1e-9);
     }
     EXPECT_EQ(fine->joint(n), JointKind::kSmooth);
   }
@@ -167,7 +169,10 @@ Stroke quarters(std::uint64_t seed) {
   testing::RandomStroke random(seed + 1);
   const int n = static_cast<int>(d.points.size() / 3);
   d.widths.clear();
-  for (int k = 0; k <= 2 * n; ++k) d.widths.push_back({0.5 * k, random.uniform(0.5, 2.0)});
+  for (int k = 0; k <= 2 * n; ++k) {
+    const double width_mm = random.uniform(0.5, 2.0);
+    d.widths.push_back({0.5 * k, width_mm, random.uniform(0.2, 0.7)});
+  }
   d.widths.back().width_mm = d.widths.front().width_mm;
   std::vector<double> us;
   for (int k = 1; k < 4 * n; ++k) us.push_back(k / 4.0);
@@ -183,12 +188,14 @@ TEST(WithFewerSegments, KeepsWidthsWhereTheyAre) {
     ASSERT_TRUE(few);
     for (int k = 0; k < 4 * m; ++k) {
       const Point p = fine.position(0.25 * k);
-      double best = 1e9;
+      double best = 1e9, best_tone = 1e9;
       for (double u = 0.0; u < few->segment_count(); u += 0.002) {
         if (distance(few->position(u), p) > 0.1) continue;
         best = std::min(best, std::fabs(few->width_mm(u) - fine.width_mm(0.25 * k)));
+        best_tone = std::min(best_tone, std::fabs(few->tone(u) - fine.tone(0.25 * k)));
       }
       EXPECT_LE(best, 0.01 + 3.0 * 0.002) << k;
+      EXPECT_LE(best_tone, 0.01 + 1.0 * 0.002) << k;
     }
   }
 }

@@ -8,89 +8,142 @@ namespace felt {
 namespace {
 
 // Interpolating between knots rounds; this much of the tolerance pays for it.
-constexpr double kRoundingMm = 1e-12;
+constexpr double kRounding = 1e-12;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 }  // namespace
 
-WidthFitter::WidthFitter(const WidthFitOptions& options) : options_(options) {
-  options_.min_mm = std::max(options_.min_mm, kMinWidthMm);
-  options_.max_mm = std::max(options_.max_mm, options_.min_mm);
-  tolerance_mm_ = std::max(options_.tolerance_mm - kRoundingMm, 0.0);
+void WidthFitter::Values::add(double value) noexcept {
+  least = std::min(least, value);
+  most = std::max(most, value);
+  sum += value;
+  last = value;
+}
+
+WidthFitter::Range WidthFitter::Channel::allowed() const noexcept {
+  const double low = here.most - tolerance, high = here.least + tolerance;
+  if (low > high) {
+    const double middle = 0.5 * (here.least + here.most);
+    return {middle, middle};
+  }
+  // The model's limits as well, so that every knot keeps to them (I4, I7).
+  return {std::max(low, min), std::min(high, max)};
+}
+
+WidthFitter::Range WidthFitter::Channel::slopes_through(double du) const noexcept {
+  const Range range = allowed();
+  return {(range.low - from) / du, (range.high - from) / du};
+}
+
+bool WidthFitter::Channel::can_reach(double du) const noexcept {
+  const Range through = slopes_through(du);
+  return std::max(through.low, slopes.low) <= std::min(through.high, slopes.high);
+}
+
+double WidthFitter::Channel::first(double count) const noexcept {
+  const Range range = allowed();
+  return std::clamp(here.sum / count, range.low, range.high);
+}
+
+double WidthFitter::Channel::end_at_best(double du, double sum_uu) const noexcept {
+  return std::clamp(from + std::clamp(sum_uw / sum_uu, slopes.low, slopes.high) * du, min, max);
+}
+
+double WidthFitter::Channel::end_at_last(double du) const noexcept {
+  const double slope = std::clamp((here.last - from) / du, slopes.low, slopes.high);
+  return std::clamp(from + slope * du, min, max);
+}
+
+void WidthFitter::Channel::start(double value) noexcept {
+  from = value;
+  slopes = {-kInfinity, kInfinity};
+  sum_uw = 0.0;
+}
+
+void WidthFitter::Channel::take(double du, double count) noexcept {
+  const Range through = slopes_through(du);
+  slopes = {std::max(through.low, slopes.low), std::min(through.high, slopes.high)};
+  sum_uw += du * (here.sum - count * from);
+}
+
+WidthFitter::WidthFitter(const WidthFitOptions& options)
+    : width_{.min = std::max(options.min_mm, kMinWidthMm),
+             .max = std::max(options.max_mm, std::max(options.min_mm, kMinWidthMm)),
+             .tolerance = std::max(options.tolerance_mm - kRounding, 0.0)},
+      tone_{
+          .min = 0.0, .max = 1.0, .tolerance = std::max(options.tone_tolerance - kRounding, 0.0)} {
   knots_.reserve(256);
 }
 
 void WidthFitter::begin() noexcept {
   knots_.clear();
-  place_ = {};
+  place_u_ = count_ = 0.0;
+  has_tone_ = false;
 }
 
 void WidthFitter::push(double u, double width_mm) {
+  collect(u, width_mm, tone_of_width(width_mm));
+}
+
+void WidthFitter::push(double u, double width_mm, double tone) {
+  if (!std::isfinite(tone)) return;
+  has_tone_ = true;
+  collect(u, width_mm, tone);
+}
+
+void WidthFitter::collect(double u, double width_mm, double tone) {
   if (!std::isfinite(u) || !std::isfinite(width_mm)) return;
-  const double w = std::clamp(width_mm, options_.min_mm, options_.max_mm);
-  u = std::max(u, place_.u);
-  if (place_.count > 0.0 && u - place_.u >= kSameWidthPlace) {
+  const double w = std::clamp(width_mm, width_.min, width_.max);
+  const double share = std::clamp(tone, 0.0, 1.0);
+  u = std::max(u, place_u_);
+  if (count_ > 0.0 && u - place_u_ >= kSameWidthPlace) {
     take_place();
-    place_ = {};
+    count_ = 0.0;
   }
-  if (place_.count == 0.0) place_ = {.u = u, .least = w, .most = w};
-  place_.least = std::min(place_.least, w);
-  place_.most = std::max(place_.most, w);
-  place_.sum += w;
-  place_.count += 1.0;
-  place_.last = w;
+  if (count_ == 0.0) {
+    place_u_ = u;
+    width_.here.start(w);
+    tone_.here.start(share);
+  }
+  width_.here.add(w);
+  tone_.here.add(share);
+  count_ += 1.0;
 }
 
 void WidthFitter::finish(double u_end) {
-  if (place_.count == 0.0) {
-    knots_.assign({{0.0, options_.min_mm}, {u_end, options_.min_mm}});
+  if (count_ == 0.0) {
+    knots_.assign({{0.0, width_.min}, {u_end, width_.min}});
     return;
   }
-  if (u_end - place_.u < kSameWidthPlace) place_.u = u_end;
+  if (u_end - place_u_ < kSameWidthPlace) place_u_ = u_end;
   forget_from(u_end);
   take_place();
   const double span = reach_ - knots_.back().u;
   if (span > 0.0) {
-    const double to_last = (place_.last - knots_.back().width_mm) / span;
-    close_segment(std::clamp(to_last, slopes_.low, slopes_.high));
+    start_segment(knot(reach_, width_.end_at_last(span), tone_.end_at_last(span)));
   }
-  // Past the last sample the width is held.
-  if (knots_.back().u < u_end) knots_.push_back({u_end, knots_.back().width_mm});
-}
-
-WidthFitter::Range WidthFitter::allowed(const Place& place) const noexcept {
-  const double low = place.most - tolerance_mm_, high = place.least + tolerance_mm_;
-  if (low > high) {
-    const double middle = 0.5 * (place.least + place.most);
-    return {middle, middle};
+  // Past the last sample width and tone are held.
+  if (WidthKnot end = knots_.back(); end.u < u_end) {
+    end.u = u_end;
+    knots_.push_back(end);
   }
-  // The model's limits as well, so that every knot keeps to them (I4).
-  return {std::max(low, options_.min_mm), std::min(high, options_.max_mm)};
-}
-
-WidthFitter::Range WidthFitter::slopes_through(const Place& place) const noexcept {
-  const auto [u1, w1] = knots_.back();
-  const Range range = allowed(place);
-  return {(range.low - w1) / (place.u - u1), (range.high - w1) / (place.u - u1)};
 }
 
 void WidthFitter::take_place() {
-  if (knots_.empty()) {
-    const Range range = allowed(place_);
-    start_segment({0.0, std::clamp(place_.sum / place_.count, range.low, range.high)});
-  }
-  if (place_.u - knots_.back().u < kSameWidthPlace) return;  // the start already meets it
+  if (knots_.empty()) start_segment(knot(0.0, width_.first(count_), tone_.first(count_)));
+  double du = place_u_ - knots_.back().u;
+  if (du < kSameWidthPlace) return;  // the start already meets it
 
-  Range slopes = slopes_through(place_);
-  if (std::max(slopes.low, slopes_.low) > std::min(slopes.high, slopes_.high)) {
-    close_segment(std::clamp(sum_uw_ / sum_uu_, slopes_.low, slopes_.high));
-    slopes = slopes_through(place_);
+  if (!width_.can_reach(du) || (has_tone_ && !tone_.can_reach(du))) {
+    const double span = reach_ - knots_.back().u;
+    start_segment(
+        knot(reach_, width_.end_at_best(span, sum_uu_), tone_.end_at_best(span, sum_uu_)));
+    du = place_u_ - knots_.back().u;
   }
-  slopes_ = {std::max(slopes.low, slopes_.low), std::min(slopes.high, slopes_.high)};
-  const double du = place_.u - knots_.back().u;
-  sum_uu_ += place_.count * du * du;
-  sum_uw_ += du * (place_.sum - place_.count * knots_.back().width_mm);
-  reach_ = place_.u;
+  width_.take(du, count_);
+  if (has_tone_) tone_.take(du, count_);
+  sum_uu_ += count_ * du * du;
+  reach_ = place_u_;
 }
 
 void WidthFitter::forget_from(double u) {
@@ -103,15 +156,14 @@ void WidthFitter::forget_from(double u) {
 
 void WidthFitter::start_segment(WidthKnot knot) {
   knots_.push_back(knot);
-  slopes_ = {-kInfinity, kInfinity};
-  sum_uu_ = sum_uw_ = 0.0;
+  width_.start(knot.width_mm);
+  tone_.start(knot.tone);
+  sum_uu_ = 0.0;
   reach_ = knot.u;
 }
 
-void WidthFitter::close_segment(double slope) {
-  const WidthKnot start = knots_.back();
-  const double end_mm = start.width_mm + slope * (reach_ - start.u);
-  start_segment({reach_, std::clamp(end_mm, options_.min_mm, options_.max_mm)});
+WidthKnot WidthFitter::knot(double u, double width_mm, double tone) const noexcept {
+  return {u, width_mm, has_tone_ ? tone : tone_of_width(width_mm)};
 }
 
 }  // namespace felt

@@ -158,6 +158,80 @@ TEST(WidthFitter, NeedsHalfTheKnotsOfADeadBand) {
   EXPECT_LE(2 * ours, naive);
 }
 
+std::vector<WidthKnot> fit_both(const std::vector<WidthKnot>& samples, double u_end,
+                                const WidthFitOptions& options = {}) {
+  WidthFitter fitter(options);
+  fitter.begin();
+  for (const WidthKnot& s : samples) fitter.push(s.u, s.width_mm, s.tone);
+  fitter.finish(u_end);
+  return {fitter.knots().begin(), fitter.knots().end()};
+}
+
+double largest_tone_residual(const std::vector<WidthKnot>& samples,
+                             const std::vector<WidthKnot>& fit) {
+  double worst = 0.0;
+  for (const WidthKnot& s : samples) {
+    worst = std::max(worst, std::fabs(tone_at(fit, s.u) - s.tone));
+  }
+  return worst;
+}
+
+// Tones that wander beside the widths.
+std::vector<WidthKnot> with_random_tones(std::vector<WidthKnot> samples) {
+  double tone = 0.5, u = -1.0;
+  for (WidthKnot& s : samples) {
+    if (s.u > u) tone = std::clamp(tone + *rc::gen::inRange(-100, 101) / 300.0, 0.0, 1.0);
+    u = s.u;
+    s.tone = tone;
+  }
+  return samples;
+}
+
+RC_GTEST_PROP(WidthFitter, BothChannelsKeepToTheirTolerances, ()) {
+  const double u_end = *rc::gen::inRange(1, 2000);
+  const auto samples = with_random_tones(random_walk(u_end));
+  const WidthFitOptions options{.tone_tolerance = *rc::gen::element(0.02, 0.1, 0.5)};
+  const auto knots = fit_both(samples, u_end, options);
+  RC_ASSERT(is_profile(knots, u_end));
+  RC_ASSERT(largest_residual(samples, knots) <= kTolerance);
+  RC_ASSERT(largest_tone_residual(samples, knots) <= options.tone_tolerance);
+  RC_ASSERT(std::all_of(knots.begin(), knots.end(),
+                        [](auto k) { return k.tone >= 0.0 && k.tone <= 1.0; }));
+  RC_ASSERT(fit_both(samples, u_end, options) == knots);
+}
+
+RC_GTEST_PROP(WidthFitter, InkWithoutAToneOfItsOwnNeedsNoKnotForIt, ()) {
+  const auto samples = random_walk(5.0);
+  const auto knots = fit(samples, 5.0);
+  for (const WidthKnot& k : knots) RC_ASSERT(k.tone == tone_of_width(k.width_mm));
+  // A tolerance of all tones leaves the widths alone.
+  const auto free = fit_both(samples, 5.0, {.tone_tolerance = 1.0});
+  RC_ASSERT(free.size() == knots.size());
+  for (std::size_t i = 0; i < knots.size(); ++i) {
+    RC_ASSERT(free[i].u == knots[i].u && free[i].width_mm == knots[i].width_mm);
+  }
+}
+
+TEST(WidthFitter, AToneThatTurnsUnderAnEvenWidthGetsKnotsOfItsOwn) {
+  auto samples = sampled(4.0, 400, [](double) { return 2.0; });
+  for (WidthKnot& s : samples) s.tone = 1.0 - std::fabs(s.u - 2.0) / 2.0;
+  const auto knots = fit_both(samples, 4.0);
+  EXPECT_GE(knots.size(), 3u);
+  EXPECT_LE(knots.size(), 4u);
+  EXPECT_LE(largest_tone_residual(samples, knots), WidthFitOptions{}.tone_tolerance);
+}
+
+TEST(WidthFitter, TonesThatAreNoneAreLeftOut) {
+  WidthFitter fitter;
+  fitter.begin();
+  fitter.push(0.0, 1.0, 0.5);
+  fitter.push(0.5, 1.0, std::numeric_limits<double>::quiet_NaN());
+  fitter.push(1.0, 1.0, 7.0);
+  fitter.finish(1.0);
+  const std::vector<WidthKnot> expected{{0.0, 1.0, 0.5}, {1.0, 1.0, 1.0}};
+  EXPECT_EQ(std::vector<WidthKnot>(fitter.knots().begin(), fitter.knots().end()), expected);
+}
+
 TEST(WidthFitter, AStepAtOnePlaceIsMissedByHalfItsHeight) {
   const std::vector<WidthKnot> samples{{0.0, 1.0}, {0.5, 1.0}, {0.5, 3.0}, {1.0, 3.0}};
   const auto knots = fit(samples, 1.0);

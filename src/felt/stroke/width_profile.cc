@@ -3,17 +3,67 @@
 #include <algorithm>
 
 namespace felt {
+namespace {
+
+bool follows_width(const WidthKnot& knot) noexcept {
+  return knot.tone == tone_of_width(knot.width_mm);
+}
+
+/// Whether tone_of_width() is linear there.
+bool is_in_range(double tone) noexcept {
+  return tone > 0.0 && tone < 1.0;
+}
+
+/// Two neighbours and the way from the first to the second; the same knot twice beyond the ends.
+struct Between {
+  const WidthKnot &a, &b;
+  double share;
+
+  [[nodiscard]] double of(double x, double y) const noexcept {
+    return share > 0.0 ? (1.0 - share) * x + share * y : x;
+  }
+  // Rounding must not lead out of 0..1 (I7).
+  [[nodiscard]] double tone() const noexcept { return std::min(of(a.tone, b.tone), 1.0); }
+};
+
+/// Requires a profile that is not empty.
+Between place(std::span<const WidthKnot> profile, double u) noexcept {
+  const WidthKnot &front = profile.front(), &back = profile.back();
+  if (!(u > front.u)) return {front, front, 0.0};
+  if (u >= back.u) return {back, back, 0.0};
+  const auto after = std::upper_bound(profile.begin(), profile.end(), u,
+                                      [](double x, const WidthKnot& knot) { return x < knot.u; });
+  const WidthKnot &a = *(after - 1), &b = *after;
+  return {a, b, (u - a.u) / (b.u - a.u)};
+}
+
+}  // namespace
 
 double width_at(std::span<const WidthKnot> profile, double u) noexcept {
   if (profile.empty()) return 0.0;
-  if (!(u > profile.front().u)) return profile.front().width_mm;
-  if (u >= profile.back().u) return profile.back().width_mm;
-  const auto after = std::upper_bound(profile.begin(), profile.end(), u,
-                                      [](double x, const WidthKnot& knot) { return x < knot.u; });
-  const WidthKnot& k1 = *(after - 1);
-  const WidthKnot& k2 = *after;
-  const double tw = (u - k1.u) / (k2.u - k1.u);
-  return (1.0 - tw) * k1.width_mm + tw * k2.width_mm;
+  const Between at = place(profile, u);
+  return at.of(at.a.width_mm, at.b.width_mm);
+}
+
+double tone_at(std::span<const WidthKnot> profile, double u) noexcept {
+  return profile.empty() ? 0.0 : place(profile, u).tone();
+}
+
+WidthKnot knot_at(std::span<const WidthKnot> profile, double u) noexcept {
+  if (profile.empty()) return {u, 0.0, 0.0};
+  const Between at = place(profile, u);
+  const double width_mm = at.of(at.a.width_mm, at.b.width_mm);
+  const bool follows = is_in_range(at.a.tone) && is_in_range(at.b.tone) && follows_width(at.a) &&
+                       follows_width(at.b);
+  return {u, width_mm, follows ? tone_of_width(width_mm) : at.tone()};
+}
+
+bool has_own_tone(std::span<const WidthKnot> profile) noexcept {
+  return !std::all_of(profile.begin(), profile.end(), follows_width);
+}
+
+void take_tone_of_width(std::span<WidthKnot> profile) noexcept {
+  for (WidthKnot& knot : profile) knot.tone = tone_of_width(knot.width_mm);
 }
 
 }  // namespace felt

@@ -4,6 +4,7 @@
 #include <string_view>
 
 #include "felt/base/hash.h"
+#include "felt/material/materials.h"
 
 namespace felt {
 
@@ -27,6 +28,17 @@ class FeelId {
   FeelId& with(double number) noexcept {
     hash_.add_value(number == 0.0 ? 0.0 : number);
     return *this;
+  }
+
+  /// All that the hand feels of a medium on a sheet, which may change while both keep their ids.
+  FeelId& with_sheet(const SurfaceMaterial& sheet, const Medium& medium) noexcept {
+    with(sheet.id).with(sheet.stiffness_n_per_m).with(sheet.damping_n_s_per_m);
+    with(sheet.grain_um).with(sheet.grain_mm).with(std::uint64_t{sheet.grain_seed});
+    with(static_cast<std::uint64_t>(sheet.grain_character));
+    // A number for each relief of somebody's own, as good as its heights.
+    if (sheet.picture) with(sheet.picture->max_slope()).with(sheet.picture->max_height_mm());
+    with(medium.id).with(friction_of(medium, sheet)).with(medium.bristle_n_per_m);
+    return with(medium.bristle_n_s_per_m).with(medium.grain).with(medium.wear);
   }
 
   [[nodiscard]] std::uint32_t value() const noexcept {

@@ -12,11 +12,13 @@ namespace felt {
 /// What a tool shows besides the document, as a display list in mm; the canvas and pictures draw
 /// it. Reused from frame to frame, so that its vectors keep their memory.
 struct Overlay {
-  /// Ink that is still wet: segments in drawing order, each with its width at both ends.
+  /// Ink that is still wet: segments in drawing order, each with width and tone at both ends.
   struct InkSegment {
     Cubic curve;
     double start_width_mm = 0.0;
     double end_width_mm = 0.0;
+    double start_tone = tone_of_width(start_width_mm);  ///< WidthKnot::tone at both ends
+    double end_tone = tone_of_width(end_width_mm);
   };
   enum class Role {
     kReach,     ///< a radius within which something acts

@@ -6,21 +6,9 @@
 #include "felt/haptics/drawing_feel.h"
 
 namespace felt {
-namespace {
-
-constexpr double kShareOfContinuous = 1.2;
-
-double full_force(double continuous) noexcept {
-  if (!(continuous > 0.0)) return Pressing::kMostN;
-  // A device that hardly pushes still needs a range to press in.
-  return std::clamp(kShareOfContinuous * continuous, 2.0 * Pressing::kLeastN, Pressing::kMostN);
-}
-
-}  // namespace
-
 Pressing::Pressing(const SurfaceMaterial& surface, const Capabilities& device) noexcept
     : stiffness_n_per_m_(plane_for(surface, device).stiffness_n_per_m),
-      most_n_(full_force(device.continuous_force_n)),
+      most_n_(firm_push_n(device)),
       senses_depth_(device.sensed_axes >= 3) {}
 
 double Pressing::of_force(double spring_n) const noexcept {

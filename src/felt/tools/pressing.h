@@ -3,8 +3,8 @@
 #include <optional>
 
 #include "felt/haptics/capabilities.h"
-#include "felt/haptics/material.h"
 #include "felt/haptics/pen_sample.h"
+#include "felt/material/materials.h"
 
 namespace felt {
 
@@ -17,14 +17,13 @@ namespace felt {
 class Pressing {
  public:
   static constexpr double kLeastN = 0.1;  ///< F0: a resting hand does not draw broader
-  static constexpr double kMostN = 2.0;   ///< F1, unless the device stands less
 
   Pressing(const SurfaceMaterial& surface, const Capabilities& device) noexcept;
 
   /// Stiffness of the plane as it is rendered (plane_for): that of the sheet, at most 0.9 of the
   /// device's cap (R55) and the stiffness budget of its loop (R56).
   [[nodiscard]] double stiffness_n_per_m() const noexcept { return stiffness_n_per_m_; }
-  /// F1 = min(2.0 N, 1.2 x continuous force): full width without tiring the motors.
+  /// F1: full width without tiring the motors (firm_push_n).
   [[nodiscard]] double most_n() const noexcept { return most_n_; }
   /// Of a spring force.
   [[nodiscard]] double of_force(double spring_n) const noexcept;

@@ -1,12 +1,12 @@
 #pragma once
 
-#include <string>
+#include <string_view>
 
 #include "felt/document/document.h"
 #include "felt/document/selection.h"
 #include "felt/document/stroke_index.h"
 #include "felt/haptics/capabilities.h"
-#include "felt/haptics/material.h"
+#include "felt/material/materials.h"
 
 namespace felt {
 
@@ -20,6 +20,14 @@ struct Scene {
   const SurfaceMaterial& surface;  ///< the sheet
   const Capabilities& device;
   Rgba color{};  ///< of new ink
+  /// What the session knows besides: media by their ids. The first one is the pencil.
+  const Materials& materials = Materials::built_in();
 };
+
+/// The medium of that id, or the pencil.
+inline const Medium& medium_of(const Scene& scene, std::string_view id) noexcept {
+  const Medium* medium = scene.materials.find_medium(id);
+  return medium ? *medium : scene.materials.media().front();
+}
 
 }  // namespace felt

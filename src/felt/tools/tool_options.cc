@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "felt/base/check.h"
+#include "felt/material/material_file.h"
 
 namespace felt {
 namespace {
@@ -49,12 +50,28 @@ Result<double> choice_of(const OptionSpec& spec, const OptionValue& value) {
   return static_cast<double>(found - spec.choices.begin());
 }
 
+/// A tool does not know which there are; its session does.
+Result<double> open_choice_of(const OptionSpec& spec, const OptionValue& value) {
+  const std::string* name = std::get_if<std::string>(&value);
+  if (!name || !is_material_id(*name)) return refuse(spec, value);
+  return 0.0;
+}
+
+std::string one_of(std::span<const std::string> choices) {
+  std::string names = "it is one of";
+  for (const std::string& choice : choices) {
+    names += &choice == choices.data() ? " " : ", ";
+    names += choice;
+  }
+  return names;
+}
+
 Result<double> stored(const OptionSpec& spec, const OptionValue& value) {
   switch (spec.kind) {
     case OptionKind::kSwitch:
       return switch_of(spec, value);
     case OptionKind::kChoice:
-      return choice_of(spec, value);
+      return spec.open == OpenChoice::kNone ? choice_of(spec, value) : open_choice_of(spec, value);
     case OptionKind::kNumber:
       break;
   }
@@ -67,19 +84,40 @@ std::string allowed_text(const OptionSpec& spec) {
   switch (spec.kind) {
     case OptionKind::kSwitch:
       return "it is true or false";
-    case OptionKind::kChoice: {
-      std::string names = "it is one of";
-      for (std::string_view choice : spec.choices) {
-        names += choice == spec.choices.front() ? " " : ", ";
-        names += choice;
-      }
-      return names;
-    }
+    case OptionKind::kChoice:
+      return one_of(std::vector<std::string>(spec.choices.begin(), spec.choices.end())) +
+             (spec.open == OpenChoice::kNone ? "" : ", or one of your own");
     case OptionKind::kNumber:
       break;
   }
   return "it is a number from " + text(spec.min) + " to " + text(spec.max) +
          (spec.unit.empty() ? "" : " " + std::string(spec.unit));
+}
+
+std::vector<std::string> choices_with(const OptionSpec& spec, const Materials& materials) {
+  std::vector<std::string> choices(spec.choices.begin(), spec.choices.end());
+  const auto add = [&choices](const std::string& id) {
+    if (std::find(choices.begin(), choices.end(), id) == choices.end()) choices.push_back(id);
+  };
+  if (spec.open == OpenChoice::kSheets) {
+    for (const SurfaceMaterial& sheet : materials.surfaces()) add(sheet.id);
+  }
+  if (spec.open == OpenChoice::kMedia) {
+    for (const Medium& medium : materials.media()) {
+      if (medium.draws) add(medium.id);
+    }
+  }
+  return choices;
+}
+
+Result<void> check_choice(const OptionSpec& spec, const OptionValue& value,
+                          const Materials& materials) {
+  if (spec.open == OpenChoice::kNone) return {};
+  const std::string* name = std::get_if<std::string>(&value);
+  const std::vector<std::string> known = choices_with(spec, materials);
+  if (name && std::find(known.begin(), known.end(), *name) != known.end()) return {};
+  return fail(ErrorCode::kInvalidArgument, "option '" + std::string(spec.id) + "' cannot be " +
+                                               text(value) + ": " + one_of(known));
 }
 
 std::string_view decider_of(const OptionSpec& spec) noexcept {
@@ -110,6 +148,8 @@ OptionValues::OptionValues(std::span<const OptionSpec> table) : table_(table) {
     const auto value = stored(spec, default_value(spec));
     FELT_CHECK(value.has_value());
     values_.push_back(*value);
+    names_.push_back(spec.open == OpenChoice::kNone ? std::string()
+                                                    : std::get<std::string>(default_value(spec)));
   }
 }
 
@@ -128,6 +168,7 @@ Result<void> OptionValues::set(std::string_view id, const OptionValue& value) {
   const auto number = stored(table_[*i], value);
   if (!number) return tl::unexpected(number.error());
   values_[*i] = *number;
+  if (table_[*i].open != OpenChoice::kNone) names_[*i] = std::get<std::string>(value);
   return {};
 }
 
@@ -137,7 +178,9 @@ Result<OptionValue> OptionValues::get(std::string_view id) const {
   const OptionSpec& spec = table_[*i];
   OptionValue value = number(*i);
   if (spec.kind == OptionKind::kSwitch) value = is_on(*i);
-  if (spec.kind == OptionKind::kChoice) value = std::string(spec.choices[choice(*i)]);
+  if (spec.kind == OptionKind::kChoice) {
+    value = spec.open == OpenChoice::kNone ? std::string(spec.choices[choice(*i)]) : names_[*i];
+  }
   return value;
 }
 

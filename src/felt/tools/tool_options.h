@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "felt/base/result.h"
+#include "felt/material/materials.h"
 
 namespace felt {
 
@@ -15,6 +16,10 @@ using OptionValue = std::variant<double, bool, std::string>;
 
 /// What kind of option it is.
 enum class OptionKind { kNumber, kSwitch, kChoice };
+
+/// Of which materials a choice may name one that is not listed: `choices` are those that Feltline
+/// brings, a session knows more (Session::materials). What is set by a tool alone is any id.
+enum class OpenChoice { kNone, kSheets, kMedia };
 
 /// One row of a tool's table of options, constexpr in its room. The desktop's panel,
 /// `--set pencil.snap_radius_mm=3`, `feltline tools` and the range tests are all made from it.
@@ -31,6 +36,7 @@ struct OptionSpec {
   /// "mode=brush" or "snap=force|both": another choice of the same table and the values with which
   /// this row means something; a panel shows it then only. "" for always.
   std::string_view when = {};
+  OpenChoice open = OpenChoice::kNone;  ///< kChoice
 };
 
 /// The row that every tool has: how much of its forces is felt. `help` says of which.
@@ -44,11 +50,18 @@ constexpr OptionSpec strength_option(std::string_view help) noexcept {
           .fallback = 1.0,
           .choices = {},
           .help = help,
-          .when = {}};
+          .when = {},
+          .open = OpenChoice::kNone};
 }
 
 /// What the option may be, for messages and help: "it is a number from 0.3 to 20 mm".
 std::string allowed_text(const OptionSpec& spec);
+/// What a choice may be where these materials are known: those listed, then a person's own; the
+/// media that draw.
+std::vector<std::string> choices_with(const OptionSpec& spec, const Materials& materials);
+/// Error: an open choice is none of those; the message lists them. Other rows say nothing here.
+Result<void> check_choice(const OptionSpec& spec, const OptionValue& value,
+                          const Materials& materials);
 /// Whether the row means something while the choice that its `when` names is this one.
 bool matters_with(const OptionSpec& spec, std::string_view choice) noexcept;
 /// The option that its `when` names; "" where it always means something.
@@ -70,13 +83,16 @@ class OptionValues {
   /// By index in the table, for the tool itself.
   [[nodiscard]] double number(std::size_t i) const noexcept { return values_[i]; }
   [[nodiscard]] bool is_on(std::size_t i) const noexcept { return values_[i] != 0.0; }
+  /// Of a choice that is not open.
   [[nodiscard]] std::size_t choice(std::size_t i) const noexcept {
     return static_cast<std::size_t>(values_[i]);
   }
+  /// Of an open one.
+  [[nodiscard]] const std::string& open_choice(std::size_t i) const noexcept { return names_[i]; }
   [[nodiscard]] std::span<const OptionSpec> table() const noexcept { return table_; }
 
   friend bool operator==(const OptionValues& a, const OptionValues& b) noexcept {
-    return a.table_.data() == b.table_.data() && a.values_ == b.values_;
+    return a.table_.data() == b.table_.data() && a.values_ == b.values_ && a.names_ == b.names_;
   }
 
  private:
@@ -84,6 +100,7 @@ class OptionValues {
 
   std::span<const OptionSpec> table_;
   std::vector<double> values_;
+  std::vector<std::string> names_;  // of open choices, "" of others
 };
 
 }  // namespace felt

@@ -91,7 +91,7 @@ TEST(EveryTool, HasATableThatMakesSense) {
         EXPECT_TRUE(spec.min <= spec.fallback && spec.fallback <= spec.max);
       }
       if (!spec.unit.empty()) {
-        std::string ending = "_" + std::string(spec.unit);
+        std::string ending = "_" + (spec.unit == "°" ? "deg" : std::string(spec.unit));
         for (char& c : ending) c = static_cast<char>(std::tolower(c));
         if (const auto slash = ending.find('/'); slash != std::string::npos) {
           ending.replace(slash, 1, "_per_");

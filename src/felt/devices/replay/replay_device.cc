@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "felt/geometry/lean.h"
+
 namespace felt {
 
 ReplayDevice::ReplayDevice(std::vector<PenSample> recording, const Capabilities& capabilities)
@@ -10,6 +12,7 @@ ReplayDevice::ReplayDevice(std::vector<PenSample> recording, const Capabilities&
   std::erase_if(recording_, [](const PenSample& s) {
     return !is_finite(s.position) || (s.pressure && !std::isfinite(*s.pressure));
   });
+  for (PenSample& s : recording_) s.lean_deg = clean_lean(s.lean_deg);
   for (std::size_t i = 1; i < recording_.size(); ++i) {
     recording_[i].time_ns = std::max(recording_[i].time_ns, recording_[i - 1].time_ns);
   }
@@ -31,6 +34,9 @@ PenSample ReplayDevice::at(std::int64_t now_ns) const noexcept {
   sample.position = lerp(sample.position, to.position, part);
   if (sample.pressure.value_or(0.0) > 0.0 && to.pressure.value_or(0.0) > 0.0) {
     sample.pressure = *sample.pressure + part * (*to.pressure - *sample.pressure);
+  }
+  if (sample.lean_deg && to.lean_deg) {
+    sample.lean_deg = std::lerp(*sample.lean_deg, *to.lean_deg, part);
   }
   return sample;
 }

@@ -12,11 +12,11 @@ namespace felt {
 /// A device that plays recorded samples (R55): what `pen` events of a script come through.
 ///
 /// At a time between two samples the position lies on the line between them; pressure too, where
-/// both of them touch, else pressure and buttons are those of the earlier one. Before the first
-/// sample the pen is where that one is, but in the air; after the last it stays. The velocity is
-/// low-passed from the positions as a driver does it. A touch that begins and ends between two
-/// reads shows in the second of them, and so does a short lift: a slow loop loses no dot and joins
-/// no two strokes.
+/// both of them touch, and lean, where both have it; else these and buttons are the earlier one's.
+/// Before the first sample the pen is where that one is, but in the air; after the last it stays.
+/// The velocity is low-passed from the positions as a driver does it. A touch that begins and ends
+/// between two reads shows in the second of them, and so does a short lift: a slow loop loses no
+/// dot and joins no two strokes.
 ///
 /// Times never run backwards in a recording: a sample that does is moved to its predecessor's time;
 /// samples that are not finite are left out. Forces have no effect, the last one is remembered.

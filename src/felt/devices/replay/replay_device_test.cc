@@ -34,6 +34,17 @@ TEST(ReplayDevice, InterpolatesAtTheLoopsTimes) {
   EXPECT_TRUE(device.is_over());
 }
 
+TEST(ReplayDevice, LeansAsThePenDid) {
+  std::vector<PenSample> recording{sample(10, 0, -1), sample(20, 1, -1), sample(30, 2, -1)};
+  recording[0].lean_deg = 20.0;
+  recording[1].lean_deg = 50.0;
+  ReplayDevice device(recording, {});
+  EXPECT_EQ(device.read(0)->lean_deg, 20.0);
+  EXPECT_NEAR(device.read(15 * kMs)->lean_deg.value(), 35.0, 1e-12);
+  EXPECT_EQ(device.read(25 * kMs)->lean_deg, 50.0) << "what comes next does not say";
+  EXPECT_EQ(device.read(30 * kMs)->lean_deg, std::nullopt);
+}
+
 TEST(ReplayDevice, BeforeItsStartThePenIsInTheAir) {
   ReplayDevice device({sample(10, 3, -1, 0.5, 1)}, {});
   EXPECT_FALSE(in_contact(device.read(0).value()));

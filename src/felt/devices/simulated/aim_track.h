@@ -47,8 +47,8 @@ class AimTrack {
   [[nodiscard]] std::int64_t due_ns() const noexcept { return waiting_[head_].time_ns + delay_ns_; }
   /// It has been played: the way to the next begins there. Requires one.
   void pass() noexcept;
-  /// Between the last aim that was passed and the next. Pressure moves where both press, else it is
-  /// the last one's. Requires is_set().
+  /// Between the last aim that was passed and the next. Pressure moves where both press, lean where
+  /// both know it; else they are the last one's. Requires is_set().
   [[nodiscard]] Aim at(std::int64_t now_ns) noexcept;
 
   /// What is played now is so old.

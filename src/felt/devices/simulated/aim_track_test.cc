@@ -53,7 +53,7 @@ std::vector<PenSample> play(std::string_view device, std::span<const Told> told)
   const std::int64_t end_ns = told.back().arrives_ns + 200 * kMs;
   for (std::int64_t now_ns = 0; now_ns < end_ns; now_ns += kMs) {
     for (; next < told.size() && told[next].arrives_ns <= now_ns; ++next) {
-      stylus.aim_at(told[next].time_ns, told[next].place, 0.5, 0);
+      stylus.aim_at(told[next].time_ns, {told[next].place, 0.5, 0});
     }
     servo->step(now_ns);
     PenSample sample;
@@ -96,6 +96,26 @@ TEST(AimTrack, NoPlaceIsSkipped) {
     expect_times_grow(samples);
     EXPECT_EQ(find_all(samples, told).size(), 1000u);
   }
+}
+
+// A tablet tells its lean 133 times a second; in between it moves evenly, as the place does.
+TEST(AimTrack, LeanMovesOnTheWay) {
+  AimTrack track(true);
+  track.push({{{0, 0, 0}, 0.5, 0, 20.0}, 0}, 0);
+  track.push({{{8, 0, 0}, 0.5, 0, 60.0}, 8 * kMs}, 8 * kMs);
+  bool has_moved = false;
+  for (std::int64_t now_ns = 8 * kMs; now_ns < 40 * kMs; now_ns += kMs) {
+    if (now_ns == 16 * kMs) track.push({{{16, 0, 0}, 0.5, 0, {}}, now_ns}, now_ns);
+    while (track.due(now_ns)) track.pass();
+    const Aim aim = track.at(now_ns);
+    if (aim.target_mm.x <= 8.0) {
+      ASSERT_TRUE(aim.lean_deg.has_value());
+      EXPECT_NEAR(*aim.lean_deg, 20.0 + 5.0 * aim.target_mm.x, 1e-9);
+      has_moved = has_moved || (aim.target_mm.x > 0.0 && aim.target_mm.x < 8.0);
+    }
+  }
+  EXPECT_TRUE(has_moved);
+  EXPECT_EQ(track.at(40 * kMs).lean_deg, std::nullopt);
 }
 
 // After a stall of 1.5 s all that waited is there, and the delay is what it was.
@@ -162,11 +182,11 @@ TEST(AimTrack, JoinsPlacesEvenly) {
 TEST(AimTrack, TouchesOfAHandWithABodyAreKept) {
   SimulatedStylus stylus(*find_stylus_preset("touch"));
   std::int64_t now_ns = 0;
-  stylus.aim_at(0, {10, 10, 4}, {}, 0);
+  stylus.aim_at(0, {{10, 10, 4}, {}, 0});
   for (; now_ns < 300 * kMs; now_ns += kMs) static_cast<void>(stylus.read(now_ns));
   for (int i = 0; i < 5; ++i) {
-    stylus.aim_at(now_ns, {10, 10, 4}, {}, 1);
-    stylus.aim_at(now_ns, {10, 10, 4}, {}, 0);
+    stylus.aim_at(now_ns, {{10, 10, 4}, {}, 1});
+    stylus.aim_at(now_ns, {{10, 10, 4}, {}, 0});
   }
   int presses = 0;
   bool was_down = false;
@@ -189,7 +209,7 @@ TEST(AimTrack, SurvivesAnyTimes) {
       static constexpr std::int64_t kOdd[] = {INT64_MIN, INT64_MAX, 0, -kMs};
       const bool odd = i % 5 == 0;
       stylus.aim_at(odd ? kOdd[(i / 5) % 4] : now_ns - 3 * kMs,
-                    {random.between(0, 50), random.between(0, 50), 0.0}, 0.5, 0);
+                    {{random.between(0, 50), random.between(0, 50), 0.0}, 0.5, 0});
       if (i % 50 == 0) stylus.aim({20, 20, 0}, 0.5, 0);
       const auto sample = stylus.read(now_ns);
       ASSERT_TRUE(sample.has_value());

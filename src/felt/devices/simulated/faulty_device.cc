@@ -1,6 +1,8 @@
 #include "felt/devices/simulated/faulty_device.h"
 
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 
 #include "felt/devices/simulated/random.h"
@@ -24,7 +26,49 @@ Vec3 in_steps(const Vec3& p, double step_mm) noexcept {
   return {rounded(p.x), rounded(p.y), rounded(p.z)};
 }
 
+struct NamedFault {
+  InjectedFault fault;
+  std::string_view name;
+};
+constexpr std::array kNames{NamedFault{InjectedFault::kReadError, "read-error"},
+                            NamedFault{InjectedFault::kWriteError, "write-error"},
+                            NamedFault{InjectedFault::kUnplugged, "unplugged"},
+                            NamedFault{InjectedFault::kNotFinite, "not-finite"},
+                            NamedFault{InjectedFault::kInfinite, "infinite"},
+                            NamedFault{InjectedFault::kJump, "jump"},
+                            NamedFault{InjectedFault::kFrozen, "frozen"},
+                            NamedFault{InjectedFault::kStuckAxis, "stuck-axis"},
+                            NamedFault{InjectedFault::kSignFlip, "sign-flip"},
+                            NamedFault{InjectedFault::kNoise, "noise"},
+                            NamedFault{InjectedFault::kCoarse, "coarse"},
+                            NamedFault{InjectedFault::kTimeBackwards, "time-backwards"},
+                            NamedFault{InjectedFault::kForceIgnored, "force-ignored"},
+                            NamedFault{InjectedFault::kButtonBounce, "button-bounce"},
+                            NamedFault{InjectedFault::kForcesOff, "forces-off"},
+                            NamedFault{InjectedFault::kWarmMotors, "warm-motors"},
+                            NamedFault{InjectedFault::kUncalibrated, "uncalibrated"},
+                            NamedFault{InjectedFault::kButtonStuck, "button-stuck"},
+                            NamedFault{InjectedFault::kDenormal, "denormal"},
+                            NamedFault{InjectedFault::kNoAnswer, "no-answer"}};
+
+constexpr auto kFaults = [] {
+  std::array<InjectedFault, kNames.size()> faults{};
+  for (std::size_t i = 0; i < kNames.size(); ++i) faults[i] = kNames[i].fault;
+  return faults;
+}();
+
 }  // namespace
+
+std::span<const InjectedFault> injected_faults() noexcept {
+  return kFaults;
+}
+
+std::string_view name_of(InjectedFault fault) noexcept {
+  for (const NamedFault& named : kNames) {
+    if (named.fault == fault) return named.name;
+  }
+  return "?";
+}
 
 const FaultWindow* FaultyDevice::active(InjectedFault fault) const noexcept {
   for (const FaultWindow& w : schedule_) {
@@ -66,6 +110,16 @@ void FaultyDevice::distort(PenSample& sample, const FaultWindow& window) noexcep
     case InjectedFault::kButtonBounce:
       sample.buttons ^= static_cast<std::uint32_t>(reads_ & 1u);
       break;
+    case InjectedFault::kButtonStuck:
+      sample.buttons |= 1u;
+      break;
+    case InjectedFault::kDenormal:
+      p.z = -std::numeric_limits<double>::denorm_min();
+      sample.velocity = {p.z, -p.z, p.z};
+      break;
+    case InjectedFault::kNoAnswer:
+      sample = last_;
+      break;
     default:
       break;  // the others are not in the sample
   }
@@ -81,6 +135,9 @@ tl::expected<PenSample, DeviceFault> FaultyDevice::read(std::int64_t now_ns) noe
     return tl::unexpected(DeviceFault::kDisconnected);
   }
   if (!sample) return sample;
+  if (active(InjectedFault::kUncalibrated) != nullptr) {
+    return tl::unexpected(DeviceFault::kNotCalibrated);
+  }
   for (const FaultWindow& w : schedule_) {
     if (now_ns >= w.from_ns && now_ns < w.until_ns) distort(*sample, w);
   }
@@ -93,7 +150,15 @@ tl::expected<void, DeviceFault> FaultyDevice::write(const Force& force) noexcept
       active(InjectedFault::kUnplugged) != nullptr) {
     return tl::unexpected(DeviceFault::kDisconnected);
   }
-  if (active(InjectedFault::kForceIgnored) != nullptr) return {};
+  const bool is_warm = active(InjectedFault::kWarmMotors) != nullptr;
+  if (is_warm || active(InjectedFault::kForcesOff) != nullptr) {
+    device_.stop();
+    return tl::unexpected(is_warm ? DeviceFault::kOverheated : DeviceFault::kForcesOff);
+  }
+  if (active(InjectedFault::kForceIgnored) != nullptr ||
+      active(InjectedFault::kNoAnswer) != nullptr) {
+    return {};
+  }
   return device_.write(force);
 }
 

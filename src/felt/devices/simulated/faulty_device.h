@@ -1,7 +1,8 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
+#include <span>
+#include <string_view>
 #include <vector>
 
 #include "felt/rt/device.h"
@@ -24,7 +25,18 @@ enum class InjectedFault : std::uint8_t {
   kTimeBackwards,  ///< sample times `amount` ms early
   kForceIgnored,   ///< write() says yes and does nothing
   kButtonBounce,   ///< button 0 flips at each read
+  kForcesOff,      ///< write() says kForcesOff (its own button, guard, watchdog), and none holds
+  kWarmMotors,     ///< write() says kOverheated, and no force holds
+  kUncalibrated,   ///< read() says kNotCalibrated: it lost where it is
+  kButtonStuck,    ///< button 0 is down, whatever the hand does
+  kDenormal,       ///< z and the velocity are the smallest numbers that there are
+  kNoAnswer,       ///< nothing new comes: the last sample, with its old time; writes are lost
 };
+
+/// All of them, in this order.
+std::span<const InjectedFault> injected_faults() noexcept;
+/// "read-error": for reports and command lines.
+std::string_view name_of(InjectedFault fault) noexcept;
 
 /// One fault for some time.
 struct FaultWindow {
@@ -48,6 +60,7 @@ class FaultyDevice final : public Device {
     return device_.capabilities();
   }
   tl::expected<PenSample, DeviceFault> read(std::int64_t now_ns) noexcept override;
+  std::optional<Vec3> pen_axis() noexcept override { return device_.pen_axis(); }
   tl::expected<void, DeviceFault> write(const Force& force) noexcept override;
   void stop() noexcept override { device_.stop(); }
 

@@ -1,6 +1,8 @@
 #include "felt/devices/simulated/faulty_device.h"
 
 #include <cmath>
+#include <set>
+#include <string_view>
 
 #include <gtest/gtest.h>
 
@@ -31,7 +33,9 @@ TEST(FaultyDevice, FailsOnScheduleOnly) {
        {InjectedFault::kReadError, InjectedFault::kUnplugged, InjectedFault::kNotFinite,
         InjectedFault::kInfinite, InjectedFault::kJump, InjectedFault::kFrozen,
         InjectedFault::kStuckAxis, InjectedFault::kSignFlip, InjectedFault::kNoise,
-        InjectedFault::kCoarse, InjectedFault::kTimeBackwards, InjectedFault::kButtonBounce}) {
+        InjectedFault::kCoarse, InjectedFault::kTimeBackwards, InjectedFault::kButtonBounce,
+        InjectedFault::kUncalibrated, InjectedFault::kButtonStuck, InjectedFault::kDenormal,
+        InjectedFault::kNoAnswer}) {
     const auto samples = with_fault(fault, 5.0);
     for (std::size_t i = 0; i < samples.size(); ++i) {
       const bool inside = i >= 10 && i < 20;
@@ -47,6 +51,10 @@ TEST(FaultyDevice, FailsOnScheduleOnly) {
         case InjectedFault::kUnplugged:
           ASSERT_FALSE(samples[i].has_value());
           EXPECT_EQ(samples[i].error(), DeviceFault::kDisconnected);
+          break;
+        case InjectedFault::kUncalibrated:
+          ASSERT_FALSE(samples[i].has_value());
+          EXPECT_EQ(samples[i].error(), DeviceFault::kNotCalibrated);
           break;
         case InjectedFault::kNotFinite:
           EXPECT_FALSE(is_finite(samples[i]->position));
@@ -76,9 +84,20 @@ TEST(FaultyDevice, FailsOnScheduleOnly) {
         case InjectedFault::kJump:
           EXPECT_GT(samples[i]->position.x, 14.0);
           break;
+        case InjectedFault::kButtonStuck:
+          EXPECT_EQ(samples[i]->buttons & 1u, 1u);
+          break;
+        case InjectedFault::kDenormal:
+          EXPECT_EQ(std::fpclassify(samples[i]->position.z), FP_SUBNORMAL);
+          break;
+        case InjectedFault::kNoAnswer:
+          EXPECT_EQ(*samples[i], *samples[9]);
+          break;
         case InjectedFault::kNoise:
         case InjectedFault::kWriteError:
         case InjectedFault::kForceIgnored:
+        case InjectedFault::kForcesOff:
+        case InjectedFault::kWarmMotors:
           break;
       }
     }
@@ -95,6 +114,31 @@ TEST(FaultyDevice, WritesFailToo) {
     EXPECT_EQ(written.has_value(), i >= 5);
     if (i == 12) {
       EXPECT_NEAR(stylus.acting_force().z, 0.10, 1e-12) << "the last one that got through";
+    }
+  }
+}
+
+TEST(FaultyDevice, EachFaultHasANameOfItsOwn) {
+  std::set<std::string_view> names;
+  for (const InjectedFault fault : injected_faults()) names.insert(name_of(fault));
+  EXPECT_EQ(names.size(), injected_faults().size());
+  EXPECT_FALSE(names.contains("?"));
+}
+
+TEST(FaultyDevice, OneThatTakesNoForceIsStillRead) {
+  for (const auto& [fault, said] :
+       {std::pair(InjectedFault::kForcesOff, DeviceFault::kForcesOff),
+        std::pair(InjectedFault::kWarmMotors, DeviceFault::kOverheated)}) {
+    SimulatedStylus stylus(*find_stylus_preset("worst"));
+    FaultyDevice device(stylus, {{fault, 5 * kMs, 10 * kMs, 0}});
+    for (int i = 0; i < 20; ++i) {
+      ASSERT_TRUE(device.read(i * kMs).has_value());
+      const auto written = device.write({0, 0, 0.1});
+      ASSERT_EQ(written.has_value(), i < 5 || i >= 10);
+      if (i == 8) {
+        EXPECT_EQ(written.error(), said);
+        EXPECT_EQ(stylus.acting_force(), Force{}) << "and none holds";
+      }
     }
   }
 }

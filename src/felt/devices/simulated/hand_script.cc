@@ -26,6 +26,7 @@ double press_n(const HandScriptOptions& options, double pressure) noexcept {
 struct PenPlan {
   Vec3 pen;
   double pressure = 0.0;  // 0 in the air
+  std::optional<double> lean_deg{};
 };
 
 // Plans the pen's way through all strokes, one place an interval.
@@ -36,6 +37,7 @@ class PenPlanner {
 
   void draw(const std::vector<ScriptKnot>& knots) {
     const ScriptKnot first = knots.front(), last = knots.back();
+    lean_deg_ = first.lean_deg;
     travel_above(first.position);
     glide(pressed(first), kLandS, 0.0);
     glide(pressed(first), kSettleS, first.pressure);
@@ -43,8 +45,9 @@ class PenPlanner {
     const auto between = static_cast<int>(std::ceil(last.t_s / interval_s_));
     for (int i = 1; i < between; ++i) {
       const ScriptKnot knot = reader.at(interval_s_ * i);
-      plan_.push_back({pressed(knot), contact_pressure(knot.pressure)});
+      plan_.push_back({pressed(knot), contact_pressure(knot.pressure), knot.lean_deg});
     }
+    lean_deg_ = last.lean_deg;
     glide(pressed(last), std::max(kSettleS, kShortestS - last.t_s), last.pressure);
     glide({last.position.x, last.position.y, options_.hover_mm}, kLiftS, 0.0);
   }
@@ -69,14 +72,14 @@ class PenPlanner {
       const double t = static_cast<double>(i) / steps;
       const bool in_air = pressure == 0.0 && to.z >= 0.0;
       plan_.push_back({lerp(from, to, t * t * t * (10.0 + t * (6.0 * t - 15.0))),
-                       in_air || to != from ? 0.0 : contact_pressure(pressure)});
+                       in_air || to != from ? 0.0 : contact_pressure(pressure), lean_deg_});
     }
   }
 
   void travel_above(Point start) {
     const Vec3 above{start.x, start.y, options_.hover_mm};
     if (plan_.empty()) {
-      plan_.push_back({above, 0.0});
+      plan_.push_back({above, 0.0, lean_deg_});
       glide(above, options_.lead_in_s, 0.0);
     } else {
       glide(above, kTravelS + norm(above - plan_.back().pen) / kAirSpeed, 0.0);
@@ -85,6 +88,7 @@ class PenPlanner {
 
   const HandScriptOptions& options_;
   double interval_s_;
+  std::optional<double> lean_deg_;  // in the air, and where the pen rests
   std::vector<PenPlan> plan_;
 };
 
@@ -105,7 +109,8 @@ class AimMaker {
     const double delay_s = options_.hand.damping_n_s_per_m / options_.hand.stiffness_n_per_m;
     for (std::size_t i = 0; i < plan_.size(); ++i) {
       TimedAim aim{.time_ns = options_.interval_ns * static_cast<std::int64_t>(i),
-                   .target_mm = plan_[i].pen};
+                   .target_mm = plan_[i].pen,
+                   .lean_deg = plan_[i].lean_deg};
       if (options_.contact == ContactBy::kPressure) {
         aim.pressure = plan_[i].pressure;
       } else {

@@ -17,6 +17,7 @@ struct RecordedPoint {
   Point position;
   std::optional<double> pressure{};
   std::optional<std::int64_t> time_ns{};
+  std::optional<double> lean_deg{};  ///< of the pen from the upright, 0..90
 };
 using RecordedPath = std::vector<RecordedPoint>;
 
@@ -25,6 +26,7 @@ struct TimedAim {
   std::int64_t time_ns = 0;
   Vec3 target_mm;
   std::optional<double> pressure{};
+  std::optional<double> lean_deg{};
 
   friend constexpr bool operator==(const TimedAim&, const TimedAim&) noexcept = default;
 };
@@ -67,6 +69,8 @@ double aim_depth_mm(const HandScriptOptions& options, double pressure) noexcept;
 /// the air are minimum-jerk, s = 10 t^3 - 15 t^4 + 6 t^5 (Flash, Hogan, J Neurosci 5, 1985), at
 /// 250 mm/s on average at most. A hand knows what it holds: the aim runs ahead of the planned pen
 /// by what mass, plane and friction will take, so that the pen, not the aim, follows the strokes.
+///
+/// The pen leans as it did: in between, and in the air, as it did last.
 ///
 /// No stroke is lost: a dot presses for 60 ms at least. Points that are not finite are left out.
 /// Strokes without times, or whose times do not grow, get the pace of an unhurried hand

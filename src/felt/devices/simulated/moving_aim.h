@@ -1,20 +1,11 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
 
 #include "felt/geometry/vec3.h"
+#include "felt/rt/device.h"
 
 namespace felt {
-
-/// What a hand wants from now on.
-struct Aim {
-  Vec3 target_mm;
-  std::optional<double> pressure{};
-  std::uint32_t buttons = 0;
-
-  friend constexpr bool operator==(const Aim&, const Aim&) noexcept = default;
-};
 
 /// Whether going from one aim to the other begins or ends something: a touch, a button.
 bool changes_contact(const Aim& a, const Aim& b) noexcept;
@@ -27,8 +18,8 @@ bool changes_contact(const Aim& a, const Aim& b) noexcept;
 /// A hand that has mass does not leap either: 500 mm/s at most, which is faster than writing
 /// (reliability section 3.3) and slower than what the safety chain brakes.
 ///
-/// Pressure and buttons change when it arrives, so that a pen that is put down draws from there and
-/// not from where it came; or with the next aim, where that comes first: nothing is lost.
+/// Pressure, buttons and lean change when it arrives, so that a pen that is put down draws from
+/// there and not from where it came; or with the next aim, where that comes first: nothing is lost.
 /// Whoever asks after each set() sees what every aim said.
 class MovingAim {
  public:
@@ -45,7 +36,7 @@ class MovingAim {
   void restart(std::int64_t now_ns) noexcept { start_ns_ = end_ns_ = now_ns; }
   /// Where it is.
   [[nodiscard]] Vec3 at(std::int64_t time_ns) const noexcept;
-  /// Pressure and buttons.
+  /// Pressure, buttons and lean.
   [[nodiscard]] const Aim& shown(std::int64_t time_ns) noexcept;
   [[nodiscard]] bool is_set() const noexcept { return is_set_; }
   [[nodiscard]] const Aim& newest() const noexcept { return to_; }

@@ -36,16 +36,16 @@ void PointerHand::point(const PointerEvent& event) noexcept {
   if (!is_finite(event.position)) return;
   pressure_ = pressure_of(event);
   last_ = event;
-  const Point p = event.position;
   const double height_mm = event.touching ? 0.0 : options_.hover_mm;
+  Aim aim{.target_mm = {event.position.x, event.position.y, height_mm},
+          .buttons = event.buttons,
+          .lean_deg = event.lean_deg};
   if (options_.contact == ContactBy::kPressure) {
-    hand_.aim_at(event.time_ns, {p.x, p.y, height_mm}, pressure_, event.buttons);
+    aim.pressure = pressure_;
   } else if (event.touching) {
-    hand_.aim_at(event.time_ns, {p.x, p.y, -aim_depth_mm(options_, pressure_)}, std::nullopt,
-                 event.buttons);
-  } else {
-    hand_.aim_at(event.time_ns, {p.x, p.y, height_mm}, std::nullopt, event.buttons);
+    aim.target_mm.z = -aim_depth_mm(options_, pressure_);
   }
+  hand_.aim_at(event.time_ns, aim);
 }
 
 }  // namespace felt

@@ -16,6 +16,7 @@ struct PointerEvent {
   bool touching = false;             ///< the button is down, the pen is on the tablet
   std::optional<double> pressure{};  ///< 0..1, tablets only
   std::uint32_t buttons = 0;
+  std::optional<double> lean_deg{};  ///< of the pen from the upright, 0..90; tablets that know it
 };
 
 /// How hard a pointer presses that senses no pressure (R18).
@@ -26,7 +27,8 @@ enum class MousePressure : std::uint8_t {
 
 /// Mouse and tablet as a hand: every event becomes an aim of the simulated hand (architecture
 /// section 4). On a device that pushes back, pressure is how deep the hand aims, so that plane and
-/// hand balance at the force which means that pressure; without forces it is passed through.
+/// hand balance at the force which means that pressure; without forces it is passed through. Lean
+/// is passed through by all of them.
 ///
 /// Any one thread.
 class PointerHand {

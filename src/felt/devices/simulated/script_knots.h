@@ -1,7 +1,9 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "felt/devices/simulated/hand_script.h"
@@ -13,6 +15,7 @@ struct ScriptKnot {
   Point position;
   double pressure = 0.5;
   double t_s = 0.0;
+  std::optional<double> lean_deg{};
 };
 
 /// The knots of a recording (hand_script.h says what becomes of its times); empty where nothing of
@@ -31,7 +34,12 @@ class KnotReader {
     const ScriptKnot& a = knots_[next_ > 0 ? next_ - 1 : 0];
     const double span = b.t_s - a.t_s;
     const double part = span > 0.0 ? std::clamp((t_s - a.t_s) / span, 0.0, 1.0) : 1.0;
-    return {lerp(a.position, b.position, part), a.pressure + part * (b.pressure - a.pressure), t_s};
+    ScriptKnot knot = b;
+    knot.position = lerp(a.position, b.position, part);
+    knot.pressure = a.pressure + part * (b.pressure - a.pressure);
+    knot.t_s = t_s;
+    if (a.lean_deg && b.lean_deg) knot.lean_deg = std::lerp(*a.lean_deg, *b.lean_deg, part);
+    return knot;
   }
 
  private:

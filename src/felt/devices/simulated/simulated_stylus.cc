@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "felt/geometry/lean.h"
+
 namespace felt {
 namespace {
 
@@ -54,6 +56,7 @@ void SimulatedStylus::push_aim(StampedAim stamped) noexcept {
     aim.pressure = std::isnan(*aim.pressure) ? std::nullopt
                                              : std::optional(std::clamp(*aim.pressure, 0.0, 1.0));
   }
+  aim.lean_deg = clean_lean(aim.lean_deg);
   const Capabilities& device = preset_.capabilities;
   constexpr Vec3 kBeyond{kAimBeyondMm, kAimBeyondMm, kAimBeyondMm};
   aim.target_mm =
@@ -61,14 +64,8 @@ void SimulatedStylus::push_aim(StampedAim stamped) noexcept {
   queue_.push(stamped);
 }
 
-void SimulatedStylus::aim(const Vec3& target_mm, std::optional<double> pressure,
-                          std::uint32_t buttons) noexcept {
-  push_aim({{target_mm, pressure, buttons}, StampedAim::kNow});
-}
-
-void SimulatedStylus::aim_at(std::int64_t time_ns, const Vec3& target_mm,
-                             std::optional<double> pressure, std::uint32_t buttons) noexcept {
-  push_aim({{target_mm, pressure, buttons}, std::max(time_ns, StampedAim::kNow + 1)});
+void SimulatedStylus::aim_at(std::int64_t time_ns, const Aim& aim) noexcept {
+  push_aim({aim, std::max(time_ns, StampedAim::kNow + 1)});
 }
 
 void SimulatedStylus::place(const Vec3& position_mm) noexcept {
@@ -150,6 +147,7 @@ PenSample SimulatedStylus::sense(double dt_s) noexcept {
   const Aim& shown = aim_.shown(now_ns_);
   sample.pressure = shown.pressure;
   sample.buttons = shown.buttons;
+  sample.lean_deg = shown.lean_deg;
   return sample;
 }
 
@@ -163,6 +161,7 @@ PenSample SimulatedStylus::sample_of(const Aim& aim, std::int64_t time_ns) noexc
   sample.velocity = velocity_.update(sample.position, dt_s);
   sample.pressure = aim.pressure;
   sample.buttons = aim.buttons;
+  sample.lean_deg = aim.lean_deg;
   return sample;
 }
 

@@ -60,13 +60,13 @@ class SimulatedStylus final : public Device, public HandInput {
 
   /// HandInput. A hand that presses aims below what it touches; targets may lie up to 100 mm
   /// outside the workspace, which the pen itself does not leave, and are clamped to that. One that
-  /// is not finite is ignored, pressure that is NaN is none. Several aims between two reads: the
-  /// newest counts, but no change of contact (pressure, buttons, in the plane or not) is skipped.
-  void aim(const Vec3& target_mm, std::optional<double> pressure,
-           std::uint32_t buttons) noexcept override;
+  /// is not finite is ignored, pressure or lean that is NaN is none. Several aims between two
+  /// reads: the newest counts, but no change of contact (pressure, buttons, in the plane or not) is
+  /// skipped.
+  using HandInput::aim;
+  void aim(const Aim& aim) noexcept override { push_aim({aim, StampedAim::kNow}); }
   /// Likewise. While an untimed aim is the newest, timed ones that wait are forgotten.
-  void aim_at(std::int64_t time_ns, const Vec3& target_mm, std::optional<double> pressure,
-              std::uint32_t buttons) noexcept override;
+  void aim_at(std::int64_t time_ns, const Aim& aim) noexcept override;
 
   /// Another hand takes the stylus where it is, or (nullopt) nobody holds it any more.
   void hold(const std::optional<SimulatedHand>& hand) noexcept { body_.hold(hand); }

@@ -336,6 +336,29 @@ TEST(SimulatedStylus, R18_PressureOfTabletsIsPassedThrough) {
   EXPECT_EQ(loop.run(10).pressure, 1.0);
 }
 
+// With a body and without, told at once or with a time.
+TEST(SimulatedStylus, ThePenLeansAsTheHandSays) {
+  for (const char* name : {"tablet", "touch"}) {
+    for (const bool timed : {false, true}) {
+      SimulatedStylus stylus(preset(name));
+      Loop loop(stylus, kMs);
+      std::int64_t now_ns = 0;
+      const auto lean = [&](std::optional<double> lean_deg) {
+        const Aim aim{{10, 10, 4}, 0.0, 0, lean_deg};
+        timed ? stylus.aim_at(now_ns, aim) : stylus.aim(aim);
+        now_ns += 40 * kMs;
+        return loop.run(40).lean_deg;
+      };
+      EXPECT_EQ(lean({}), std::nullopt) << name;
+      EXPECT_EQ(lean(32.5), 32.5) << name;
+      EXPECT_EQ(lean(0.0), 0.0) << name;
+      EXPECT_EQ(lean(-4.0), 0.0) << name;
+      EXPECT_EQ(lean(123.0), 90.0) << name;
+      EXPECT_EQ(lean(kNan), std::nullopt) << name;
+    }
+  }
+}
+
 // Down, up, down, up between two reads: each shows in a read of its own.
 TEST(SimulatedStylus, NoTouchIsLostBetweenTwoReads) {
   SimulatedStylus stylus(preset("tablet"));

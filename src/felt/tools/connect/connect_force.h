@@ -38,7 +38,7 @@ inline WellShape connect_well(const SnapOptions& snap, double strength) noexcept
 /// where it was taken (R43): 1 N at most beside the friction.
 inline ForceModel make_connect_force(const ConnectSettings& settings, const Scene& scene,
                                      const ConnectFeel& feel) {
-  ToolMaterial material = tool_materials().front();
+  Medium material = medium_of(scene, "pencil");
   material.friction *= settings.strength;
   material.grain *= settings.strength;
   const SheetForce sheet =
@@ -47,7 +47,7 @@ inline ForceModel make_connect_force(const ConnectSettings& settings, const Scen
   const Wells well = feel.well ? Wells(*feel.well, shape) : Wells();
 
   FeelId id("connect");
-  id.with(scene.surface.id).with(settings.strength);
+  id.with_sheet(scene.surface, medium_of(scene, "pencil")).with(settings.strength);
   if (feel.well) {
     id.with("well").with(feel.well->x).with(feel.well->y).with(shape.radius_mm).with(shape.force_n);
   }

@@ -76,14 +76,15 @@ class TipBend {
   bool start_;
 };
 
-/// Appends `more`, which begins where `data` ends, with the width there.
+/// Appends `more`, which begins where `data` ends, with the width and tone there.
 void append(StrokeData& data, const StrokeData& more) {
   const auto n = static_cast<double>(data.points.size() / 3);
   data.points.insert(data.points.end(), more.points.begin() + 1, more.points.end());
   data.joints.push_back(JointKind::kSmooth);
   data.joints.insert(data.joints.end(), more.joints.begin(), more.joints.end());
   for (std::size_t k = 1; k < more.widths.size(); ++k) {
-    data.widths.push_back({n + more.widths[k].u, more.widths[k].width_mm});
+    const WidthKnot& knot = more.widths[k];
+    data.widths.push_back({n + knot.u, knot.width_mm, knot.tone});
   }
 }
 

@@ -69,6 +69,8 @@ TEST(TipBend, RandomStrokesKeepTheirInvariantsTangentAndTheRest) {
       EXPECT_TRUE(check_invariants(bent->data())) << seed;
       EXPECT_EQ(tip_point(*bent, tip), target);
       EXPECT_EQ(tip_point(*bent, opposite(tip)), tip_point(stroke, opposite(tip)));
+      EXPECT_EQ(bent->tone(0.0), stroke.tone(0.0));
+      EXPECT_EQ(bent->tone(bent->segment_count()), stroke.tone(stroke.segment_count()));
       const double turn = angle_between(tip_direction(*bent, tip), tip_direction(stroke, tip));
       EXPECT_LT(turn, 1e-6) << seed;
       // Segments that are farther than the reach are the same points, bit for bit.

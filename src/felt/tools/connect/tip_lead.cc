@@ -50,23 +50,24 @@ Stroke part_at(const Stroke& stroke, StrokeTip tip) {
   return part ? *part : stroke;
 }
 
-/// Appends `more`, whose first point is the last one of `data`; widths agree there.
+/// Appends `more`, whose first point is the last one of `data`; widths and tones agree there.
 void append(StrokeData& data, const StrokeData& more, JointKind joint) {
   const auto n = static_cast<double>(data.points.size() / 3);
   data.points.insert(data.points.end(), more.points.begin() + 1, more.points.end());
   data.joints.push_back(joint);
   data.joints.insert(data.joints.end(), more.joints.begin(), more.joints.end());
   for (std::size_t k = 1; k < more.widths.size(); ++k) {
-    data.widths.push_back({n + more.widths[k].u, more.widths[k].width_mm});
+    const WidthKnot& knot = more.widths[k];
+    data.widths.push_back({n + knot.u, knot.width_mm, knot.tone});
   }
 }
 
-/// A straight stroke of one width and of the look of `like`.
-Result<Stroke> straight_piece(Point from, Point to, double width, const Stroke& like) {
+/// A straight stroke of one width and tone and of the look of `like`.
+Result<Stroke> straight_piece(Point from, Point to, const WidthKnot& ink, const Stroke& like) {
   const Cubic line = straight(from, to);
   StrokeData data;
   data.points.assign(line.p.begin(), line.p.end());
-  data.widths = {{0.0, width}, {1.0, width}};
+  data.widths = {{0.0, ink.width_mm, ink.tone}, {1.0, ink.width_mm, ink.tone}};
   data.material = like.material();
   data.color = like.color();
   return Stroke::create(std::move(data));
@@ -106,9 +107,9 @@ Result<Stroke> TipLead::bent_and_grown(Point target) const {
   Result<Stroke> bent = with_tip_bent(part_, tip_, to, fade);
   if (!bent) return bent;
   const bool start = tip_ == StrokeTip::kStart;
-  const double width = bent->width_mm(start ? 0.0 : bent->segment_count());
+  const WidthKnot& ink = start ? bent->widths().front() : bent->widths().back();
   const Result<Stroke> piece =
-      start ? straight_piece(target, to, width, part_) : straight_piece(to, target, width, part_);
+      start ? straight_piece(target, to, ink, part_) : straight_piece(to, target, ink, part_);
   if (!piece) return piece;
   return start ? joined(*piece, *bent) : joined(*bent, *piece);
 }

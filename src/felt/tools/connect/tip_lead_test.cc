@@ -51,6 +51,8 @@ TEST(TipLead, PutsTheEndExactlyThereAndTheOtherEndStays) {
                 stroke.width_mm(tip == StrokeTip::kStart ? n0 : 0.0));
       EXPECT_EQ(led->width_mm(tip == StrokeTip::kStart ? 0.0 : n1),
                 stroke.width_mm(tip == StrokeTip::kStart ? 0.0 : n0));
+      EXPECT_EQ(led->tone(0.0), stroke.tone(0.0));
+      EXPECT_EQ(led->tone(n1), stroke.tone(n0));
     }
   }
 }

@@ -11,12 +11,15 @@ namespace felt {
 /// as a pencil by the same law (R41) and does not creep (R42). The same in every mode, in the air
 /// and on the sheet.
 inline ForceModel make_eraser_force(const EraserSettings& settings, const Scene& scene) {
-  ToolMaterial material = *find_tool_material("eraser");
+  Medium material = medium_of(scene, "eraser");
   material.friction *= settings.strength;
   material.grain *= settings.strength;
   ForceModel model(
       make_sheet_force(scene.surface, material, scene.device, surface_grain(scene.surface)));
-  model.set_fade_id(FeelId("eraser").with(scene.surface.id).with(settings.strength).value());
+  model.set_fade_id(FeelId("eraser")
+                        .with_sheet(scene.surface, medium_of(scene, "eraser"))
+                        .with(settings.strength)
+                        .value());
   return model;
 }
 

@@ -384,7 +384,7 @@ TEST(EraserForce, R41_DragsMoreThanTwiceAsMuchAsAPencilAndIsCalm) {
         // Soft hands do not yet slide steadily: they are dragged along.
         if (scenario == 1 && setup.hand.stiffness_n_per_m >= 300) {
           EXPECT_NEAR(drag / push, 0.6, 0.06) << setup.name();
-          EXPECT_GE(drag / push, 2.0 * friction_of(*find_tool_material("pencil"), desk.surface));
+          EXPECT_GE(drag / push, 2.0 * friction_of(*find_medium("pencil"), desk.surface));
         }
       }
     });

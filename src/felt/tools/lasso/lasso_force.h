@@ -13,12 +13,15 @@ inline constexpr double kLassoGlide = 0.4;
 /// What the hand feels with a lasso: the sheet, more slippery than under a pencil, and nothing
 /// else, since pointing must not be pulled. The same before and during the gesture.
 inline ForceModel make_lasso_force(const LassoSettings& settings, const Scene& scene) {
-  ToolMaterial material = tool_materials().front();
+  Medium material = medium_of(scene, "pencil");
   material.friction *= kLassoGlide * settings.strength;
   material.grain *= kLassoGlide * settings.strength;
   ForceModel model(
       make_sheet_force(scene.surface, material, scene.device, surface_grain(scene.surface)));
-  model.set_fade_id(FeelId("lasso").with(scene.surface.id).with(settings.strength).value());
+  model.set_fade_id(FeelId("lasso")
+                        .with_sheet(scene.surface, medium_of(scene, "pencil"))
+                        .with(settings.strength)
+                        .value());
   return model;
 }
 

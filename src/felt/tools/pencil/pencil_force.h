@@ -40,7 +40,7 @@ class FeltInertia {
 /// changes at the moment of touching; every part knows by itself when the pen is down.
 inline ForceModel make_pencil_force(const PencilSettings& settings, const Scene& scene,
                                     const std::optional<SnapTarget>& target) {
-  ToolMaterial material = *find_tool_material(settings.material);
+  Medium material = medium_of(scene, settings.material);
   material.friction *= settings.strength;
   material.grain *= settings.strength;
   const SheetForce sheet =
@@ -51,7 +51,7 @@ inline ForceModel make_pencil_force(const PencilSettings& settings, const Scene&
   const Wells well = target ? Wells(target->point, shape) : Wells();
 
   FeelId id("pencil");
-  id.with(scene.surface.id).with(settings.material).with(settings.strength);
+  id.with_sheet(scene.surface, medium_of(scene, settings.material)).with(settings.strength);
   if (target) {
     id.with(target->tip.stroke.value).with(static_cast<std::uint64_t>(target->tip.tip));
     id.with(target->point.x).with(target->point.y).with(shape.radius_mm).with(shape.force_n);

@@ -7,7 +7,7 @@ namespace felt {
 PencilSettings pencil_settings(const OptionValues& values) {
   using Row = PencilOption::Row;
   PencilSettings s;
-  s.material = kPencilMaterials[values.choice(Row::kMaterial)];
+  s.material = values.open_choice(Row::kMaterial);
   s.refine = values.is_on(Row::kRefine);
   s.keep_separate = values.is_on(Row::kKeepSeparate);
   s.strength = values.number(Row::kStrength);
@@ -17,6 +17,7 @@ PencilSettings pencil_settings(const OptionValues& values) {
   widths.max_mm = std::max(widths.min_mm, values.number(Row::kMaxWidth));
   widths.gamma = values.number(Row::kGamma);
   widths.absent_pressure = values.number(Row::kMousePressure);
+  widths.absent_lean_deg = values.number(Row::kMouseLean);
   s.ink.width.min_mm = widths.min_mm;
   s.ink.width.max_mm = widths.max_mm;
   s.ink.curve.tolerance_mm = values.number(Row::kTolerance);

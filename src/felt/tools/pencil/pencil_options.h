@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstddef>
+#include <string>
 #include <string_view>
 
 #include "felt/stroke/ink_fitter.h"
@@ -11,9 +12,10 @@
 
 namespace felt {
 
-/// Drawing materials, by the ids of tool_materials().
-inline constexpr std::array<std::string_view, 4> kPencilMaterials = {"pencil", "chalk", "crayon",
-                                                                     "felt-tip"};
+/// Media that draw, by the ids of media(); a session knows a person's own besides.
+inline constexpr std::array<std::string_view, 9> kPencilMaterials = {
+    "pencil", "pencil-hard", "pencil-soft", "charcoal", "chalk",
+    "crayon", "felt-tip",    "ink-pen",     "brush-pen"};
 inline constexpr std::array<std::string_view, 3> kStabilisers = {"off", "inertia", "towed"};
 
 /// Rows of kPencilOptions.
@@ -24,6 +26,7 @@ struct PencilOption {
     kMaxWidth,
     kGamma,
     kMousePressure,
+    kMouseLean,
     kTolerance,
     kRefine,
     kSnap,
@@ -46,7 +49,8 @@ inline constexpr std::array<OptionSpec, PencilOption::kCount> kPencilOptions = {
      .kind = OptionKind::kChoice,
      .fallback = 0,
      .choices = kPencilMaterials,
-     .help = "What the pen is made of: how it looks and how it slides."},
+     .help = "What the pen is made of: how it looks and how it slides.",
+     .open = OpenChoice::kMedia},
     {.id = "min_width_mm",
      .label = "Thinnest line",
      .unit = "mm",
@@ -75,6 +79,14 @@ inline constexpr std::array<OptionSpec, PencilOption::kCount> kPencilOptions = {
      .max = 1.0,
      .fallback = 0.5,
      .help = "Pressure of a device that knows neither pressure nor depth."},
+    {.id = "lean_deg",
+     .label = "Lean of a mouse's pen",
+     .unit = "°",
+     .min = 0.0,
+     .max = 80.0,
+     .fallback = 0.0,
+     .help = "How far the pen leans, from upright, where the device does not say: some media draw "
+             "broader and softer with their side."},
     {.id = "tolerance_mm",
      .label = "Tolerance",
      .unit = "mm",
@@ -158,7 +170,7 @@ inline constexpr std::array<OptionSpec, PencilOption::kCount> kPencilOptions = {
 
 /// The options as the tool uses them.
 struct PencilSettings {
-  std::string_view material;
+  std::string material;
   InkFitOptions ink;
   bool refine = true;
   SnapOptions snap;

@@ -345,6 +345,7 @@ TEST(Pencil, WetInkIsTheStrokeThatComes) {
   Pencil p;
   p.set("refine", false);
   p.choose("snap", "off");
+  p.set("gamma", 1.2);  // a tone of its own
   p.pen.up({0, 0});
   std::size_t shown = 0;
   for (const Point q : arc({60, 60}, 40, 0, 340)) {
@@ -357,6 +358,7 @@ TEST(Pencil, WetInkIsTheStrokeThatComes) {
     for (std::size_t i = 1; i < o.ink.size(); ++i) {
       ASSERT_LE(distance(o.ink[i - 1].curve.p[3], o.ink[i].curve.p[0]), 1e-9);
       ASSERT_NEAR(o.ink[i - 1].end_width_mm, o.ink[i].start_width_mm, 1e-9);
+      ASSERT_NEAR(o.ink[i - 1].end_tone, o.ink[i].start_tone, 1e-9);
     }
   }
   EXPECT_GT(shown, 20u);
@@ -364,17 +366,32 @@ TEST(Pencil, WetInkIsTheStrokeThatComes) {
   p.pen.up({60, 60});
   // Width and place of the wet ink, piece by piece, against the dry stroke.
   for (const auto& piece : wet.ink) {
-    double best = 1e9, width = 0.0;
+    double best = 1e9, width = 0.0, tone = 0.0;
     for (int k = 0; k <= 4000; ++k) {
       const double u = p.stroke().segment_count() * k / 4000.0;
       const double d = distance(p.stroke().position(u), piece.curve.p[0]);
       if (d < best) {
         best = d;
         width = p.stroke().width_mm(u);
+        tone = p.stroke().tone(u);
       }
     }
     EXPECT_LE(best, 0.2);
     EXPECT_NEAR(piece.start_width_mm, width, 0.3);
+    EXPECT_NEAR(piece.start_tone, tone, 0.15);
+  }
+}
+
+/// What is left of the pressure when the range of widths is another than the usual one.
+TEST(Pencil, TheToneIsThatOfThePressureWhateverTheWidths) {
+  Pencil p;
+  p.choose("snap", "off");
+  p.set("max_width_mm", 2.0);
+  p.pen.pressure = 0.8;
+  p.pen.line(way({20, 20}, {80, 40}));
+  for (const WidthKnot& knot : p.stroke().widths()) {
+    EXPECT_NEAR(knot.width_mm, 0.3 + 1.7 * 0.8, 1e-9);
+    EXPECT_NEAR(knot.tone, 0.8, 1e-9);
   }
 }
 
@@ -440,6 +457,16 @@ TEST(Pencil, TheEndsJustDrawnAttractOnlyAfterThePenHasLeft) {
   for (double x = 50; x < 57; x += 0.5) EXPECT_EQ(pull(x), 0.0);
   EXPECT_EQ(pull(60), 0.0);
   EXPECT_GT(pull(54), 0.5);
+}
+
+/// What a pen says itself goes before it: WidthMap.
+TEST(Pencil, AMousesPenLeansAsTheOptionSays) {
+  OptionValues values(kPencilOptions);
+  EXPECT_EQ(pencil_settings(values).ink.width_map.absent_lean_deg, 0.0);
+  ASSERT_TRUE(values.set("lean_deg", 70.0));
+  EXPECT_EQ(pencil_settings(values).ink.width_map.absent_lean_deg, 70.0);
+  EXPECT_FALSE(values.set("lean_deg", 81.0));
+  EXPECT_FALSE(values.set("lean_deg", -1.0));
 }
 
 TEST(Pencil, EveryOptionDoesSomething) {

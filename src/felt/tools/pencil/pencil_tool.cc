@@ -3,6 +3,7 @@
 #include <cmath>
 #include <utility>
 
+#include "felt/tools/medium_line.h"
 #include "felt/tools/pencil/pencil_force.h"
 
 namespace felt {
@@ -62,9 +63,9 @@ void PencilTool::hover(const PenSample& sample, const Scene& scene) {
 }
 
 void PencilTool::begin(const PenSample& sample, const Scene& scene) {
-  if (!fitter_) fitter_ = std::make_unique<InkFitter>(settings_.ink);
+  make_fitter(scene);
   fitter_->begin();
-  wet_.begin(settings_.ink.width_map);
+  wet_.begin(fitted_widths_);
   stabiliser_ = Stabiliser(settings_.stabiliser);
   stabiliser_.begin(pen_point_, sample.time_ns);
   color_ = scene.color;
@@ -79,9 +80,18 @@ void PencilTool::begin(const PenSample& sample, const Scene& scene) {
   drawing_ = true;
 }
 
+/// The fitter keeps its buffers from line to line, and what it was made with.
+void PencilTool::make_fitter(const Scene& scene) {
+  const InkFitOptions ink = drawn_with(medium_of(scene, settings_.material), settings_.ink);
+  if (fitter_ && fitted_widths_ == ink.width_map) return;
+  fitter_ = std::make_unique<InkFitter>(ink);
+  fitted_widths_ = ink.width_map;
+}
+
 void PencilTool::add(const PenSample& sample, const Scene& scene) {
   const Pressing pressing(scene.surface, scene.device);
-  const InkSample ink{on_sheet(sample.position), pressing.of(sample), sample.time_ns};
+  const InkSample ink{on_sheet(sample.position), pressing.of(sample), sample.time_ns,
+                      sample.lean_deg};
   if (!in_contact(sample)) {
     gap_.push_back(ink);
     return;
@@ -104,7 +114,7 @@ ToolResult PencilTool::end(const Scene& scene) {
   std::vector<Stabiliser::Step> rest;
   stabiliser_.finish(rest);
   for (const Stabiliser::Step& step : rest) {
-    fitter_->push({step.nib, pen_.pressure, step.time_ns});
+    fitter_->push({step.nib, pen_.pressure, step.time_ns, pen_.lean_deg});
   }
   fitter_->end();
   if (settings_.refine && fitter_->samples().size() <= kMaxRefinedSamples) fitter_->refine();
@@ -143,7 +153,7 @@ void PencilTool::take_options() {
   if (!has_new_options_) return;
   has_new_options_ = false;
   settings_ = pencil_settings(options_);
-  fitter_.reset();  // it keeps its buffers from line to line, and the options it was made with
+  fitter_.reset();
 }
 
 ToolResult PencilTool::finish(const Scene& scene) {

@@ -48,6 +48,7 @@ class PencilTool final : public Tool {
  private:
   void hover(const PenSample& sample, const Scene& scene);
   void begin(const PenSample& sample, const Scene& scene);
+  void make_fitter(const Scene& scene);
   void add(const PenSample& sample, const Scene& scene);
   void add_ink(const InkSample& pen);
   ToolResult end(const Scene& scene);
@@ -63,6 +64,7 @@ class PencilTool final : public Tool {
   bool waiting_ = false;  // for the pen to be lifted
 
   std::unique_ptr<InkFitter> fitter_;
+  WidthMapOptions fitted_widths_;  // that fitter_ was made with
   Stabiliser stabiliser_;
   std::vector<InkSample> gap_;  // out of contact, perhaps only for a moment
   InkSample pen_;               // the last one in contact

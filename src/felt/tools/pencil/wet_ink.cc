@@ -12,6 +12,10 @@ double pieces_of(const Cubic& segment) {
   return std::clamp(std::ceil(control_length(segment) / WetInk::kPieceMm), 1.0, 64.0);
 }
 
+Overlay::InkSegment piece(const Cubic& curve, const InkWidth& from, const InkWidth& to) {
+  return {curve, from.width_mm, to.width_mm, from.tone, to.tone};
+}
+
 }  // namespace
 
 void WetInk::begin(const WidthMapOptions& widths) {
@@ -26,7 +30,7 @@ void WetInk::begin(const WidthMapOptions& widths) {
 }
 
 void WetInk::update(const InkFitter& fitter, const InkSample& sample) {
-  pen_width_mm_ = pen_widths_.push(sample);
+  pen_ = pen_widths_.push(sample);
   add_node(sample.position);
   while (segments_ < fitter.segment_count()) add_segment(fitter, segments_++);
 }
@@ -37,7 +41,7 @@ void WetInk::add_node(Point pen) {
   if (taken_ == 0 || step >= kNodeMm) {
     path_mm_ += step;
     path_end_ = pen;
-    nodes_.push_back({taken_, path_mm_, pen_width_mm_});
+    nodes_.push_back({taken_, path_mm_, pen_});
   }
   ++taken_;
 }
@@ -45,19 +49,20 @@ void WetInk::add_node(Point pen) {
 void WetInk::add_segment(const InkFitter& fitter, int i) {
   const Cubic segment = fitter.segment(i);
   const double pieces = pieces_of(segment);
-  double t0 = 0.0, width0 = stable_width_mm_;
+  double t0 = 0.0;
+  InkWidth from = stable_;
   const auto add_piece = [&](double t1) {
-    pieces_.push_back({sub_segment(segment, t0, t1), width0, stable_width_mm_});
+    pieces_.push_back(piece(sub_segment(segment, t0, t1), from, stable_));
     t0 = t1;
-    width0 = stable_width_mm_;
+    from = stable_;
   };
   const auto& places = fitter.places();
   const auto& samples = fitter.samples();
   for (; places_ < places.size() && places[places_].u <= i + 1; ++places_) {
     for (std::uint32_t k = 0; k < places[places_].count && samples_ < samples.size(); ++k) {
       const bool first = samples_ == 0;
-      stable_width_mm_ = stable_widths_.push(samples[samples_++]);
-      if (first) width0 = stable_width_mm_;
+      stable_ = stable_widths_.push(samples[samples_++]);
+      if (first) from = stable_;
     }
     const double t = places[places_].u - i;
     if (t < 1.0 && (t - t0) * pieces >= 1.0) add_piece(t);
@@ -69,15 +74,17 @@ void WetInk::add_segment(const InkFitter& fitter, int i) {
   }
 }
 
-double WetInk::open_width_mm(double path_mm) const {
+InkWidth WetInk::open_width(double path_mm) const {
   const auto first = nodes_.begin() + static_cast<std::ptrdiff_t>(first_node_);
   const auto after = std::upper_bound(first, nodes_.end(), path_mm,
                                       [](double x, const Node& n) { return x < n.path_mm; });
-  if (after == first) return pen_width_mm_;
+  if (after == first) return pen_;
   const Node& a = *(after - 1);
   const double end_mm = after == nodes_.end() ? path_mm_ + kNodeMm : after->path_mm;
-  const double end_width = after == nodes_.end() ? pen_width_mm_ : after->width_mm;
-  return a.width_mm + (path_mm - a.path_mm) / (end_mm - a.path_mm) * (end_width - a.width_mm);
+  const InkWidth end = after == nodes_.end() ? pen_ : after->ink;
+  const double share = (path_mm - a.path_mm) / (end_mm - a.path_mm);
+  return {a.ink.width_mm + share * (end.width_mm - a.ink.width_mm),
+          a.ink.tone + share * (end.tone - a.ink.tone)};
 }
 
 void WetInk::draw(InkFitter& fitter, Overlay& overlay) const {
@@ -86,16 +93,16 @@ void WetInk::draw(InkFitter& fitter, Overlay& overlay) const {
   double length = 0.0, along = 0.0;
   for (const Cubic& c : tail) length += control_length(c);
   const double from = nodes_.empty() ? 0.0 : nodes_[first_node_].path_mm;
-  double width = pieces_.empty() ? open_width_mm(from) : stable_width_mm_;
+  InkWidth ink = pieces_.empty() ? open_width(from) : stable_;
   for (const Cubic& c : tail) {
     const double pieces = pieces_of(c);
     for (double k = 0; k < pieces; ++k) {
       along += control_length(c) / pieces;
       const bool last = &c == &tail.back() && k + 1 == pieces;
       const double share = length > 0.0 ? along / length : 1.0;
-      const double next = last ? pen_width_mm_ : open_width_mm(from + share * (path_mm_ - from));
-      overlay.ink.push_back({sub_segment(c, k / pieces, (k + 1) / pieces), width, next});
-      width = next;
+      const InkWidth next = last ? pen_ : open_width(from + share * (path_mm_ - from));
+      overlay.ink.push_back(piece(sub_segment(c, k / pieces, (k + 1) / pieces), ink, next));
+      ink = next;
     }
   }
 }

@@ -9,7 +9,7 @@
 namespace felt {
 
 /// The picture of a stroke that is being drawn: the fitter's stable prefix, cut into pieces short
-/// enough that a straight change of width does, and the provisional tail.
+/// enough that a straight change of width and tone does, and the provisional tail.
 ///
 /// A piece is made once, when its segment becomes stable: a sample costs what it adds, whatever the
 /// length of the stroke. Only showing copies them all.
@@ -22,21 +22,21 @@ class WetInk {
   /// After each sample of the fitter; `sample` is the one that it was given.
   void update(const InkFitter& fitter, const InkSample& sample);
   /// Width at the pen, mm.
-  [[nodiscard]] double width_mm() const noexcept { return pen_width_mm_; }
+  [[nodiscard]] double width_mm() const noexcept { return pen_.width_mm; }
   /// Adds the stroke as it is now.
   void draw(InkFitter& fitter, Overlay& overlay) const;
 
  private:
-  /// The width where the pen was after some way.
+  /// Width and tone where the pen was after some way.
   struct Node {
     std::size_t sample = 0;
     double path_mm = 0.0;
-    double width_mm = 0.0;
+    InkWidth ink;
   };
 
   void add_segment(const InkFitter& fitter, int i);
   void add_node(Point pen);
-  [[nodiscard]] double open_width_mm(double path_mm) const;
+  [[nodiscard]] InkWidth open_width(double path_mm) const;
 
   std::vector<Overlay::InkSegment> pieces_;
   int segments_ = 0;         // of the fitter, in pieces_
@@ -44,7 +44,7 @@ class WetInk {
   std::size_t samples_ = 0;  // likewise
   WidthMap stable_widths_;   // of the samples as the fitter took them, up to samples_
   WidthMap pen_widths_;      // of the samples as they came
-  double stable_width_mm_ = 0.0;
+  InkWidth stable_;
 
   // The widths of the tail, a node each kNodeMm: as many as the fitter holds back, at rest none.
   std::vector<Node> nodes_;
@@ -52,7 +52,7 @@ class WetInk {
   std::size_t taken_ = 0;       // samples
   Point path_end_;
   double path_mm_ = 0.0;
-  double pen_width_mm_ = 0.0;
+  InkWidth pen_;
 };
 
 }  // namespace felt

@@ -16,7 +16,7 @@ namespace felt {
 /// cross-faded in between.
 inline ForceModel make_pull_force(const PullSettings& settings, const Scene& scene,
                                   const PullFeel& feel) {
-  ToolMaterial material = *find_tool_material("pencil");
+  Medium material = medium_of(scene, "pencil");
   material.friction *= settings.strength;
   material.grain *= settings.strength;
   const SheetForce sheet =
@@ -25,7 +25,7 @@ inline ForceModel make_pull_force(const PullSettings& settings, const Scene& sce
   edit.law.gain = settings.strength;
 
   FeelId id("pull");
-  id.with(scene.surface.id).with(settings.strength);
+  id.with_sheet(scene.surface, medium_of(scene, "pencil")).with(settings.strength);
   ForceModel model;
   switch (feel.kind) {
     case PullFeel::Kind::kNone:

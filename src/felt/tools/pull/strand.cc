@@ -245,20 +245,20 @@ void Strand::limit_handles(int i, double longest) noexcept {
 void Strand::carry_widths() {
   const auto knots = snapshot_->widths();
   widths_.clear();
-  const auto add = [&](double u, double width_mm) {
-    if (widths_.empty() || u > widths_.back().u) widths_.push_back({u, width_mm});
+  const auto add = [&](double u, const WidthKnot& ink) {
+    if (widths_.empty() || u > widths_.back().u) widths_.push_back({u, ink.width_mm, ink.tone});
   };
   auto k = knots.begin();
   bool was_divided = false;
   for (int i = 0; i < count(); ++i) {
     const double from = snapshot_u(i), to = snapshot_u(i + 1);
     const bool is_divided = to - from < 1.0;
-    if (is_divided || was_divided) add(i, width_at(knots, from));
-    for (; k != knots.end() && k->u < to; ++k) add(i + (k->u - from) / (to - from), k->width_mm);
+    if (is_divided || was_divided) add(i, knot_at(knots, from));
+    for (; k != knots.end() && k->u < to; ++k) add(i + (k->u - from) / (to - from), *k);
     was_divided = is_divided;
   }
   while (widths_.back().u >= count()) widths_.pop_back();
-  widths_.push_back({static_cast<double>(count()), knots.back().width_mm});
+  widths_.push_back({static_cast<double>(count()), knots.back().width_mm, knots.back().tone});
 }
 
 Result<Stroke> Strand::stroke() const {

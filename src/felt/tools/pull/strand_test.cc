@@ -61,6 +61,26 @@ TEST(Strand, SliversAreNotMade) {
   EXPECT_EQ(strand.count(), 5);
 }
 
+/// However a strand is divided, the ink has the width and the tone of its place.
+TEST(Strand, WidthAndToneGoWithTheirPlace) {
+  for (std::uint64_t seed = 1; seed <= 200; ++seed) {
+    SCOPED_TRACE(seed);
+    const StrokePtr was = shared(testing::random_stroke(seed));
+    Strand strand(was);
+    strand.divide_evenly(0, 1e-9, 4);
+    const Result<Stroke> now = strand.stroke();
+    ASSERT_TRUE(now) << now.error().message;
+    for (int k = 0; k <= 100; ++k) {
+      const double v = strand.count() * k / 100.0;
+      const int i = std::min(static_cast<int>(v), strand.count() - 1);
+      const double u0 = strand.snapshot_u(i), u1 = strand.snapshot_u(i + 1);
+      const double u = u0 + (v - i) * (u1 - u0);
+      EXPECT_NEAR(now->width_mm(v), was->width_mm(u), 1e-9) << v;
+      EXPECT_NEAR(now->tone(v), was->tone(u), 1e-9) << v;
+    }
+  }
+}
+
 /// Handles that stand, at joints that are smooth: R28.
 TEST(Strand, R28_StandingHandlesKeepJointsSmooth) {
   // Handles that stand on both sides of two smooth joints.

@@ -47,7 +47,7 @@ class RoughFeel {
 
 /// What the hand feels: the sheet and the roughness of the ink under the iron.
 inline ForceModel make_smooth_force(const Scene& scene, double roughness_mm, double strength) {
-  ToolMaterial material = tool_materials().front();
+  Medium material = medium_of(scene, "pencil");
   material.friction *= strength;
   material.grain *= strength;
   const FrictionOptions friction = friction_for(material, scene.surface, scene.device);
@@ -59,7 +59,10 @@ inline ForceModel make_smooth_force(const Scene& scene, double roughness_mm, dou
   ForceModel model(Compose(
       Plane(plane_for(scene.surface, scene.device)), Texture(surface_grain(scene.surface), texture),
       RoughFeel(roughness_mm, friction.coefficient, strength), Friction(friction)));
-  model.set_fade_id(FeelId("smooth").with(scene.surface.id).with(strength).value());
+  model.set_fade_id(FeelId("smooth")
+                        .with_sheet(scene.surface, medium_of(scene, "pencil"))
+                        .with(strength)
+                        .value());
   return model;
 }
 

@@ -77,13 +77,13 @@ struct TransformHold {
 /// The sheet, with little friction; and, while a selection is held, its tethers.
 inline ForceModel make_transform_force(const Scene& scene, double strength,
                                        const TransformHold* hold) {
-  ToolMaterial material = tool_materials().front();
+  Medium material = medium_of(scene, "pencil");
   material.friction *= kTransformGlide * strength;
   material.grain *= kTransformGlide * strength;
   const SheetForce sheet =
       make_sheet_force(scene.surface, material, scene.device, surface_grain(scene.surface));
   FeelId id("transform");
-  id.with(scene.surface.id).with(strength);
+  id.with_sheet(scene.surface, medium_of(scene, "pencil")).with(strength);
   if (!hold || hold->anchors.empty()) {
     ForceModel model(sheet);
     model.set_fade_id(id.value());

@@ -3,26 +3,41 @@
 #include <algorithm>
 #include <limits>
 
+#include "felt/stroke/profile_builder.h"
+
 namespace felt {
 namespace {
 
 /// Longest run of knots that one straight line replaces: bounds the work.
 constexpr std::size_t kMaxRun = 200;
 
-/// The farthest knot after `i` to which a straight line does.
-std::size_t farthest(std::span<const ProfileKnot> knots, std::size_t i, double tolerance_mm) {
+/// The slopes from a knot that pass within a tolerance of the knots so far.
+struct Slopes {
   double low = -std::numeric_limits<double>::infinity();
   double high = std::numeric_limits<double>::infinity();
+
+  [[nodiscard]] bool hold(double slope) const noexcept { return slope >= low && slope <= high; }
+  [[nodiscard]] bool is_empty() const noexcept { return low > high; }
+  void narrow(double change, double tolerance, double du) noexcept {
+    low = std::max(low, (change - tolerance) / du);
+    high = std::min(high, (change + tolerance) / du);
+  }
+};
+
+/// The farthest knot after `i` to which a straight line does.
+std::size_t farthest(std::span<const ProfileKnot> knots, std::size_t i, double tolerance_mm) {
+  Slopes widths, tones;
   const WidthKnot from = knots[i].knot;
   const std::size_t end = std::min(knots.size(), i + kMaxRun);
   std::size_t best = i + 1;
   for (std::size_t j = i + 1; j < end; ++j) {
     const WidthKnot to = knots[j].knot;
-    const double du = to.u - from.u, dw = to.width_mm - from.width_mm;
-    if (dw / du >= low && dw / du <= high) best = j;
-    low = std::max(low, (dw - tolerance_mm) / du);
-    high = std::min(high, (dw + tolerance_mm) / du);
-    if (knots[j].stays || low > high) break;
+    const double du = to.u - from.u;
+    const double dw = to.width_mm - from.width_mm, dt = to.tone - from.tone;
+    if (widths.hold(dw / du) && tones.hold(dt / du)) best = j;
+    widths.narrow(dw, tolerance_mm, du);
+    tones.narrow(dt, kFollowedTone, du);
+    if (knots[j].stays || widths.is_empty() || tones.is_empty()) break;
   }
   return best;
 }

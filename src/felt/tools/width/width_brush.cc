@@ -92,24 +92,24 @@ std::vector<WidthKnot> WidthBrush::profile(std::span<const double> pinned) const
     // Beyond both ends nothing was added, but for the ends of the stroke, which are among these.
     return u < added.front().u || u > added.back().u ? 0.0 : width_at(added, u);
   };
-  const auto push = [&](double u, double base_mm, bool is_base, bool stays) {
-    if (!knots.empty() && u - knots.back().knot.u < kSamePlace && !is_base) return;
-    const double more = added_at(u);
-    knots.push_back({{u, limited(base_mm, more)}, stays || more == 0.0});
+  const auto push = [&](const WidthKnot& ink, bool is_base, bool stays) {
+    if (!knots.empty() && ink.u - knots.back().knot.u < kSamePlace && !is_base) return;
+    const double more = added_at(ink.u);
+    knots.push_back({{ink.u, limited(ink.width_mm, more), ink.tone}, stays || more == 0.0});
   };
   while (i < base.size()) {
     const double u = base[i].u;
     while (p < pinned.size() && pinned[p] < u - kSamePlace &&
            (j == added.size() || pinned[p] <= added[j].u)) {
-      push(pinned[p], width_at(base, pinned[p]), false, true);
+      push(knot_at(base, pinned[p]), false, true);
       ++p;
     }
     if (j < added.size() && added[j].u < u - kSamePlace) {
-      push(added[j].u, width_at(base, added[j].u), false, false);
+      push(knot_at(base, added[j].u), false, false);
       ++j;
       continue;
     }
-    push(u, base[i].width_mm, true, false);
+    push(base[i], true, false);
     ++i;
     while (j < added.size() && added[j].u < u + kSamePlace) ++j;
     while (p < pinned.size() && pinned[p] < u + kSamePlace) ++p;

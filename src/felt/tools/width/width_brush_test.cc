@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "felt/stroke/profile_builder.h"
 #include "felt/stroke/random_stroke.h"
 #include "felt/stroke/width_profile.h"
 
@@ -46,9 +47,11 @@ TEST(WidthBrush, R46_WidthAtUChangesByExactlyTheAmountAndNothingBeyondTheReach) 
       // The first place beyond the reach is where the last line of the bump ends.
       if (way > reach + WidthBrush::kSpacingMm) {
         EXPECT_NEAR(result.width_mm(v), stroke.width_mm(v), 1e-9);
+        EXPECT_NEAR(result.tone(v), stroke.tone(v), 1e-9);
       } else {
         EXPECT_GE(result.width_mm(v), stroke.width_mm(v) - WidthBrush::kToleranceMm);
         EXPECT_LE(result.width_mm(v), stroke.width_mm(v) + 1.01 * amount + 0.02);
+        EXPECT_NEAR(result.tone(v), stroke.tone(v), kFollowedTone + 1e-9);
       }
     }
     changed += result != stroke;
@@ -151,14 +154,19 @@ TEST(ProfileKnots, ThinnedStaysWithinTheToleranceAndKeepsWhatMustStay) {
 
 TEST(ProfileKnots, AStraightProfileNeedsItsEndsOnly) {
   std::vector<ProfileKnot> knots;
-  for (int i = 0; i <= 150; ++i) knots.push_back({{0.125 * i, 1.0 + 0.25 * i}, false});
+  for (int i = 0; i <= 150; ++i) knots.push_back({{0.125 * i, 1.0 + 0.25 * i, 0.005 * i}, false});
   EXPECT_EQ(thinned(knots, 1e-12).size(), 2u);
+  // A tone that turns is no straight profile.
+  for (std::size_t i = 0; i < 75; ++i) knots[i].knot.tone = 0.75 - 0.005 * static_cast<double>(i);
+  EXPECT_EQ(thinned(knots, 1e-12).size(), 3u);
 }
 
 TEST(ProfileKnots, ScaledIsAFactorWithinTheLimits) {
-  const std::vector<WidthKnot> knots{{0.0, 1.0}, {0.5, 4.0}, {1.0, 9.0}};
-  EXPECT_EQ(scaled(knots, 1.5, 6.0), (std::vector<WidthKnot>{{0.0, 1.5}, {0.5, 6.0}, {1.0, 9.0}}));
-  EXPECT_EQ(scaled(knots, 0.5, 6.0), (std::vector<WidthKnot>{{0.0, 0.5}, {0.5, 2.0}, {1.0, 4.5}}));
+  const std::vector<WidthKnot> knots{{0.0, 1.0, 0.1}, {0.5, 4.0, 0.9}, {1.0, 9.0, 0.5}};
+  EXPECT_EQ(scaled(knots, 1.5, 6.0),
+            (std::vector<WidthKnot>{{0.0, 1.5, 0.1}, {0.5, 6.0, 0.9}, {1.0, 9.0, 0.5}}));
+  EXPECT_EQ(scaled(knots, 0.5, 6.0),
+            (std::vector<WidthKnot>{{0.0, 0.5, 0.1}, {0.5, 2.0, 0.9}, {1.0, 4.5, 0.5}}));
   EXPECT_EQ(scaled(knots, 0.001, 6.0)[0].width_mm, kMinWidthMm);
 }
 

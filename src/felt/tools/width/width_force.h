@@ -108,7 +108,7 @@ struct WidthFeel {
 /// is scaled the pull back to where that began. The stops change smoothly, the feel stays the same.
 inline ForceModel make_width_force(const WidthSettings& settings, const Scene& scene,
                                    const WidthFeel& feel) {
-  ToolMaterial material = tool_materials().front();
+  Medium material = medium_of(scene, "pencil");
   const double near = std::max(feel.stops.harder, feel.stops.lighter);
   material.friction *= settings.strength * (1.0 + near);
   material.grain *= settings.strength;
@@ -116,7 +116,7 @@ inline ForceModel make_width_force(const WidthSettings& settings, const Scene& s
       make_sheet_force(scene.surface, material, scene.device, surface_grain(scene.surface));
 
   FeelId id("width");
-  id.with(scene.surface.id).with(settings.strength);
+  id.with_sheet(scene.surface, medium_of(scene, "pencil")).with(settings.strength);
   ForceModel model;
   if (feel.origin_y_mm) {
     id.with("scale").with(*feel.origin_y_mm);

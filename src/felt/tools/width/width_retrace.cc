@@ -106,10 +106,11 @@ std::vector<ProfileKnot> WidthRetrace::new_knots() const {
   const std::span<const WidthKnot> base = stroke_.widths();
   std::vector<ProfileKnot> knots;
   const auto add = [&](double u, double length_mm, bool stays) {
-    const double old = width_at(base, u), share = share_at(length_mm);
+    const WidthKnot ink = knot_at(base, u);
+    const double old = ink.width_mm, share = share_at(length_mm);
     const double drawn = share > 0.0 ? drawn_between(length_mm) : old;
     const double width = std::isnan(drawn) ? old : old + share * (drawn - old);
-    knots.push_back({{u, std::max(width, kMinWidthMm)}, stays});
+    knots.push_back({{u, std::max(width, kMinWidthMm), ink.tone}, stays});
   };
   for (long k = 0; k <= places_.count(); ++k) {
     const double length = places_.length_at(k);
@@ -148,8 +149,8 @@ std::vector<WidthKnot> WidthRetrace::profile() const {
     if (share >= 1.0 && !is_end) continue;
     const double drawn_mm = share > 0.0 ? drawn_between(length) : base[i].width_mm;
     const double width = base[i].width_mm + share * (drawn_mm - base[i].width_mm);
-    knots.push_back(
-        {{u, share > 0.0 ? std::max(width, kMinWidthMm) : base[i].width_mm}, !(share > 0.0)});
+    const double shown = share > 0.0 ? std::max(width, kMinWidthMm) : base[i].width_mm;
+    knots.push_back({{u, shown, base[i].tone}, !(share > 0.0)});
     while (j < drawn.size() && drawn[j].knot.u < u + kSamePlace) ++j;
   }
   return thinned(knots, kToleranceMm);

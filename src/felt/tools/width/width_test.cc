@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "felt/stroke/profile_builder.h"
 #include "felt/tools/desk.h"
 #include "felt/tools/width/width_tool.h"
 
@@ -51,13 +52,18 @@ Stroke wavy() {
   d.points = {{0, 0},    {10, 15}, {20, 15}, {30, 0},  {40, -15},
               {50, -15}, {60, 0},  {62, 10}, {70, 20}, {80, 20}};
   d.joints = {JointKind::kSmooth, JointKind::kCorner};
-  d.widths = {{0.0, 1.0}, {0.7, 2.0}, {1.2, 1.4}, {3.0, 1.8}};
+  d.widths = {{0.0, 1.0, 0.2}, {0.7, 2.0, 0.9}, {1.2, 1.4, 0.5}, {3.0, 1.8, 0.0}};
   return Stroke::create(d).value();
 }
 
+/// The width tool changes widths alone: neither the curve nor how much was laid on.
 void expect_same_curve(const Stroke& a, const Stroke& b) {
   EXPECT_EQ(a.data().points, b.data().points);
   EXPECT_EQ(a.data().joints, b.data().joints);
+  for (int i = 0; i <= 300; ++i) {
+    const double u = a.segment_count() * i / 300.0;
+    EXPECT_NEAR(a.tone(u), b.tone(u), kFollowedTone + 1e-9) << u;
+  }
 }
 
 TEST(WidthTool, R46_APressedPlaceChangesByRateTimesTimeAndTheCurveNotAtAll) {

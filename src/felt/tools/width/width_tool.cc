@@ -182,7 +182,7 @@ void WidthTool::brush(double seconds, double rate) {
 
 void WidthTool::retrace(const PenSample& sample, const Scene& scene) {
   const auto pressure = Pressing(scene.surface, scene.device).of(sample);
-  const double width = width_map_.push({pen_, pressure, sample.time_ns});
+  const double width = width_map_.push({pen_, pressure, sample.time_ns}).width_mm;
   if (hold_.way_mm()) {
     retrace_->go(*hold_.way_mm(), width);
     has_changed_ = retrace_->has_drawn();

@@ -1,0 +1,133 @@
+#include <fmt/core.h>
+
+#include <memory>
+
+#include "commands.h"
+#include "doctor_report.h"
+#include "felt/devices/drivers.h"
+#include "felt/driver/machine_checks.h"
+#include "question.h"
+#include "system_fix.h"
+
+namespace felt::cli {
+namespace {
+
+struct DoctorArguments {
+  std::vector<std::string> drivers;
+  bool json = false;
+  bool fix = false;
+  bool dry_run = false;
+  bool yes = false;
+  std::string prefix;
+};
+
+constexpr const char* kExamples =
+    "feltline doctor\n"
+    "feltline doctor openhaptics\n"
+    "feltline doctor --fix --dry-run\n"
+    "feltline doctor --fix";
+
+/// All drivers, or those that were named.
+std::vector<std::unique_ptr<Driver>> wanted_drivers(const std::vector<std::string>& names) {
+  std::vector<std::unique_ptr<Driver>> all = make_drivers();
+  if (names.empty()) return all;
+  std::vector<std::unique_ptr<Driver>> wanted;
+  for (auto& driver : all) {
+    if (std::find(names.begin(), names.end(), driver->name()) != names.end()) {
+      wanted.push_back(std::move(driver));
+    }
+  }
+  return wanted;
+}
+
+std::vector<std::string> driver_names() {
+  std::vector<std::string> names;
+  for (const auto& driver : make_drivers()) names.emplace_back(driver->name());
+  return names;
+}
+
+DoctorReport examine(const DoctorArguments& args) {
+  DoctorReport report;
+  report.is_named = !args.drivers.empty();
+  report.drivers = look_at_drivers(wanted_drivers(args.drivers), this_system(), LookFor::kFindings);
+  if (!report.is_named) report.machine = diagnose_machine(this_system());
+  return report;
+}
+
+/// May this one be written? Somebody else's file only when a person says so to it alone.
+bool is_agreed(const PlannedFix& fix, bool agreed_to_all, Console& console) {
+  if (fix.state == PlannedFix::State::kSame) return false;
+  if (fix.state != PlannedFix::State::kForeign) return agreed_to_all;
+  if (ask("Replace " + fix.path + ", which Feltline did not write?")) return true;
+  console.error(fix.path + ": left as it is, because Feltline did not write it");
+  return false;
+}
+
+void fix(const DoctorReport& report, const DoctorArguments& args, Console& console) {
+  const Result<std::vector<PlannedFix>> plan = plan_fixes(report, this_system(), args.prefix);
+  if (!plan) return console.error(plan.error().message);
+  const bool is_done = std::all_of(plan->begin(), plan->end(), [](const PlannedFix& fix) {
+    return fix.state == PlannedFix::State::kSame;
+  });
+  fmt::print("{}", plan_text(*plan));
+  if (is_done) {
+    fmt::print("There is nothing that Feltline could write to mend anything.\n");
+    return;
+  }
+  if (args.dry_run) {
+    fmt::print("Nothing was written (--dry-run).\n");
+    return;
+  }
+  std::fflush(stdout);
+  if (!args.yes && !somebody_is_there()) {
+    return console.error("nothing was written: nobody is there to agree; --yes agrees");
+  }
+  const bool agreed = args.yes || ask("Write this?");
+  std::vector<PlannedFix> written;
+  for (const PlannedFix& next : *plan) {
+    if (!is_agreed(next, agreed, console)) continue;
+    if (Result<void> done = write_fix(next, !args.prefix.empty()); !done) {
+      return console.error(done.error().message);
+    }
+    written.push_back(next);
+  }
+  if (written.empty()) {
+    fmt::print("Nothing was written.\n");
+    return;
+  }
+  if (Result<void> done = activate_fixes(written); !done) console.error(done.error().message);
+  for (const PlannedFix& next : written) fmt::print("Written: {}\n", next.path);
+  fmt::print("Unplug the device and plug it in again, then run 'feltline doctor' once more.\n");
+}
+
+void run_doctor(const DoctorArguments& args, Console& console) {
+  if ((args.dry_run || args.yes || !args.prefix.empty()) && !args.fix) {
+    throw UsageError("--dry-run, --yes and --prefix belong to --fix");
+  }
+  if (args.fix && args.json) throw UsageError("--fix does not go with --json");
+  const DoctorReport report = examine(args);
+  if (args.fix) return fix(report, args, console);
+  fmt::print("{}", args.json ? doctor_json(report) : doctor_text(report, TextStyle::of_stdout()));
+  if (count_problems(report) > 0) console.set_failed();
+}
+
+}  // namespace
+
+void add_doctor_command(CLI::App& app, Console& console) {
+  CLI::App* command =
+      app.add_subcommand("doctor", "What haptic devices need to work here, and what is missing");
+  const auto args = std::make_shared<DoctorArguments>();
+  command->add_option("DRIVER", args->drivers, "Only these, and everything about them")
+      ->check(CLI::IsMember(driver_names()));
+  command->add_flag("--json", args->json, "One line of JSON");
+  command->add_flag("--fix", args->fix,
+                    "Write the permissions that are missing (udev rules, limits), after asking");
+  command->add_flag("--dry-run", args->dry_run, "With --fix: show what it would write, no more");
+  command->add_flag("--yes", args->yes, "With --fix: do not ask");
+  command->add_option("--prefix", args->prefix,
+                      "With --fix: write below this folder instead, for whoever makes packages");
+  command->footer("Exit code: 0 nothing hinders, 1 something does.\n" + examples(kExamples));
+  command->callback([args, &console] { run_doctor(*args, console); });
+}
+
+}  // namespace felt::cli

@@ -1,0 +1,76 @@
+#include "live_loop.h"
+
+#include <fmt/core.h>
+
+#include "felt/driver/page_fit.h"
+#include "felt/rt/abandon.h"
+#include "question.h"
+
+namespace felt::cli {
+namespace {
+
+PlaneCalibration plane_of(const RealDevice& device, const DriverDevice& open, const Rect& page) {
+  if (const auto shown = shown_plane(device)) return *shown;
+  const PlaneCalibration usual = device.driver->default_plane(open.descriptor(), OpenOptions());
+  return fit_to_page(usual, reach_of(usual, open.capabilities()), page, 1.0);
+}
+
+Result<void> bring_home(DriverDevice& device, bool asks) {
+  if (device.homing() == Homing::kNone) return {};
+  fmt::print(stderr, "{}\n", device.homing_words());
+  if (asks && !ask("Ready?")) {
+    return fail(ErrorCode::kUnsupported, device.descriptor().id +
+                                             ": it must find its home first, and nobody agreed "
+                                             "to that");
+  }
+  return device.find_home();
+}
+
+}  // namespace
+
+LiveLoop::LiveLoop(std::unique_ptr<DriverDevice> device, const DeviceProfile& profile,
+                   const PlaneCalibration& plane, double force_limit_n)
+    : device_(std::move(device)),
+      calibrated_(std::make_unique<CalibratedDevice>(*device_, profile, plane)) {
+  ServoOptions options;
+  options.period_ns = capabilities().period_ns;
+  options.limits = limits_for(capabilities(), force_limit_n);
+  servo_ = std::make_unique<Servo>(*calibrated_, options);
+  thread_ = std::make_unique<RealtimeThread>(*servo_, RealtimeOptions(), device_->loop_host());
+}
+
+Result<std::unique_ptr<LiveLoop>> LiveLoop::start(const RealDevice& device, const Rect& page,
+                                                  double force_limit_n, bool asks) {
+  Result<std::unique_ptr<DriverDevice>> opened = device.driver->open(device.found, OpenOptions());
+  if (!opened) return tl::unexpected(opened.error());
+  if (Result<void> home = bring_home(**opened, asks); !home) return tl::unexpected(home.error());
+  DeviceProfile profile = device.profile;
+  profile.plane.reset();  // plane_of() knows whether it is this very device's
+  const PlaneCalibration plane =
+      (*opened)->descriptor().has_own_frame ? plane_of(device, **opened, page) : PlaneCalibration();
+  std::unique_ptr<LiveLoop> loop(new LiveLoop(*std::move(opened), profile, plane, force_limit_n));
+  loop->servo_->heartbeat(loop->thread_->now_ns());
+  if (Result<void> started = loop->thread_->start(); !started) {
+    return tl::unexpected(started.error());
+  }
+  return loop;
+}
+
+Result<void> LiveLoop::go_on() {
+  servo_->heartbeat(thread_->now_ns());
+  servo_->disarm();
+  return thread_->start();
+}
+
+LiveLoop::~LiveLoop() {
+  static_cast<void>(stop());
+}
+
+bool LiveLoop::stop() noexcept {
+  if (!thread_) return false;
+  if (thread_->stop()) return true;
+  abandon(std::move(thread_), std::move(servo_), std::move(calibrated_), std::move(device_));
+  return false;
+}
+
+}  // namespace felt::cli

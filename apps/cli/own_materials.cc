@@ -1,0 +1,41 @@
+#include "own_materials.h"
+
+#include "felt/io/png.h"
+
+namespace felt::cli {
+
+Result<HeightPicture> load_height_picture(const std::string& path) {
+  return read_height_png(path);
+}
+
+MaterialLibrary own_materials() {
+  return load_materials(material_folders(), load_height_picture);
+}
+
+const MaterialLibrary& known_materials(Console& console) {
+  static const MaterialLibrary library = [&console] {
+    MaterialLibrary read = own_materials();
+    for (const std::string& problem : read.problems) console.notice(problem);
+    return read;
+  }();
+  return library;
+}
+
+Result<SurfaceMaterial> find_sheet(const std::string& text) {
+  if (const SurfaceMaterial* sheet = find_surface(text)) return *sheet;
+  if (text.ends_with(".toml")) {
+    Result<AnyMaterial> material = read_material_file(text, load_height_picture);
+    if (!material) return tl::unexpected(material.error());
+    if (auto* sheet = std::get_if<SurfaceMaterial>(&*material)) return *std::move(sheet);
+    return fail(ErrorCode::kInvalidArgument, text + " is a medium, not a sheet");
+  }
+  const MaterialLibrary library = own_materials();
+  if (const SurfaceMaterial* sheet = library.materials.find_surface(text)) return *sheet;
+  std::string known;
+  for (const SurfaceMaterial& sheet : library.materials.surfaces()) {
+    known += (known.empty() ? "" : ", ") + sheet.id;
+  }
+  return fail(ErrorCode::kNotFound, "'" + text + "' is not " + known);
+}
+
+}  // namespace felt::cli

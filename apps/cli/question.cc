@@ -1,0 +1,23 @@
+#include "question.h"
+
+#include <fmt/core.h>
+#include <unistd.h>
+
+#include <cstdio>
+
+namespace felt::cli {
+
+bool somebody_is_there() {
+  return isatty(STDIN_FILENO) != 0;
+}
+
+bool ask(const std::string& question) {
+  if (!somebody_is_there()) return false;
+  fmt::print(stderr, "{} [y/N] ", question);
+  std::fflush(stderr);
+  std::string answer;
+  for (char c = 0; read(STDIN_FILENO, &c, 1) == 1 && c != '\n' && answer.size() < 16;) answer += c;
+  return answer == "y" || answer == "Y" || answer == "yes" || answer == "Yes";
+}
+
+}  // namespace felt::cli

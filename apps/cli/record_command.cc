@@ -1,0 +1,231 @@
+#include <fmt/core.h>
+#include <unistd.h>
+
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <memory>
+
+#include "commands.h"
+#include "felt/io/event_writer.h"
+#include "felt/session/recorder.h"
+#include "felt/tools/tool.h"
+#include "forces_csv.h"
+#include "interrupt.h"
+#include "option_text.h"
+#include "own_materials.h"
+#include "question.h"
+#include "record_copy.h"
+#include "record_run.h"
+#include "sketch_output.h"
+
+namespace felt::cli {
+namespace {
+
+struct RecordArguments {
+  std::string device;
+  std::string output, to, events, forces;
+  std::optional<double> seconds;
+  std::string tool;
+  std::vector<std::string> options;
+  std::string page = "A4-landscape";
+  double limit_n = 3.0;
+  bool forces_on = false;
+  bool yes = false;
+};
+
+constexpr const char* kConsent =
+    "The device will push against the pen. Hold it loosely, and keep face and things away. Enter "
+    "switches forces off and on, Ctrl-C ends.";
+
+constexpr const char* kExamples =
+    "feltline record --device openhaptics:default -o sketch.felt\n"
+    "feltline record --device haply:049D -o sketch.svg --forces-on --limit 1\n"
+    "feltline record --device forcedimension:2 -o sketch.ndjson --events events.ndjson \\\n"
+    "      --forces forces.csv --seconds 60 --set pencil.max_width_mm=3\n"
+    "feltline replay events.ndjson --as-recorded -o again.svg";
+
+/// What a recording writes besides the sketch.
+struct RecordOutputs {
+  Format format = Format::kNdjson;
+  std::unique_ptr<SketchOutput> sketch;
+  std::optional<Output> events;
+  std::optional<ForcesCsv> forces;
+  Result<void> written = {};  ///< of the events so far
+};
+
+Result<RecordOutputs> open_outputs(const RecordArguments& args, const Rect& page) {
+  RecordOutputs outputs;
+  const Result<Format> format = output_format(args.output, args.to);
+  if (!format) throw UsageError(format.error().message);
+  outputs.format = *format;
+  PictureOptions picture;
+  picture.sheet = page;
+  Result<std::unique_ptr<SketchOutput>> sketch =
+      open_sketch_output(args.output, outputs.format, picture);
+  if (!sketch) return tl::unexpected(sketch.error());
+  outputs.sketch = *std::move(sketch);
+  if (!args.events.empty()) {
+    Result<Output> events = Output::create(args.events);
+    if (!events) return tl::unexpected(events.error());
+    outputs.events.emplace(*std::move(events));
+  }
+  if (!args.forces.empty()) {
+    Result<ForcesCsv> forces = ForcesCsv::create(args.forces);
+    if (!forces) return tl::unexpected(forces.error());
+    outputs.forces.emplace(*std::move(forces));
+  }
+  return outputs;
+}
+
+Recorder::Sink event_sink(RecordOutputs& outputs) {
+  return [&outputs](std::span<const Event> events) {
+    if (!outputs.events || !outputs.written) return;
+    std::string lines;
+    for (const Event& event : events) append_event_line(lines, event);
+    outputs.written = outputs.events->write(lines);
+  };
+}
+
+void set_options(const RecordArguments& args, Session& session) {
+  const auto apply = [&session](const char* from, const Event& event) {
+    if (const Result<void> done = session.apply(event); !done) {
+      throw UsageError(std::string(from) + ": " + done.error().message);
+    }
+  };
+  if (!args.tool.empty()) apply("--tool", {0, SelectTool{args.tool}});
+  for (const std::string& option : args.options) {
+    const Result<SetOption> event = option_event(session, option);
+    if (!event) throw UsageError("--set: " + event.error().message);
+    apply("--set", {0, *event});
+  }
+}
+
+/// The drawing exists nowhere else: where its own file cannot be written, another one is.
+Result<void> rescue(const Error& error, const Session& session) {
+  std::error_code none;
+  const std::string path = std::filesystem::temp_directory_path(none).string() +
+                           "/feltline-record-" + std::to_string(getpid()) + ".ndjson";
+  Result<std::unique_ptr<SketchOutput>> other =
+      open_sketch_output(path, Format::kNdjson, PictureOptions());
+  const bool saved = other && write_strokes(session.sketch(), Format::kNdjson, **other);
+  return fail(error.code, error.message + (saved ? "; the drawing is in " + path : ""));
+}
+
+Result<void> write_outputs(RecordOutputs& outputs, Recorder& recorder, const Session& session) {
+  if (Result<void> done = write_strokes(session.sketch(), outputs.format, *outputs.sketch); !done) {
+    return rescue(done.error(), session);
+  }
+  recorder.flush();
+  if (outputs.events) {
+    if (!outputs.written) return outputs.written;
+    if (Result<void> done = outputs.events->commit(); !done) return done;
+  }
+  return outputs.forces ? outputs.forces->finish() : Result<void>();
+}
+
+bool agrees_to_forces(const RecordArguments& args) {
+  if (args.yes) return true;
+  fmt::print(stderr, "{}\n", kConsent);
+  return ask("Do you agree?");
+}
+
+/// A thread of ours stands in a maker's call, and uses what would be destroyed; what that maker's
+/// libraries do at the end of a program may wait for it for ever.
+[[noreturn]] void end_at_once() {
+  std::fflush(stdout);
+  std::fflush(stderr);
+  _exit(EXIT_FAILURE);
+}
+
+void run_record(const RecordArguments& args, Console& console) {
+  const Result<std::optional<Rect>> page = parse_page(args.page);
+  if (!page || !*page) throw UsageError("--page: '" + args.page + "' is no size of a page");
+  const std::vector<std::unique_ptr<Driver>> drivers = make_drivers();
+  const Result<RealDevice> device = find_real_device(drivers, args.device);
+  if (!device) return console.error(device.error().message);
+  Result<RecordOutputs> outputs = open_outputs(args, **page);
+  if (!outputs) return console.error(outputs.error().message);
+  Recorder recorder(event_sink(*outputs));
+  RecordCopy copy(args.output);
+  Session session(make_tools(), {.device = {},
+                                 .materials = known_materials(console).materials,
+                                 .document = {},
+                                 .on_event = std::ref(recorder),
+                                 .on_edit = [&copy](const Edit&) { copy.note_edit(); }});
+  set_options(args, session);
+  if (args.forces_on && !agrees_to_forces(args)) {
+    return console.error("nobody agreed to forces; without --forces-on it draws without them");
+  }
+  const Interrupt interrupt(OnSuspend::kPause);
+  RecordRun run(*device, session, console, outputs->forces ? &*outputs->forces : nullptr,
+                {.page = **page,
+                 .force_limit_n = args.limit_n,
+                 .forces = args.forces_on,
+                 .asks = !args.yes,
+                 .seconds = args.seconds,
+                 .is_over = Interrupt::was_asked,
+                 .wants_pause = Interrupt::wants_pause,
+                 .pause = Interrupt::pause,
+                 .has_agreed = args.yes,
+                 .consent = kConsent,
+                 .keep = [&copy](const Session& drawn) { copy.keep(drawn); }});
+  if (Result<void> begun = run.begin(); !begun) return console.error(begun.error().message);
+  const Result<void> drawn = run.draw();
+  if (!drawn) console.error(drawn.error().message);
+  if (Result<void> written = write_outputs(*outputs, recorder, session); !written) {
+    console.error(written.error().message);
+  } else {
+    copy.remove();
+    console.notice(fmt::format("{} strokes in {}", session.document().stroke_count(), args.output));
+  }
+  if (run.hangs()) end_at_once();
+}
+
+void add_options(CLI::App& command, RecordArguments& args) {
+  command.add_option("--device", args.device, "The device, by its id in 'feltline devices'")
+      ->required();
+  command
+      .add_option("-o,--output", args.output,
+                  "Where the sketch goes: .felt, .ndjson, .svg, .pdf, .png; '-' is stdout")
+      ->required();
+  command.add_option("--to", args.to, "Format of the output, instead of by its extension");
+  command.add_option("--events", args.events,
+                     "All that was done, for 'feltline replay --as-recorded', .ndjson");
+  command.add_option("--forces", args.forces,
+                     "Pose and forces, some 250 rows a second, .csv as of 'replay --forces'");
+  command.add_option("--seconds", args.seconds, "End by itself after so long")
+      ->check(number_between(0.1, 86'400.0));
+  command.add_option("--tool", args.tool, "The tool in hand (see 'feltline tools')");
+  command.add_option("--set", args.options, "TOOL.OPTION=VALUE")->allow_extra_args(false);
+  command
+      .add_option("--page", args.page,
+                  "Sheet whose middle is the middle of what the device reaches, unless its plane "
+                  "was shown in feltline-desktop: A4, A4-landscape, WxH in mm")
+      ->capture_default_str();
+  command.add_flag("--forces-on", args.forces_on,
+                   "Forces from the start, after you agreed; without it the pen is free");
+  command.add_option("--limit", args.limit_n, "The most force, N; never more than the device's")
+      ->check(number_between(0.1, 3.0))
+      ->capture_default_str();
+  command.add_flag("--yes", args.yes,
+                   "Ask nothing: you agree to forces, and that the arm may move");
+}
+
+}  // namespace
+
+void add_record_command(CLI::App& app, Console& console) {
+  CLI::App* command = app.add_subcommand(
+      "record", "Draw with a real device, without a window, and save the sketch");
+  const auto args = std::make_shared<RecordArguments>();
+  add_options(*command, *args);
+  command->footer(
+      "While it draws: Enter switches forces off and on, Ctrl-C ends and saves. When the device\n"
+      "is lost, the ink so far is kept, and drawing goes on when it is connected again, without\n"
+      "forces until Enter allows them again. Every few seconds a copy goes into\n"
+      "OUTPUT.unsaved-NUMBER.ndjson; only a crash leaves it there.\n" +
+      examples(kExamples));
+  command->callback([args, &console] { run_record(*args, console); });
+}
+
+}  // namespace felt::cli

@@ -1,0 +1,259 @@
+#include "record_run.h"
+
+#include <fmt/core.h>
+#include <poll.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <thread>
+#include <utility>
+
+#include "question.h"
+
+namespace felt::cli {
+namespace {
+
+constexpr std::chrono::milliseconds kTurn{4};
+constexpr std::chrono::milliseconds kLook{500};
+
+const char* state_words(SafetyState state) {
+  switch (state) {
+    case SafetyState::kOff:
+      return "forces off";
+    case SafetyState::kWaiting:
+      return "lift the pen: forces come then";
+    case SafetyState::kEngaging:
+      return "forces begin";
+    case SafetyState::kActive:
+      return "forces on";
+    case SafetyState::kSilent:
+      return "damping only";
+    case SafetyState::kFalling:
+      return "forces fall";
+    case SafetyState::kLatched:
+      return "forces off after a fault";
+  }
+  return "";
+}
+
+const char* fault_words(SafetyFault fault) {
+  switch (fault) {
+    case SafetyFault::kNone:
+      return "";
+    case SafetyFault::kLateTick:
+    case SafetyFault::kVeryLateTick:
+      return "the loop was late: this computer is busy, or may not run it in real time";
+    case SafetyFault::kTooFast:
+      return "the pen was too fast";
+    case SafetyFault::kEditSilent:
+      return "the program did not answer for a while";
+    case SafetyFault::kNotFinite:
+      return "the device said something that is no number";
+    case SafetyFault::kDeviceError:
+      return "the device refused";
+    case SafetyFault::kPositionJump:
+      return "the pen's place jumped";
+    case SafetyFault::kTooManyFaults:
+      return "it happened too often";
+    case SafetyFault::kSelfTest:
+      return "limits that make no sense";
+  }
+  return "";
+}
+
+bool enter_pressed() {
+  if (!somebody_is_there()) return false;
+  pollfd keys{STDIN_FILENO, POLLIN, 0};
+  if (poll(&keys, 1, 0) <= 0 || (keys.revents & POLLIN) == 0) return false;
+  char line[256];
+  return read(STDIN_FILENO, line, sizeof line) > 0;
+}
+
+std::string vendor_words(const DeviceStatus& status) {
+  const std::string words(status.vendor_words.view());
+  return words.empty() ? "" : " It says: " + words;
+}
+
+}  // namespace
+
+RecordRun::RecordRun(const RealDevice& device, Session& session, Console& console,
+                     ForcesCsv* forces, RecordOptions options)
+    : device_(device),
+      session_(session),
+      console_(console),
+      forces_csv_(forces),
+      options_(std::move(options)),
+      wants_forces_(options_.forces),
+      has_agreed_(options_.forces || options_.has_agreed) {}
+
+Result<void> RecordRun::begin() {
+  Result<std::unique_ptr<LiveLoop>> loop =
+      LiveLoop::start(device_, options_.page, options_.force_limit_n, options_.asks);
+  if (!loop) return tl::unexpected(loop.error());
+  loop_ = *std::move(loop);
+  told_faults_ = 0;
+  told_device_fault_.reset();
+  offset_ns_ = last_ns_ - loop_->thread().now_ns();
+  if (last_ns_ == 0) offset_ns_ = 0;
+  console_.notice(describe(loop_->thread().status()));
+  if (Result<void> told = session_.apply({last_ns_, UseDevice{loop_->capabilities()}}); !told) {
+    return told;
+  }
+  loop_->servo().publish(session_.force());
+  if (wants_forces_) loop_->servo().arm();
+  return {};
+}
+
+std::int64_t RecordRun::elapsed_ns() const {
+  return std::chrono::nanoseconds(Clock::now() - start_).count();
+}
+
+bool RecordRun::is_over() const {
+  if (options_.is_over && options_.is_over()) return true;
+  return options_.seconds && static_cast<double>(elapsed_ns()) > 1e9 * *options_.seconds;
+}
+
+Result<void> RecordRun::draw() {
+  Result<void> done;
+  start_ = Clock::now();
+  while (done && !hangs_ && !is_over()) {
+    std::this_thread::sleep_for(kTurn);
+    done = turn();
+    if (done && options_.wants_pause && options_.wants_pause()) done = pause();
+    if (options_.keep) options_.keep(session_);
+  }
+  end_loop();
+  console_.end_progress();
+  const Result<void> finished = session_.finish();
+  if (!done) return done;
+  if (!finished || !hangs_) return finished;
+  return fail(ErrorCode::kIo, device_.found.label +
+                                  " hangs in its maker's software and was given up; the ink is "
+                                  "kept. Disconnect it, connect it anew, and record again");
+}
+
+/// The program stands still then, its loop too: the device must not keep a force meanwhile. Forces
+/// stay off afterwards.
+Result<void> RecordRun::pause() {
+  if (!loop_) return {};  // nobody waits for a lost device in here
+  console_.end_progress();
+  wants_forces_ = false;
+  if (Result<void> finished = session_.finish(); !finished) return finished;
+  if (!loop_->stop()) {
+    hangs_ = true;
+    loop_.reset();
+    return {};
+  }
+  options_.pause();
+  if (Result<void> started = loop_->go_on(); !started) return reconnect(started.error().message);
+  console_.notice("Forces are off: Enter allows them again.");
+  return {};
+}
+
+void RecordRun::end_loop() {
+  if (loop_ && !loop_->stop()) hangs_ = true;
+  loop_.reset();
+}
+
+Result<void> RecordRun::turn() {
+  Servo& servo = loop_->servo();
+  servo.heartbeat(loop_->thread().now_ns());
+  for (PenSample sample; servo.for_edit().pop(sample);) {
+    sample.time_ns = last_ns_ = std::max(last_ns_, sample.time_ns + offset_ns_);
+    if (Result<void> told = session_.sample(sample); !told) return told;
+  }
+  servo.publish(session_.force());
+  const TickReport& report = servo.latest();
+  if (Result<void> noted = note_forces(report); !noted) return noted;
+  tell_faults(report);
+  tell_status(report);
+  listen_to_keys();
+  const DeviceStatus status = loop_->status();
+  if (status.fault == DeviceFault::kDisconnected) {
+    return reconnect(std::string(describe(*status.fault)) + vendor_words(status));
+  }
+  if (loop_->thread().status().is_silent) {
+    return reconnect("The device does not answer any more.");
+  }
+  return {};
+}
+
+Result<void> RecordRun::note_forces(const TickReport& report) {
+  if (forces_csv_ == nullptr || !report.sample_ok) return {};
+  const std::int64_t time_ns = report.sample.time_ns + offset_ns_;
+  if (time_ns <= last_forces_ns_) return {};
+  last_forces_ns_ = time_ns;
+  TickReport shifted = report;
+  shifted.sample.time_ns = time_ns;
+  return forces_csv_->add(shifted, report.sample.pressure);
+}
+
+void RecordRun::tell_faults(const TickReport& report) {
+  const DeviceStatus status = loop_->status();
+  if (status.fault != told_device_fault_) {
+    told_device_fault_ = status.fault;
+    if (status.fault) {
+      console_.notice(std::string(describe(*status.fault)) + vendor_words(status) +
+                      " The ink so far is kept.");
+    }
+  }
+  const SafetyReport& safety = report.safety;
+  const std::uint32_t faults = safety.soft_faults + safety.hard_faults;
+  if (faults == told_faults_) return;
+  told_faults_ = faults;
+  const bool is_off = safety.state == SafetyState::kLatched;
+  console_.notice(fmt::format("{}: {}.{}", is_off ? "forces off" : "forces fall and begin anew",
+                              fault_words(safety.fault),
+                              is_off ? " Enter allows them again." : ""));
+}
+
+void RecordRun::tell_status(const TickReport& report) {
+  console_.status(fmt::format(
+      "{:.0f} Hz  {:.2f} N  {}  {} strokes  (Enter: forces {}, Ctrl-C: end)",
+      loop_->thread().stats().rate_hz(), norm(report.sent), state_words(report.safety.state),
+      session_.document().stroke_count(), wants_forces_ ? "off" : "on"));
+}
+
+void RecordRun::listen_to_keys() {
+  if (!(options_.enter_pressed ? options_.enter_pressed() : enter_pressed())) return;
+  if (!has_agreed_) {
+    // Not a notice: --quiet does not hide what somebody agrees to.
+    console_.end_progress();
+    fmt::print(stderr, "{}\nEnter again: you agree to forces.\n", options_.consent);
+    has_agreed_ = true;
+    return;
+  }
+  const bool is_latched = loop_->servo().latest().safety.state == SafetyState::kLatched;
+  wants_forces_ = is_latched || !wants_forces_;
+  wants_forces_ ? loop_->servo().arm() : loop_->servo().disarm();
+}
+
+Result<void> RecordRun::reconnect(const std::string& why) {
+  console_.end_progress();
+  console_.notice(why +
+                  " The ink so far is kept. Connect the device again, and drawing goes on; "
+                  "Ctrl-C saves and ends.");
+  // A lost device is a fault that latches: only a person lets forces begin anew.
+  const bool had_forces = std::exchange(wants_forces_, false);
+  if (Result<void> finished = session_.finish(); !finished) return finished;
+  end_loop();
+  const Clock::time_point lost = Clock::now();
+  while (!hangs_ && !is_over()) {
+    std::this_thread::sleep_for(kLook);
+    if (options_.wants_pause && options_.wants_pause()) options_.pause();  // no device, no force
+    const std::vector<DeviceDescriptor> found = device_.driver->find();
+    const bool is_back = std::any_of(found.begin(), found.end(), [this](const auto& device) {
+      return device.id == device_.found.id;
+    });
+    if (!is_back) continue;
+    last_ns_ += std::chrono::nanoseconds(Clock::now() - lost).count();
+    if (Result<void> begun = begin(); begun) {
+      console_.notice(std::string("The device is back.") +
+                      (had_forces ? " Its forces are off: Enter allows them again." : ""));
+      return {};
+    }
+  }
+  return {};
+}
+
+}  // namespace felt::cli

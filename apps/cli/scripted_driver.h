@@ -1,0 +1,66 @@
+#pragma once
+
+#include <unistd.h>
+
+#include <csignal>
+#include <cstdio>
+#include <cstdlib>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "felt/driver/driver.h"
+
+namespace felt::cli {
+
+/// For tests: a driver that says what it is told, or does what a vendor's library at its worst
+/// does.
+class ScriptedDriver final : public Driver {
+ public:
+  enum class Manner { kWell, kCrashes, kHangs, kExits, kThrows, kPrints };
+
+  explicit ScriptedDriver(std::string name, Manner manner = Manner::kWell)
+      : name_(std::move(name)), label_("Maker of " + name_), manner_(manner) {}
+
+  [[nodiscard]] std::string_view name() const noexcept override { return name_; }
+  [[nodiscard]] std::string_view label() const noexcept override { return label_; }
+  std::vector<DeviceDescriptor> find() override {
+    switch (manner_) {
+      case Manner::kCrashes:
+        std::fputs("about to fall over\n", stderr);
+        std::signal(SIGSEGV, SIG_DFL);  // no sanitizer's
+        std::raise(SIGSEGV);
+        break;
+      case Manner::kHangs:
+        for (;;) pause();
+      case Manner::kExits:
+        std::fputs("symbol lookup error: undefined symbol: hdBeginFrame\n", stderr);
+        _exit(127);
+      case Manner::kThrows:
+        throw std::runtime_error("something in C++");
+      case Manner::kPrints:
+        std::puts("Welcome to our library, version 3");
+        std::fflush(stdout);
+        break;
+      case Manner::kWell:
+        break;
+    }
+    return devices;
+  }
+  Result<std::unique_ptr<DriverDevice>> open(const DeviceDescriptor& device,
+                                             const OpenOptions&) override {
+    return fail(ErrorCode::kUnsupported, device.id + ": is for show");
+  }
+  std::vector<Finding> diagnose(const SystemView&) override { return findings; }
+
+  std::vector<DeviceDescriptor> devices;
+  std::vector<Finding> findings;
+
+ private:
+  std::string name_, label_;
+  Manner manner_;
+};
+
+}  // namespace felt::cli

@@ -1,0 +1,188 @@
+#include "desktop/engine/cue_player.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "desktop/engine/settings.h"
+#include "felt/devices/drivers.h"
+#include "felt/material/materials.h"
+
+namespace felt::desktop {
+namespace {
+
+constexpr std::int64_t kLookNs = 16'000'000;  // between two looks at what the session shows
+constexpr int kIdleMs = 150;
+constexpr int kAgainMs = 2000;
+
+struct AddedCueDriver {
+  int number = 0;
+  std::shared_ptr<Driver> driver;
+};
+
+std::vector<AddedCueDriver>& cue_drivers() {
+  static std::vector<AddedCueDriver> all = [] {
+    std::vector<AddedCueDriver> made;
+    for (std::unique_ptr<Driver>& driver : make_drivers()) made.push_back({0, std::move(driver)});
+    return made;
+  }();
+  return all;
+}
+
+/// The descriptor of an id, with its driver; null where it is not there now.
+std::pair<Driver*, DeviceDescriptor> find_cue_device(const std::string& id) {
+  for (const AddedCueDriver& added : cue_drivers()) {
+    if (!id.starts_with(std::string(added.driver->name()) + ":")) continue;
+    for (DeviceDescriptor& found : added.driver->find()) {
+      if (found.kind == DeviceKind::kCue && found.id == id)
+        return {added.driver.get(), std::move(found)};
+    }
+  }
+  return {};
+}
+
+QString text_of(std::string_view text) {
+  return QString::fromUtf8(text.data(), qsizetype(text.size()));
+}
+
+/// What the tool in hand rubs with: the pencil its material, the eraser rubber, all others lead.
+const Medium& material_of(const Session& session) {
+  const std::string_view tool = session.tool().info().id;
+  const Materials& known = session.materials();
+  if (tool == "eraser") return *known.find_medium("eraser");
+  const auto option = session.option(std::string(tool) + ".material");
+  const auto* id = option ? std::get_if<std::string>(&*option) : nullptr;
+  const Medium* material = id ? known.find_medium(*id) : nullptr;
+  return material ? *material : known.media().front();
+}
+
+}  // namespace
+
+std::vector<CueDeviceInfo> cue_devices() {
+  std::vector<CueDeviceInfo> infos;
+  for (const AddedCueDriver& added : cue_drivers()) {
+    for (const DeviceDescriptor& found : added.driver->find()) {
+      if (found.kind == DeviceKind::kCue)
+        infos.push_back({text_of(found.id), text_of(found.label)});
+    }
+  }
+  return infos;
+}
+
+int add_cue_driver(std::shared_ptr<Driver> driver) {
+  static int number = 0;
+  cue_drivers().push_back({++number, std::move(driver)});
+  return number;
+}
+
+void remove_cue_driver(int number) {
+  std::erase_if(cue_drivers(), [=](const AddedCueDriver& added) { return added.number == number; });
+}
+
+CuePlayer::CuePlayer(Studio& studio, QObject* parent) : QObject(parent), studio_(studio) {
+  connect(&studio_, &Studio::ticked, this, &CuePlayer::take);
+  connect(&studio_, &Studio::edited, this, [this] { watch_.edited(); });
+  connect(&studio_, &Studio::refused, this, [this] { law_.tell(CueEvent::kRefused); });
+  connect(&studio_, &Studio::device_changed, this, &CuePlayer::fall_silent);
+  idle_.setSingleShot(true);
+  idle_.setInterval(kIdleMs);
+  connect(&idle_, &QTimer::timeout, this, &CuePlayer::fall_silent);
+  again_.setInterval(kAgainMs);
+  connect(&again_, &QTimer::timeout, this, &CuePlayer::look_again);
+  connect(&Settings::the(), &Settings::changed, this, [this](const QString& key) {
+    if (key == QLatin1String(kCueDeviceKey)) follow_setting();
+  });
+  follow_setting();
+}
+
+CuePlayer::~CuePlayer() = default;
+
+QString CuePlayer::in_use() const {
+  return player_ ? text_of(player_->device().descriptor().id) : QString();
+}
+
+void CuePlayer::follow_setting() {
+  const QString id = Settings::the().text(QString::fromLatin1(kCueDeviceKey));
+  if (id == in_use()) return again_.stop();
+  if (!find_cue_device(id.toStdString()).first) {
+    use({});
+    if (!id.isEmpty()) again_.start();
+    return;
+  }
+  again_.stop();
+  use(id);
+}
+
+/// A device that is there and does not open said so once; it is tried again when it is plugged in
+/// anew, or chosen.
+void CuePlayer::look_again() {
+  const QString id = Settings::the().text(QString::fromLatin1(kCueDeviceKey));
+  if (find_cue_device(id.toStdString()).first) follow_setting();
+}
+
+bool CuePlayer::use(const QString& id) {
+  const bool had_one = player_ != nullptr;
+  player_.reset();
+  law_.reset();
+  is_silent_ = true;
+  if (!id.isEmpty()) {
+    const auto [driver, descriptor] = find_cue_device(id.toStdString());
+    Result<std::unique_ptr<CueDevice>> device =
+        driver ? driver->open_cue(descriptor)
+               : fail(ErrorCode::kNotFound, "there is no haptic device \"" + id.toStdString() +
+                                                "\" now: is it plugged in and switched on?");
+    if (!device) {
+      if (had_one) Q_EMIT changed();
+      Q_EMIT refused(QString::fromStdString(device.error().message));
+      return false;
+    }
+    player_ = std::make_unique<CueThread>(
+        *std::move(device), studio_.loop() != nullptr, [this, which = ++opened_](DeviceFault) {
+          QMetaObject::invokeMethod(
+              this, [this, which] { lose(which); }, Qt::QueuedConnection);
+        });
+  }
+  if (had_one || player_) Q_EMIT changed();
+  return true;
+}
+
+/// It was unplugged, or went to sleep.
+void CuePlayer::lose(int which) {
+  if (!player_ || which != opened_) return;
+  const QString label = text_of(player_->device().descriptor().label);
+  player_.reset();
+  is_silent_ = true;
+  again_.start();
+  Q_EMIT changed();
+  Q_EMIT refused(tr("%1 is gone. It plays again when it is back.").arg(label));
+}
+
+void CuePlayer::fall_silent() {
+  law_.reset();
+  if (player_ && !std::exchange(is_silent_, true)) player_->stop();
+}
+
+CueFeel CuePlayer::feel() const {
+  const Session& session = studio_.session();
+  return cue_feel_of(material_of(session), session.sheet().material());
+}
+
+void CuePlayer::take(const TickReport& tick) {
+  if (!player_) return;
+  idle_.start();
+  const std::int64_t now_ns = studio_.now_ns();
+  if (!studio_.forces_are_on() || studio_.strength() <= 0.0) return fall_silent();
+  if (now_ns - last_look_ns_ >= kLookNs || now_ns < last_look_ns_) {
+    last_look_ns_ = now_ns;
+    law_.set_feel(feel());
+    if (const auto event = watch_.look(studio_.session(), tick.sample)) law_.tell(*event);
+  }
+  CueInput input = cue_input_of(tick.sample, studio_.session().sheet().material());
+  input.time_ns = now_ns;
+  std::optional<Cue> cue = law_.step(input);
+  if (!cue) return;
+  cue->intensity *= studio_.strength();
+  is_silent_ = cue->waveform == CueWaveform::kNone;
+  player_->play(*cue, now_ns);
+}
+
+}  // namespace felt::desktop

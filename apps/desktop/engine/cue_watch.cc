@@ -1,0 +1,60 @@
+#include "desktop/engine/cue_watch.h"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <string_view>
+#include <utility>
+
+namespace felt::desktop {
+namespace {
+
+/// Tools that do nothing where there is nothing: a person is told. Rubbing on bare paper with the
+/// eraser is no mistake, nor is a tap with the lasso.
+constexpr std::array<std::string_view, 4> kTaking{"pull", "connect", "smooth", "width"};
+
+double nearest_handle(const Overlay& overlay, Point pen) {
+  double nearest = std::numeric_limits<double>::infinity();
+  for (const Overlay::Dot& dot : overlay.dots) {
+    if (dot.role == Overlay::Role::kHandle) nearest = std::min(nearest, norm(dot.at - pen));
+  }
+  return nearest;
+}
+
+bool is_in_snap_ring(const Overlay& overlay, Point pen, double slack) {
+  return std::any_of(overlay.rings.begin(), overlay.rings.end(), [&](const Overlay::Ring& ring) {
+    return ring.role == Overlay::Role::kSnap && norm(ring.center - pen) <= slack * ring.radius_mm;
+  });
+}
+
+}  // namespace
+
+std::optional<CueEvent> CueWatch::look(const Session& session, const PenSample& pen) {
+  constexpr double kLetGo = 1.5;  // hysteresis of places
+  const Point at{pen.position.x, pen.position.y};
+  overlay_.clear();
+  session.draw(overlay_);
+  const bool is_down = session.gesture_in_work();
+  const bool was_down = std::exchange(is_down_, is_down);
+  const std::string_view tool = session.tool().info().id;
+  const bool takes = std::find(kTaking.begin(), kTaking.end(), tool) != kTaking.end();
+
+  const bool snapped = is_in_snap_ring(overlay_, at, snaps_ ? kLetGo : 1.0) && is_down;
+  const bool is_new_snap = snapped && !std::exchange(snaps_, snapped);
+  snaps_ = snapped;
+  const bool found = !is_down && nearest_handle(overlay_, at) <= (found_ ? kLetGo : 1.0) * kFoundMm;
+  const bool is_new_find = found && !found_;
+  found_ = found;
+
+  if (is_down && !was_down) came_to_something_ = false;
+  const bool is_first_change =
+      is_down && !came_to_something_ && session.preview().has_value() && takes;
+  if (is_first_change) came_to_something_ = true;
+  if (was_down && !is_down && takes && !came_to_something_) return CueEvent::kRefused;
+  if (is_new_snap) return CueEvent::kSnapped;
+  if (is_first_change) return CueEvent::kTook;
+  if (is_new_find) return CueEvent::kFound;
+  return std::nullopt;
+}
+
+}  // namespace felt::desktop

@@ -1,0 +1,95 @@
+#pragma once
+
+#include <QObject>
+#include <QString>
+#include <QThreadPool>
+#include <QTimer>
+#include <functional>
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include "desktop/engine/pen_device.h"
+#include "felt/driver/driver.h"
+
+namespace felt::desktop {
+
+/// What one maker's driver says about this machine.
+struct DriverFindings {
+  QString label;  ///< "3D Systems (OpenHaptics)"
+  std::vector<Finding> findings;
+};
+
+/// The drivers of real devices, as a maker of pens: knows what is plugged in, and opens it.
+///
+/// Nothing is looked for but while somebody wants to know (`Watching`: a list is shown, a lost
+/// device is waited for), once a second then, on a thread of its own: a library that takes its time
+/// holds up no window. Drivers are asked one thing at a time; opening waits for a look that is
+/// under way, kPatienceMs at most. One per process, made before the first window. Main thread.
+class DriverWatch : public QObject {
+  Q_OBJECT
+
+ public:
+  static constexpr int kLookMs = 1000;
+  static constexpr int kPatienceMs = 3000;
+
+  explicit DriverWatch(std::vector<std::unique_ptr<Driver>> drivers, QObject* parent = nullptr);
+  ~DriverWatch() override;
+  /// The one there is, or null.
+  static DriverWatch* the() noexcept;
+
+  /// The force devices, as of the last look.
+  [[nodiscard]] const std::vector<PenDeviceInfo>& found() const noexcept { return found_; }
+  /// The ids and names of what plays waveforms, likewise (cue_player.h opens them).
+  [[nodiscard]] const std::vector<std::pair<QString, QString>>& found_cues() const noexcept {
+    return cues_;
+  }
+  [[nodiscard]] const PenDeviceInfo* find(const QString& id) const noexcept;
+  /// One of its drivers makes devices with such ids, plugged in or not.
+  [[nodiscard]] bool knows(const QString& id) const noexcept;
+  /// True once it has been looked for the first time.
+  [[nodiscard]] bool has_looked() const noexcept { return has_looked_; }
+  /// Looks now, once; `looked` follows.
+  void look();
+  /// Asks all drivers what is there and what is missing, on its thread; answers on the main one,
+  /// unless `asker` is gone by then.
+  void diagnose(QObject* asker, std::function<void(std::vector<DriverFindings>)> answer);
+  /// Is a device of this id open in this program (in whichever window)?
+  [[nodiscard]] static bool is_open(const QString& id);
+
+  /// While one of these lives, devices are looked for.
+  class Watching {
+   public:
+    Watching();
+    Watching(const Watching&) = delete;
+    Watching& operator=(const Watching&) = delete;
+    ~Watching();
+  };
+
+ Q_SIGNALS:
+  /// found() or found_cues() is not what it was.
+  void changed();
+  /// A look is over, whatever it saw.
+  void looked();
+
+ private:
+  struct Slot;
+  class DriverPen;
+
+  Result<std::unique_ptr<PenDevice>> open(const QString& id, const OpenOptions& options);
+  [[nodiscard]] std::shared_ptr<Slot> slot_of(const QString& id) const noexcept;
+  void take(std::vector<DeviceDescriptor> found);
+  void set_pace();
+
+  std::vector<std::shared_ptr<Slot>> slots_;
+  std::vector<DeviceDescriptor> descriptors_;
+  std::vector<PenDeviceInfo> found_;
+  std::vector<std::pair<QString, QString>> cues_;
+  QThreadPool looker_;
+  QTimer timer_;
+  bool is_looking_ = false;
+  bool has_looked_ = false;
+  int pens_ = 0;  // number of add_pen_driver
+};
+
+}  // namespace felt::desktop

@@ -1,0 +1,118 @@
+// What a studio knows of sheets and media, and the page that is made of one.
+#include <algorithm>
+#include <utility>
+
+#include "desktop/engine/studio.h"
+
+namespace felt::desktop {
+namespace {
+
+bool is_same_one(const AnyMaterial& a, const AnyMaterial& b) {
+  return a.index() == b.index() && id_of(a) == id_of(b);
+}
+
+/// The one of that kind and id, or nothing.
+std::optional<AnyMaterial> find_in(const Materials& materials, const AnyMaterial& like) {
+  if (std::holds_alternative<SurfaceMaterial>(like)) {
+    const SurfaceMaterial* sheet = materials.find_surface(id_of(like));
+    return sheet ? std::optional<AnyMaterial>(*sheet) : std::nullopt;
+  }
+  const Medium* medium = materials.find_medium(id_of(like));
+  return medium ? std::optional<AnyMaterial>(*medium) : std::nullopt;
+}
+
+constexpr const char* kSheetMaterialId = "sheet.material";
+
+}  // namespace
+
+/// What a person has chosen last goes before what the drawing brought.
+void Studio::know(const Materials& known) {
+  const Materials before = std::exchange(options_.materials, known);
+  for (const AnyMaterial& own : not_built_in(known)) {
+    if (find_in(before, own) == own) continue;
+    std::erase_if(brought_, [&](const AnyMaterial& other) { return is_same_one(own, other); });
+    if (find_in(session_->materials(), own) == own) continue;
+    if (apply(UseMaterial{write_material(own)}) && is_drawn_with(own)) {
+      set_modified(true);
+    }
+  }
+  gather_materials();
+  Q_EMIT materials_changed();
+}
+
+/// The drawing would look or feel otherwise with another one.
+bool Studio::is_drawn_with(const AnyMaterial& material) const {
+  const Document& document = session_->document();
+  if (document.stroke_count() == 0) return false;  // nothing that anybody would miss
+  if (std::holds_alternative<SurfaceMaterial>(material)) {
+    return session_->sheet().material().id == id_of(material);
+  }
+  for (const Layer& layer : document.layers()) {
+    for (const StrokeId id : layer.strokes) {
+      if (document.find(id)->material() == id_of(material)) return true;
+    }
+  }
+  return false;
+}
+
+/// The session was told of it: it may be chosen.
+void Studio::note_material(const std::string& text) {
+  Result<AnyMaterial> material = read_material(text);
+  if (!material || find_in(options_.materials, *material) == *material) return;
+  std::erase_if(brought_, [&](const AnyMaterial& old) { return is_same_one(old, *material); });
+  brought_.push_back(*std::move(material));
+  gather_materials();
+  Q_EMIT materials_changed();
+}
+
+void Studio::take_materials(std::span<const std::string> texts) {
+  for (const std::string& text : texts) {
+    Result<AnyMaterial> material = read_material(text);
+    if (material && find_in(session_->materials(), *material) == *material) continue;
+    const Result<void> done = session_->apply({event_time_ns(), UseMaterial{text}});
+    if (!done) {
+      Q_EMIT refused(QString::fromStdString(done.error().message));
+    } else {
+      brought_.push_back(*std::move(material));
+    }
+  }
+  gather_materials();
+}
+
+void Studio::gather_materials() {
+  materials_ = options_.materials;
+  for (const AnyMaterial& brought : brought_) put(materials_, brought);
+}
+
+void Studio::set_page(const SheetPage& page) {
+  if (page == page_) return;
+  drain();
+  const bool has_other_sheet = take_page(page);
+  publish();
+  set_modified(true);
+  if (has_other_sheet) Q_EMIT option_changed(QLatin1String(kSheetMaterialId));
+  Q_EMIT page_changed();
+}
+
+/// The page, and the session's sheet as it says. True: that is another one now.
+bool Studio::take_page(const SheetPage& page) {
+  page_ = page;
+  const OptionValue wanted(page_.surface);
+  if (page_.surface.empty() || session_->option(kSheetMaterialId).value_or(wanted) == wanted) {
+    return false;
+  }
+  if (session_->apply({event_time_ns(), SetOption{kSheetMaterialId, wanted}})) return true;
+  const auto id = QString::fromStdString(page_.surface);
+  Q_EMIT refused(tr("The sheet “%1” is not known here: it feels as the one before.").arg(id));
+  return false;
+}
+
+/// What a person has chosen is the page's.
+void Studio::name_surface() {
+  const std::string before = std::exchange(page_.surface, session_->sheet().material().id);
+  if (before == page_.surface) return;
+  if (!before.empty() && session_->document().stroke_count() > 0) set_modified(true);
+  Q_EMIT page_changed();
+}
+
+}  // namespace felt::desktop

@@ -1,0 +1,151 @@
+#include "desktop/feel/friction_sound.h"
+
+#include <gtest/gtest.h>
+
+#include <QSignalSpy>
+#include <QTest>
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "desktop/engine/settings.h"
+#include "desktop/feel/settings_keys.h"
+#include "felt/material/relief.h"
+
+namespace felt::desktop {
+namespace {
+
+constexpr std::int64_t kMs = 1'000'000;
+
+StudioOptions still() {
+  return {.device = QStringLiteral("tablet"), .live = false};
+}
+
+/// A stroke with the mouse or a tablet, in the air before and after.
+void draw(Studio& studio, int ms, double pressure = 0.6) {
+  for (int i = 0; i < ms; i += 4) {
+    studio.point({studio.now_ns(), {20.0 + 0.15 * i, 30.0}, pressure > 0.0, pressure});
+    studio.advance(4 * kMs);
+  }
+}
+
+std::vector<float> read(RubbedSamples& samples, std::size_t count) {
+  std::vector<float> all(count);
+  const qint64 size = qint64(count * sizeof(float));
+  EXPECT_EQ(samples.read(reinterpret_cast<char*>(all.data()), size), size);
+  return all;
+}
+
+float peak(const std::vector<float>& sound) {
+  float most = 0.0F;
+  for (const float s : sound) most = std::max(most, std::fabs(s));
+  return most;
+}
+
+TEST(FrictionSound, EverySampleOfThePenGoesToTheSoundByTheRing) {
+  Studio studio(still());
+  RubbedFeed feed;
+  PenFeed pen(studio, feed);
+  QSignalSpy told(&studio, &Studio::sampled);
+  draw(studio, 200);
+  ASSERT_GE(told.count(), 190);
+  EXPECT_EQ(feed.samples.size(), std::size_t(told.count()));
+  ASSERT_TRUE(feed.pair.update());
+  const SurfaceMaterial& sheet = studio.session().sheet().material();
+  EXPECT_EQ(feed.pair.get().relief, surface_grain(sheet));  // R47
+  RubbingSample sample, last;
+  bool pushed = false;
+  while (feed.samples.pop(sample)) {
+    EXPECT_GT(sample.time_ns, last.time_ns);
+    last = sample;
+    pushed = pushed || sample.push_n > 0.3;
+  }
+  EXPECT_TRUE(pushed);
+}
+
+TEST(FrictionSound, WhatIsDrawnIsHeardAndWhatHoversIsNot) {
+  Studio studio(still());
+  RubbedFeed feed;
+  feed.volume = 1.0F;
+  PenFeed pen(studio, feed);
+  RubbedSamples samples(feed, true);
+  EXPECT_EQ(peak(read(samples, 4800)), 0.0F);
+  const auto heard = [&](double pressure) {
+    std::vector<float> all;
+    for (int i = 0; i < 30; ++i) {
+      draw(studio, 20, pressure);
+      const auto part = read(samples, 960);
+      all.insert(all.end(), part.begin(), part.end());
+    }
+    return all;
+  };
+  EXPECT_EQ(peak(heard(0.0)), 0.0F);
+  EXPECT_GT(peak(heard(0.6)), 0.01F);
+  feed.volume = 0.0F;
+  static_cast<void>(heard(0.6));
+  EXPECT_LT(peak(heard(0.6)), 1e-4F);
+  // Nothing comes any more: silent soon, and for good.
+  static_cast<void>(read(samples, 4800));
+  EXPECT_EQ(peak(read(samples, 48000)), 0.0F);
+}
+
+TEST(FrictionSound, ADeviceOf16BitsHearsTheSame) {
+  Studio studio(still());
+  RubbedFeed feed, also;
+  feed.volume = also.volume = 1.0F;
+  PenFeed pen(studio, feed), other(studio, also);
+  RubbedSamples floats(feed, true), whole(also, false);
+  draw(studio, 100);
+  const auto a = read(floats, 4000);
+  std::vector<std::int16_t> b(4000);
+  ASSERT_EQ(whole.read(reinterpret_cast<char*>(b.data()), 8000), 8000);
+  EXPECT_GT(peak(a), 0.0F);
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    ASSERT_EQ(b[i], std::lround(32767.0F * a[i])) << i;
+  }
+}
+
+TEST(FrictionSound, FollowsTheSheetAndAnotherDrawing) {
+  Studio studio(still());
+  RubbedFeed feed;
+  PenFeed pen(studio, feed);
+  studio.apply(SetOption{"sheet.material", OptionValue(std::string("canvas"))});
+  draw(studio, 100);
+  ASSERT_TRUE(feed.pair.update());
+  EXPECT_EQ(feed.pair.get().relief, surface_grain(*find_surface("canvas")));
+  studio.open(Document(), studio.page());
+  studio.apply(SelectTool{"eraser"});
+  draw(studio, 100);
+  ASSERT_TRUE(feed.pair.update());
+  EXPECT_EQ(feed.pair.get(), [&] {
+    RubbingPair pair = rubbing_pair(*find_surface("canvas"), *find_medium("eraser"));
+    pair.firm_push_n = feed.pair.get().firm_push_n;
+    return pair;
+  }());
+}
+
+// Off at first; a machine without a sound device says so in a sentence, and draws as ever.
+TEST(FrictionSound, IsOffAtFirstAndWorksWithoutASoundDevice) {
+  Settings::the().reset(QString::fromLatin1(feel_keys::kSound));
+  Studio studio(still());
+  {
+    FrictionSound sound(studio);
+    EXPECT_NE(SoundState::the().state(), SoundState::State::kHeard);
+    EXPECT_EQ(SoundState::the().words().isEmpty(), FrictionSound::is_built_in());
+    Settings::the().set(QString::fromLatin1(feel_keys::kSound), true);
+    draw(studio, 50);
+    if (FrictionSound::is_built_in()) {
+      EXPECT_TRUE(QTest::qWaitFor(
+          [] { return SoundState::the().state() != SoundState::State::kOff; }, 20000));
+      EXPECT_EQ(SoundState::the().words().isEmpty(),
+                SoundState::the().state() == SoundState::State::kHeard);
+    }
+    draw(studio, 50);
+    Settings::the().set(QString::fromLatin1(feel_keys::kSound), false);
+    EXPECT_NE(SoundState::the().state(), SoundState::State::kHeard);
+  }
+  Settings::the().reset(QString::fromLatin1(feel_keys::kSound));
+}
+
+}  // namespace
+}  // namespace felt::desktop

@@ -1,0 +1,70 @@
+#include "desktop/feel/rubbed_samples.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+
+namespace felt::desktop {
+
+PenFeed::PenFeed(Studio& studio, RubbedFeed& feed)
+    : studio_(studio), feed_(feed), pen_(studio.session()) {
+  connect(&studio_, &Studio::sampled, this, &PenFeed::take);
+  connect(&studio_, &Studio::opened, this, [this] { pen_.follow(studio_.session()); });
+}
+
+void PenFeed::take(const PenSample& sample) {
+  // Full means that nobody listens; what was lost is no harm then.
+  static_cast<void>(feed_.samples.push(pen_.sample(sample)));
+  if (pen_.pair() == told_) return;
+  told_ = pen_.pair();
+  feed_.pair.publish(told_);
+}
+
+RubbedSamples::RubbedSamples(RubbedFeed& feed, bool is_float) : feed_(feed), is_float_(is_float) {
+  open(QIODevice::ReadOnly | QIODevice::Unbuffered);
+}
+
+qint64 RubbedSamples::bytesAvailable() const {
+  return qint64(RubbingSound::kRateHz) * qint64(is_float_ ? sizeof(float) : sizeof(std::int16_t));
+}
+
+void RubbedSamples::take_news() {
+  if (feed_.pair.update()) sound_.set_pair(feed_.pair.get());
+  std::array<RubbingSample, 64> batch;
+  for (std::size_t n = 0; (n = feed_.samples.pop(batch)) > 0;) {
+    for (const RubbingSample& sample : std::span(batch).first(n)) sound_.push(sample);
+  }
+  sound_.keep_up(kBehindS);
+}
+
+qint64 RubbedSamples::readData(char* data, qint64 most) {
+  constexpr float kFollow = 0.002F;  // 10 ms
+  take_news();
+  const qint64 size = is_float_ ? sizeof(float) : sizeof(std::int16_t);
+  std::array<float, 256> block{};
+  qint64 done = 0;
+  while (most - done >= size) {
+    const auto n = std::min(static_cast<std::size_t>((most - done) / size), block.size());
+    sound_.render(std::span(block).first(n));
+    const float volume = feed_.volume.load(std::memory_order_relaxed);
+    for (std::size_t i = 0; i < n; ++i, done += size) {
+      volume_ += kFollow * (volume - volume_);
+      const float value = volume_ * block[i];
+      const auto whole = static_cast<std::int16_t>(std::lround(32767.0F * value));
+      if (is_float_) {
+        std::memcpy(data + done, &value, sizeof value);
+      } else {
+        std::memcpy(data + done, &whole, sizeof whole);
+      }
+    }
+  }
+  return done;
+}
+
+qint64 RubbedSamples::writeData(const char*, qint64) {
+  return -1;
+}
+
+}  // namespace felt::desktop

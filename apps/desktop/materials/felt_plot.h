@@ -1,0 +1,43 @@
+#pragma once
+
+#include <QWidget>
+
+#include "desktop/materials/felt_probe.h"
+
+namespace felt::desktop {
+
+/// What a stroke of 40 mm would feel like, pressed on evenly: the force against the pen along the
+/// way, and the band around its mean within which nobody feels a change (0.04 N to both sides).
+/// What stands out of the band is the grain in the hand; it is filled.
+class FeltPlot : public QWidget {
+  Q_OBJECT
+
+ public:
+  /// The least change of a force that is perceived, N (specification section 0).
+  static constexpr double kFeltN = 0.04;
+
+  explicit FeltPlot(QWidget* parent = nullptr);
+
+  void show_figures(const FeltFigures& figures);
+  /// Largest departure from the mean, N; 0 without a stroke.
+  [[nodiscard]] double departure_n() const noexcept { return departure_n_; }
+
+  [[nodiscard]] QSize sizeHint() const override;
+  [[nodiscard]] QSize minimumSizeHint() const override;
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+
+ private:
+  [[nodiscard]] QRectF axes() const;
+  [[nodiscard]] double top_n() const;
+  void draw_axes(QPainter& painter, const QRectF& in) const;
+  void draw_band(QPainter& painter, const QRectF& in) const;
+  void draw_line(QPainter& painter, const QRectF& in) const;
+
+  FeltFigures figures_;
+  double mean_n_ = 0.0;
+  double departure_n_ = 0.0;
+};
+
+}  // namespace felt::desktop

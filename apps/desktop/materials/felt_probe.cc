@@ -1,0 +1,125 @@
+#include "desktop/materials/felt_probe.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "felt/devices/simulated/felt_stroke.h"
+#include "felt/haptics/drawing_feel.h"
+
+namespace felt::desktop {
+namespace {
+
+constexpr auto kStandIn = "touch";
+constexpr double kRunUpMm = 20.0;  // until the pen goes evenly
+constexpr double kRestS = 0.3;
+constexpr std::size_t kPoints = 400;
+
+/// The drag along the last kLengthMm, in kPoints steps: each the largest of its part, so that no
+/// peak is lost.
+std::vector<double> drag_of(const StrokeForces& forces) {
+  const double mm_per_tick = FeltFigures::kSpeedMmPerS * forces.period_s;
+  const auto wanted = static_cast<std::size_t>(FeltFigures::kLengthMm / mm_per_tick);
+  const std::size_t count = std::min(wanted, forces.along_x.size());
+  const std::size_t first = forces.along_x.size() - count;
+  std::vector<double> drag;
+  for (std::size_t point = 0; point < std::min(kPoints, count); ++point) {
+    const std::size_t points = std::min(kPoints, count);
+    const std::size_t from = first + point * count / points;
+    const std::size_t until = first + (point + 1) * count / points;
+    double largest = 0.0;
+    for (std::size_t i = from; i < until; ++i) largest = std::max(largest, -forces.along_x[i].x);
+    drag.push_back(largest);
+  }
+  return drag;
+}
+
+/// How much of the relief's height the texture may give: one that is lower is felt whole.
+double grain_share_of(const FeltWish& wish, const Capabilities& device, const HeightField* grain) {
+  if (!grain || !(wish.medium.grain > 0.0)) return 1.0;
+  const FrictionOptions friction = friction_for(wish.medium, wish.sheet, device);
+  const auto stiffness = [&](double height_share) {
+    const HeightField field =
+        grain->scaled(wish.sheet.grain_mm, height_share * wish.sheet.grain_um);
+    return Texture(&field, {.strength = wish.medium.grain,
+                            .friction = friction.coefficient,
+                            .bristle_n_per_m = friction.stiffness_n_per_m,
+                            .period_s = 1e-9 * static_cast<double>(device.period_ns)})
+        .stiffness_n_per_m();
+  };
+  // So low that no bound is near: stiffness is in proportion to height there.
+  constexpr double kLow = 1e-3;
+  const double free = stiffness(kLow) / kLow;
+  return free > 0.0 ? std::clamp(stiffness(1.0) / free, 0.0, 1.0) : 1.0;
+}
+
+}  // namespace
+
+Capabilities felt_device(const Capabilities& device) {
+  return device.has_force() ? device : find_stylus_preset(kStandIn)->capabilities;
+}
+
+FeltFigures felt_figures(const FeltWish& wish) {
+  StylusPreset device = *find_stylus_preset(kStandIn);
+  device.capabilities = felt_device(wish.device);
+  // What a hand can feel lies within its reach, wherever the workspace is on the sheet.
+  const Capabilities& can = device.capabilities;
+  const HeightField* grain = surface_grain(wish.sheet);
+  const Slopes slopes = make_sheet_force(wish.sheet, wish.medium, can, grain).slopes();
+  FeltFigures figures;
+  figures.stiffness_n_per_m = plane_for(wish.sheet, can).stiffness_n_per_m;
+  figures.budget_share =
+      std::max(slopes.normal_n_per_m, slopes.friction_n_per_m + slopes.lateral_n_per_m) /
+      stiffness_budget_n_per_m(can);
+  figures.grain_share = grain_share_of(wish, can, grain);
+  const StrokeForces forces = draw_stroke({.device = &device,
+                                           .hand = &typical_hand(),
+                                           .period_ns = can.period_ns,
+                                           .surface = &wish.sheet,
+                                           .tool = &wish.medium,
+                                           .speed_mm_per_s = FeltFigures::kSpeedMmPerS,
+                                           .press_n = FeltFigures::kPressN,
+                                           .leg_mm = kRunUpMm + FeltFigures::kLengthMm,
+                                           .rest_s = kRestS});
+  figures.rest_n = force_above_30_hz_n(forces.resting, forces.period_s);
+  figures.is_sound = forces.is_sound;
+  figures.drag_n = drag_of(forces);
+  for (double& newton : figures.drag_n) newton *= wish.strength;
+  return figures;
+}
+
+FeltProbe::FeltProbe(QObject* parent) : QObject(parent) {
+  worker_.setMaxThreadCount(1);
+}
+
+FeltProbe::~FeltProbe() = default;
+
+void FeltProbe::ask(const FeltWish& wish) {
+  if (has_asked_ && wish == wanted_) return;
+  wanted_ = wish;
+  has_asked_ = true;
+  if (is_busy_) {
+    is_stale_ = true;
+  } else {
+    start();
+  }
+}
+
+void FeltProbe::start() {
+  is_busy_ = true;
+  is_stale_ = false;
+  worker_.start([this, wish = wanted_] {
+    const FeltFigures figures = felt_figures(wish);
+    QMetaObject::invokeMethod(
+        this,
+        [this, figures] {
+          is_busy_ = false;
+          const bool is_old = is_stale_;
+          if (is_old) start();
+          // While a slider is dragged, what was true a moment ago is better than nothing.
+          Q_EMIT figured(figures);
+        },
+        Qt::QueuedConnection);
+  });
+}
+
+}  // namespace felt::desktop

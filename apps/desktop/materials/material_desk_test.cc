@@ -1,0 +1,253 @@
+#include "desktop/materials/material_desk.h"
+
+#include <gtest/gtest.h>
+
+#include <QFile>
+#include <QTemporaryDir>
+#include <cmath>
+#include <vector>
+
+#include "desktop/engine/settings.h"
+#include "desktop/materials/media_picker.h"
+#include "desktop/materials/settings_keys.h"
+#include "felt/material/material_fields.h"
+#include "felt/material/relief.h"
+
+namespace felt::desktop {
+namespace {
+
+/// Nothing is left by others, nothing is left to others: the first member.
+struct Clean {
+  Clean() { forget(); }
+  ~Clean() { forget(); }
+  static void forget() { Settings::the().reset(QString::fromLatin1(material_keys::kUnsaved)); }
+};
+
+struct Bench {
+  Clean clean;
+
+  [[nodiscard]] SurfaceMaterial sheet() const { return std::get<SurfaceMaterial>(desk.now()); }
+  [[nodiscard]] std::string felt_on() const { return studio.session().sheet().material().id; }
+  [[nodiscard]] std::size_t told() const {
+    std::size_t count = 0;
+    for (const Event& event : events) count += std::holds_alternative<UseMaterial>(event.what);
+    return count;
+  }
+
+  QTemporaryDir home;
+  std::vector<Event> events;
+  OwnMaterials own{{home.path().toStdString()}};
+  Studio studio{{.device = QStringLiteral("simulated:touch"),
+                 .live = false,
+                 .on_event = [this](const Event& event) { events.push_back(event); }}};
+  MaterialDesk desk{studio, own};
+};
+
+TEST(MaterialDesk, AChangeOfABuiltInOneIsACopyThatIsFeltAtOnce) {
+  Bench bench;
+  bench.desk.select({true, "glass"});
+  EXPECT_EQ(bench.felt_on(), "glass");
+  bench.desk.set("feel.friction", 0.3);
+  EXPECT_TRUE(bench.desk.is_own());
+  EXPECT_NE(bench.desk.key().id, "glass");
+  EXPECT_EQ(bench.felt_on(), bench.desk.key().id);
+  EXPECT_EQ(bench.studio.session().sheet().material().friction, 0.3);
+  EXPECT_EQ(find_surface("glass")->friction, 0.08);
+  EXPECT_EQ(bench.studio.session().materials().find_surface("glass")->friction, 0.08);
+  EXPECT_TRUE(bench.desk.is_changed());
+}
+
+TEST(MaterialDesk, EveryChangeIsUndoneAndRedone) {
+  Bench bench;
+  std::vector<AnyMaterial> states{bench.desk.now()};
+  for (const SheetField& field : sheet_fields()) {
+    const double now = field.get(bench.sheet());
+    double other = field.kind == MaterialFieldKind::kColor ? 0x112233
+                   : now == field.min                      ? 0.5 * (field.min + field.max)
+                                                           : field.min;
+    if (field.kind == MaterialFieldKind::kWhole) other = 42.0;
+    if (field.kind == MaterialFieldKind::kChoice) other = 2.0;
+    if (!field.allows(other) || other == now) continue;
+    bench.desk.set(field.id, other);
+    ASSERT_EQ(field.get(bench.sheet()), other) << field.id;
+    states.push_back(bench.desk.now());
+  }
+  ASSERT_GE(states.size(), 9u);
+  EXPECT_EQ(bench.desk.steps().count(), static_cast<int>(states.size()) - 1);
+  for (std::size_t i = states.size() - 1; i-- > 0;) {
+    bench.desk.steps().undo();
+    EXPECT_EQ(bench.desk.now(), states[i]) << i;
+  }
+  EXPECT_EQ(bench.desk.key(), (MaterialKey{true, "paper"}));
+  EXPECT_TRUE(bench.own.all().empty());
+  for (std::size_t i = 1; i < states.size(); ++i) {
+    bench.desk.steps().redo();
+    EXPECT_EQ(bench.desk.now(), states[i]) << i;
+  }
+}
+
+TEST(MaterialDesk, ADragIsOneStepAndFewEvents) {
+  Bench bench;
+  bench.desk.set("feel.friction", 0.5);  // a copy
+  const std::size_t told = bench.told();
+  for (int i = 0; i < 300; ++i) bench.desk.set("feel.stiffness_n_per_m", 400.0 + i, 7);
+  bench.desk.tell_now();
+  EXPECT_EQ(bench.desk.steps().count(), 2);
+  EXPECT_LE(bench.told(), told + 2);
+  EXPECT_EQ(bench.studio.session().sheet().material().stiffness_n_per_m, 699.0);
+  bench.desk.steps().undo();
+  EXPECT_EQ(bench.sheet().stiffness_n_per_m, 500.0);
+  EXPECT_EQ(bench.sheet().friction, 0.5);
+}
+
+TEST(MaterialDesk, ValuesThatNoFileMayHaveAreNotTaken) {
+  Bench bench;
+  bench.desk.set("feel.stiffness_n_per_m", 1e9);
+  bench.desk.set("feel.stiffness_n_per_m", std::nan(""));
+  bench.desk.set("grain.character", 99.0);
+  bench.desk.set("no.such_field", 1.0);
+  EXPECT_FALSE(bench.desk.is_own());
+  EXPECT_EQ(bench.desk.steps().count(), 0);
+}
+
+TEST(MaterialDesk, FiguresThatBelongTogetherFollowEachOther) {
+  Bench bench;
+  bench.desk.select({true, "glass"});
+  bench.desk.set("grain.height_um", 10.0);
+  EXPECT_GT(bench.sheet().grain_mm, 0.0);
+  EXPECT_EQ(material_error(bench.desk.now()), "");
+  bench.desk.set("grain.character", 5.0);  // a picture, and there is none
+  EXPECT_NE(bench.sheet().grain_character, HeightCharacter::kPicture);
+  bench.desk.select({false, "pencil"});
+  bench.desk.set("line.max_mm", 0.1);
+  EXPECT_EQ(std::get<Medium>(bench.desk.now()).line.min_mm, 0.1);
+  bench.desk.set("line.min_mm", 7.0);
+  EXPECT_EQ(std::get<Medium>(bench.desk.now()).line.max_mm, 7.0);
+  EXPECT_EQ(material_error(bench.desk.now()), "");
+}
+
+TEST(MaterialDesk, OneKeyFlipsBetweenAAndB) {
+  Bench bench;
+  EXPECT_TRUE(bench.desk.slots_are_alike());
+  bench.desk.set("feel.friction", 0.5);
+  EXPECT_EQ(bench.desk.slot(), 'A');
+  bench.desk.flip();
+  EXPECT_EQ(bench.desk.slot(), 'B');
+  EXPECT_EQ(bench.sheet().friction, find_surface("paper")->friction);
+  EXPECT_EQ(bench.studio.session().sheet().material().friction, find_surface("paper")->friction)
+      << "the hand has it at once";
+  bench.desk.set("feel.friction", 0.9);
+  bench.desk.flip();
+  EXPECT_EQ(bench.desk.slot(), 'A');
+  EXPECT_EQ(bench.sheet().friction, 0.5);
+  EXPECT_EQ(bench.studio.session().sheet().material().friction, 0.5);
+  bench.desk.steps().undo();  // what was done to B: back there
+  EXPECT_EQ(bench.desk.slot(), 'B');
+  EXPECT_EQ(bench.sheet().friction, find_surface("paper")->friction);
+  bench.desk.flip();
+  EXPECT_EQ(bench.sheet().friction, 0.5);
+  bench.desk.copy_to_other();
+  EXPECT_TRUE(bench.desk.slots_are_alike());
+}
+
+TEST(MaterialDesk, SavingRenamingAndDeletingCanBeUndone) {
+  Bench bench;
+  bench.desk.set("feel.friction", 0.5);
+  ASSERT_TRUE(bench.desk.save_as(QStringLiteral("My rough one")));
+  const MaterialKey key{true, "my-rough-one"};
+  EXPECT_EQ(bench.desk.key(), key);
+  EXPECT_FALSE(bench.desk.is_changed());
+  const QString file = bench.home.filePath(QStringLiteral("my-rough-one.toml"));
+  EXPECT_TRUE(QFile::exists(file));
+  bench.desk.rename(QStringLiteral("Sandpaper"));
+  EXPECT_EQ(name_of(bench.desk.now()), QStringLiteral("Sandpaper"));
+  EXPECT_EQ(bench.desk.key(), key) << "drawings go on naming it so";
+  EXPECT_FALSE(bench.desk.is_changed());
+  bench.desk.remove();
+  EXPECT_FALSE(QFile::exists(file));
+  EXPECT_EQ(bench.felt_on(), "paper");
+  bench.desk.steps().undo();
+  EXPECT_TRUE(QFile::exists(file));
+  EXPECT_EQ(bench.desk.key(), key);
+  EXPECT_EQ(name_of(bench.desk.now()), QStringLiteral("Sandpaper"));
+  EXPECT_EQ(bench.felt_on(), "my-rough-one");
+  // Undoing that it was made takes no file away.
+  while (bench.desk.steps().canUndo()) bench.desk.steps().undo();
+  EXPECT_TRUE(QFile::exists(file));
+}
+
+TEST(MaterialDesk, RevertBringsBackWhatTheFileHas) {
+  Bench bench;
+  ASSERT_TRUE(bench.desk.save_as(QStringLiteral("Mine")));
+  const AnyMaterial saved = bench.desk.now();
+  bench.desk.set("feel.friction", 0.9);
+  bench.desk.set("grain.height_um", 20.0);
+  EXPECT_TRUE(bench.desk.is_changed());
+  bench.desk.revert();
+  EXPECT_EQ(bench.desk.now(), saved);
+  EXPECT_FALSE(bench.desk.is_changed());
+  bench.desk.steps().undo();
+  EXPECT_EQ(bench.sheet().grain_um, 20.0);
+}
+
+TEST(MaterialDesk, FilesComeInAndGoOut) {
+  Bench bench;
+  bench.desk.select({false, "chalk"});
+  bench.desk.set_pair("glass", 0.11);
+  bench.desk.set("feel.wear", 0.5);
+  const QString path = bench.home.filePath(QStringLiteral("out.txt"));
+  const AnyMaterial made = bench.desk.now();
+  ASSERT_TRUE(bench.desk.export_file(path));
+  ASSERT_TRUE(bench.desk.import_file(path));
+  EXPECT_NE(bench.desk.key(), key_of(made)) << "there was one of that id";
+  EXPECT_EQ(std::get<Medium>(bench.desk.now()).pairs, std::get<Medium>(made).pairs);
+  EXPECT_EQ(std::get<Medium>(bench.desk.now()).wear, 0.5);
+  const Result<void> none = bench.desk.import_file(bench.home.filePath(QStringLiteral("none")));
+  ASSERT_FALSE(none);
+  EXPECT_NE(none.error().message.find("none"), std::string::npos);
+}
+
+TEST(MaterialDesk, TheLineOfAMediumReachesThePencil) {
+  Bench bench;
+  bench.desk.select({false, "crayon"});
+  EXPECT_EQ(medium_in_hand(bench.studio), "crayon");
+  bench.desk.set("line.max_mm", 9.5);
+  bench.desk.tell_now();
+  const auto width = [&] {
+    return std::get<double>(bench.studio.session().option("pencil.max_width_mm").value());
+  };
+  EXPECT_EQ(width(), 9.5);
+  bench.desk.set("line.max_mm", 4.0);
+  bench.desk.tell_now();
+  EXPECT_EQ(width(), 4.0);
+}
+
+TEST(MaterialDesk, AReliefOfAPictureIsFeltAndSaved) {
+  Bench bench;
+  HeightPicture picture{.width = 64, .height = 64, .heights = {}, .width_mm = 0.0};
+  for (int i = 0; i < 64 * 64; ++i) {
+    picture.heights.push_back(static_cast<float>((i / 64 / 8 + i % 64 / 8) % 2));
+  }
+  ASSERT_TRUE(bench.desk.take_relief(picture));
+  EXPECT_EQ(bench.sheet().grain_character, HeightCharacter::kPicture);
+  ASSERT_NE(surface_grain(bench.sheet()), nullptr);
+  ASSERT_TRUE(bench.desk.save());
+  OwnMaterials next({bench.home.path().toStdString()});
+  ASSERT_TRUE(next.find(bench.desk.key()));
+  EXPECT_EQ(next.find(bench.desk.key())->now, bench.desk.now());
+  picture.heights.assign(picture.heights.size(), 0.5F);
+  EXPECT_FALSE(bench.desk.take_relief(picture)) << "a picture of one grey is no relief";
+}
+
+TEST(MaterialDesk, WhatWasToldReplaysAlike) {
+  Bench bench;
+  bench.desk.set("feel.friction", 0.5);
+  bench.desk.set("grain.height_um", 30.0);
+  bench.desk.tell_now();
+  Session other(make_tools(), {});
+  for (const Event& event : bench.events) ASSERT_TRUE(other.apply(event));
+  EXPECT_EQ(other.sheet().material(), bench.studio.session().sheet().material());
+}
+
+}  // namespace
+}  // namespace felt::desktop

@@ -1,0 +1,308 @@
+#include "desktop/materials/material_editor.h"
+
+#include <QAbstractSpinBox>
+#include <QEvent>
+#include <QLineEdit>
+#include <QSignalBlocker>
+#include <QVBoxLayout>
+#include <utility>
+
+#include "desktop/engine/settings.h"
+#include "desktop/materials/media_picker.h"
+#include "desktop/materials/settings_keys.h"
+#include "desktop/panels/tool_icons.h"
+
+namespace felt::desktop {
+namespace {
+
+constexpr QSize kFirstSize{1060, 700};
+constexpr int kMarginPx = 8;
+constexpr int kFrameMs = 33;  // between two repaints of the plot
+
+QLabel* heading(const QString& text, QWidget* parent) {
+  auto* label = new QLabel(text, parent);
+  QFont font = label->font();
+  font.setBold(true);
+  label->setFont(font);
+  return label;
+}
+
+QScrollArea* scrolling(QWidget* content, const QString& name, QWidget* parent) {
+  auto* area = new QScrollArea(parent);
+  area->setWidget(content);
+  area->setWidgetResizable(true);
+  area->setFrameShape(QFrame::NoFrame);
+  area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  area->setFocusPolicy(Qt::NoFocus);
+  area->setAccessibleName(name);
+  return area;
+}
+
+}  // namespace
+
+MaterialEditor::MaterialEditor(Studio& studio, MaterialDesk& desk, QWidget* parent)
+    : QWidget(parent, Qt::Window),
+      studio_(studio),
+      desk_(desk),
+      list_(new MaterialList(this)),
+      name_(heading({}, this)),
+      state_(new QLabel(this)),
+      presets_(new QComboBox(this)),
+      fields_(new MaterialFieldsView(this)),
+      pairs_(new PairTable(this)),
+      preview_(new StrokePreview(this)),
+      plot_(new FeltPlot(this)),
+      sign_(new StabilitySign(this)),
+      graph_(new ForceGraph(history_, this)),
+      notice_(new QLabel(this)),
+      parts_(new QSplitter(Qt::Horizontal, this)) {
+  setObjectName(QStringLiteral("material_editor"));
+  setWindowTitle(tr("Materials"));
+  make_actions();
+  auto* rows = new QVBoxLayout(this);
+  rows->setContentsMargins(0, 0, 0, kMarginPx);
+  rows->addWidget(make_bar());
+  rows->addWidget(parts_, 1);
+  rows->addWidget(notice_);
+  notice_->setContentsMargins(kMarginPx, 0, kMarginPx, 0);
+  notice_->setWordWrap(true);
+  notice_->hide();
+  parts_->setChildrenCollapsible(false);
+  parts_->addWidget(list_);
+  parts_->addWidget(make_figures());
+  parts_->addWidget(make_looks());
+  parts_->setStretchFactor(0, 2);
+  parts_->setStretchFactor(1, 3);
+  parts_->setStretchFactor(2, 4);
+  list_->setMinimumWidth(16 * fontMetrics().averageCharWidth());
+  resize(kFirstSize);
+  restoreGeometry(Settings::the().value(material_keys::kGeometry).toByteArray());
+  parts_->restoreState(Settings::the().value(material_keys::kParts).toByteArray());
+  watch();
+  follow_list();
+  follow_desk();
+}
+
+void MaterialEditor::watch() {
+  connect(list_, &MaterialList::chosen, &desk_, &MaterialDesk::select);
+  connect(fields_, &MaterialFieldsView::chosen, this,
+          [this](const QString& field, double value, quint64 run) {
+            const bool needs_picture = field == QLatin1String("grain.character") &&
+                                       value == double(HeightCharacter::kPicture) &&
+                                       !std::get<SurfaceMaterial>(desk_.now()).picture;
+            if (needs_picture) {
+              ask_relief();
+              follow_desk();
+            } else {
+              desk_.set(field.toStdString(), value, run);
+            }
+          });
+  for (auto* number : findChildren<QLineEdit*>()) number->installEventFilter(this);
+  for (auto* number : findChildren<QAbstractSpinBox*>()) number->installEventFilter(this);
+  connect(pairs_, &PairTable::chosen, &desk_, &MaterialDesk::set_pair);
+  connect(&desk_, &MaterialDesk::selected, this, &MaterialEditor::follow_desk);
+  connect(&desk_, &MaterialDesk::changed, this, &MaterialEditor::follow_desk);
+  connect(&desk_, &MaterialDesk::failed, this, [this](const QString& why) { tell(why); });
+  connect(&desk_.own(), &OwnMaterials::changed, this, &MaterialEditor::follow_list);
+  connect(&desk_.steps(), &QUndoStack::indexChanged, this, &MaterialEditor::tell_names);
+  connect(&studio_, &Studio::materials_changed, this, &MaterialEditor::follow_list);
+  connect(&studio_, &Studio::option_changed, this, &MaterialEditor::ask_probe);
+  connect(&studio_, &Studio::device_changed, this, [this] {
+    history_.clear();
+    ask_probe();
+  });
+  connect(&studio_, &Studio::strength_changed, this, &MaterialEditor::ask_probe);
+  connect(&studio_, &Studio::opened, this, &MaterialEditor::follow_list);
+  connect(&studio_, &Studio::ticked, this, &MaterialEditor::take_tick);
+  connect(&probe_, &FeltProbe::figured, this, [this](const FeltFigures& figures) {
+    plot_->show_figures(figures);
+    sign_->show_words(stability_words(wish(), figures, studio_.device().info().label));
+  });
+  frame_.setSingleShot(true);
+  frame_.setInterval(kFrameMs);
+  connect(&frame_, &QTimer::timeout, graph_, qOverload<>(&QWidget::update));
+}
+
+QWidget* MaterialEditor::make_figures() {
+  auto* column = new QWidget(this);
+  auto* rows = new QVBoxLayout(column);
+  rows->setContentsMargins(kMarginPx, 0, 0, 0);
+  QFont large = name_->font();
+  large.setPointSizeF(1.2 * large.pointSizeF());
+  name_->setFont(large);
+  name_->setWordWrap(true);
+  state_->setWordWrap(true);
+  rows->addWidget(name_);
+  rows->addWidget(state_);
+  auto* line = new QHBoxLayout;
+  auto* label = new QLabel(tr("S&tart from:"), column);
+  label->setBuddy(presets_);
+  presets_->setAccessibleName(tr("Take the figures of another one"));
+  presets_->setToolTip(tr("Sets all figures to those of another one; they can be changed then"));
+  presets_->setPlaceholderText(tr("Figures of\u2026"));
+  connect(presets_, &QComboBox::activated, this, [this](int index) {
+    const MaterialKey key{desk_.key().is_sheet, presets_->itemData(index).toString().toStdString()};
+    const std::optional<AnyMaterial> from = find_in(studio_.materials(), key);
+    if (from) desk_.take_figures(*from);
+    presets_->setCurrentIndex(-1);
+  });
+  line->addWidget(label);
+  line->addWidget(presets_, 1);
+  rows->addLayout(line);
+  auto* content = new QWidget(column);
+  auto* figures = new QVBoxLayout(content);
+  figures->setContentsMargins(0, 0, kMarginPx, 0);
+  fields_->add_to_group(true, QStringLiteral("grain"), make_relief_button());
+  fields_->add_to_group(false, QStringLiteral("feel"), pairs_);
+  figures->addWidget(fields_);
+  QScrollArea* area = scrolling(content, tr("Figures"), column);
+  rows->addWidget(area, 1);
+  column->setMinimumWidth(content->minimumSizeHint().width() + 24);
+  return column;
+}
+
+QWidget* MaterialEditor::make_relief_button() {
+  auto* button = new QToolButton(this);
+  button->setText(tr("Relief from a picture\u2026"));
+  button->setToolTip(
+      tr("A PNG of 8 or 16 bits: white is high. It is fitted into a square of 32 "
+         "widths of the grain, and repeats without a seam"));
+  button->setAccessibleName(button->text());
+  button->setFocusPolicy(Qt::StrongFocus);
+  connect(button, &QToolButton::clicked, this, &MaterialEditor::ask_relief);
+  return button;
+}
+
+QWidget* MaterialEditor::make_looks() {
+  auto* content = new QWidget(this);
+  auto* rows = new QVBoxLayout(content);
+  rows->setContentsMargins(kMarginPx, 0, kMarginPx, 0);
+  rows->addWidget(heading(tr("Light, firm, hard"), content));
+  rows->addWidget(preview_, 3);
+  rows->addWidget(heading(tr("What a stroke feels like"), content));
+  rows->addWidget(plot_, 3);
+  auto* hatched = new QLabel(tr("Hatched: changes below 0.04 N, which nobody feels."), content);
+  hatched->setWordWrap(true);
+  rows->addWidget(hatched);
+  rows->addWidget(sign_);
+  rows->addWidget(heading(tr("What the pen feels now"), content));
+  rows->addWidget(graph_, 2);
+  return scrolling(content, tr("What comes of it"), this);
+}
+
+void MaterialEditor::follow_list() {
+  list_->show_materials(studio_.materials(), desk_.own());
+  list_->show_chosen(desk_.key());
+  fill_presets();
+}
+
+void MaterialEditor::fill_presets() {
+  QList<std::pair<QString, QString>> all;
+  const auto add = [&](const AnyMaterial& material) {
+    if (key_of(material) == desk_.key()) return;
+    all.push_back({name_of(material), QString::fromStdString(id_of(material))});
+  };
+  if (desk_.key().is_sheet) {
+    for (const SurfaceMaterial& sheet : studio_.materials().surfaces()) add(sheet);
+  } else {
+    for (const Medium& medium : studio_.materials().media()) add(medium);
+  }
+  const QSignalBlocker quiet(presets_);
+  presets_->clear();
+  for (const auto& [name, id] : all) presets_->addItem(name, id);
+  presets_->setCurrentIndex(-1);
+}
+
+void MaterialEditor::follow_desk() {
+  const AnyMaterial now = desk_.now();
+  fields_->show_material(now, desk_.origin());
+  if (const auto* medium = std::get_if<Medium>(&now)) {
+    pairs_->show_pairs(*medium, studio_.materials());
+  }
+  list_->show_chosen(desk_.key());
+  fill_presets();
+  tell_names();
+  ask_probe();
+}
+
+void MaterialEditor::tell_names() {
+  name_->setText(name_of(desk_.now()));
+  state_->setText(!desk_.is_own() ? tr("Comes with Feltline. A change makes a copy of your own.")
+                  : desk_.is_changed() ? tr("Your own, not saved. It is kept all the same.")
+                                       : tr("Your own, saved."));
+  QUndoStack& steps = desk_.steps();
+  action("undo")->setEnabled(steps.canUndo());
+  action("redo")->setEnabled(steps.canRedo());
+  action("undo")->setToolTip(steps.canUndo() ? tr("Undo: %1").arg(steps.undoText()) : tr("Undo"));
+  action("redo")->setToolTip(steps.canRedo() ? tr("Redo: %1").arg(steps.redoText()) : tr("Redo"));
+  action("revert")->setEnabled(desk_.now() != desk_.origin());
+  action("save")->setEnabled(desk_.is_changed());
+  action("rename")->setEnabled(desk_.is_own());
+  action("delete")->setEnabled(desk_.is_own());
+  tell_slots();
+}
+
+void MaterialEditor::tell_slots() {
+  const QChar slot = QLatin1Char(desk_.slot());
+  const QChar other = QLatin1Char(desk_.slot() == 'A' ? 'B' : 'A');
+  QAction* flip = action("flip");
+  flip->setText(desk_.slots_are_alike() ? tr("Compare: A = B") : tr("Compare: %1").arg(slot));
+  flip->setToolTip(tr("You feel, see and hear %1. Press B for %2.").arg(slot).arg(other));
+  flip->setEnabled(desk_.is_own());
+  action("copy_to_other")->setText(tr("Copy %1 to %2").arg(slot).arg(other));
+  action("copy_to_other")->setEnabled(desk_.is_own() && !desk_.slots_are_alike());
+}
+
+FeltWish MaterialEditor::wish() const {
+  FeltWish wish;
+  wish.sheet = studio_.session().sheet().material();
+  const Medium* in_hand = studio_.materials().find_medium(medium_in_hand(studio_));
+  wish.medium = in_hand ? *in_hand : media().front();
+  const AnyMaterial now = desk_.now();
+  if (const auto* sheet = std::get_if<SurfaceMaterial>(&now)) wish.sheet = *sheet;
+  if (const auto* medium = std::get_if<Medium>(&now)) wish.medium = *medium;
+  wish.device = studio_.device().device().capabilities();
+  wish.strength = studio_.strength();
+  return wish;
+}
+
+void MaterialEditor::ask_probe() {
+  if (!isVisible()) return;
+  const FeltWish wanted = wish();
+  probe_.ask(wanted);
+  preview_->show_medium(wanted.medium, wanted.sheet);
+}
+
+void MaterialEditor::take_tick(const TickReport& tick) {
+  history_.add(tick);
+  if (isVisible() && !frame_.isActive()) frame_.start();
+}
+
+void MaterialEditor::tell(const Result<void>& done, const QString& success) {
+  tell(done ? success : QString::fromStdString(done.error().message));
+}
+
+void MaterialEditor::tell(const QString& words) {
+  notice_->setText(words);
+  notice_->setVisible(!words.isEmpty());
+}
+
+void MaterialEditor::showEvent(QShowEvent* event) {
+  QWidget::showEvent(event);
+  graph_->set_shows_sent(studio_.device().device().capabilities().has_force());
+  follow_desk();
+}
+
+void MaterialEditor::hideEvent(QHideEvent* event) {
+  Settings::the().set(material_keys::kGeometry, saveGeometry());
+  Settings::the().set(material_keys::kParts, parts_->saveState());
+  desk_.own().keep_changes();
+  QWidget::hideEvent(event);
+}
+
+void MaterialEditor::changeEvent(QEvent* event) {
+  QWidget::changeEvent(event);
+  if (event->type() == QEvent::PaletteChange) draw_icons();
+}
+
+}  // namespace felt::desktop

@@ -1,0 +1,98 @@
+#pragma once
+
+#include <QAction>
+#include <QComboBox>
+#include <QLabel>
+#include <QScrollArea>
+#include <QSplitter>
+#include <QToolBar>
+#include <QWidget>
+
+#include "desktop/feel/force_graph.h"
+#include "desktop/feel/force_history.h"
+#include "desktop/materials/felt_plot.h"
+#include "desktop/materials/felt_probe.h"
+#include "desktop/materials/material_desk.h"
+#include "desktop/materials/material_fields_view.h"
+#include "desktop/materials/material_list.h"
+#include "desktop/materials/pair_table.h"
+#include "desktop/materials/stability_sign.h"
+#include "desktop/materials/stroke_preview.h"
+
+namespace felt::desktop {
+
+/// Where a person makes sheets and media of their own: a list of all, every figure as a slider and
+/// a number, and beside them what comes of it at once: strokes, a plot of what is felt, whether the
+/// device in use can give it, what the pen feels now. The drawing's window stays usable beside it,
+/// and has what is edited in hand.
+class MaterialEditor : public QWidget {
+  Q_OBJECT
+
+ public:
+  /// A window of its own above `parent`. `studio` and `desk` must outlive it.
+  MaterialEditor(Studio& studio, MaterialDesk& desk, QWidget* parent);
+
+  [[nodiscard]] MaterialList& list() noexcept { return *list_; }
+  [[nodiscard]] MaterialFieldsView& fields() noexcept { return *fields_; }
+  [[nodiscard]] StabilitySign& stability() noexcept { return *sign_; }
+  [[nodiscard]] StrokePreview& preview() noexcept { return *preview_; }
+  [[nodiscard]] FeltProbe& probe() noexcept { return probe_; }
+  /// "undo", "redo", "revert", "flip", "copy_to_other", "save", "save_as", "rename", "delete",
+  /// "import", "export"; null for any other.
+  [[nodiscard]] QAction* action(const char* name) const;
+  /// The line at the bottom: what went wrong, or what happened.
+  [[nodiscard]] QString notice() const { return notice_->text(); }
+
+ protected:
+  void showEvent(QShowEvent* event) override;
+  void hideEvent(QHideEvent* event) override;
+  void changeEvent(QEvent* event) override;
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
+ private:
+  void make_actions();
+  QAction* add_action(const char* name, const QString& text, const QString& tip,
+                      const QList<QKeySequence>& keys, const char* icon, std::function<void()> run);
+  QToolBar* make_bar();
+  QWidget* make_figures();
+  QWidget* make_relief_button();
+  QWidget* make_looks();
+  void watch();
+  void follow_list();
+  void follow_desk();
+  void tell_names();
+  void tell_slots();
+  void fill_presets();
+  void ask_probe();
+  void take_tick(const TickReport& tick);
+  [[nodiscard]] FeltWish wish() const;
+  void tell(const Result<void>& done, const QString& success);
+  void tell(const QString& words);
+  void ask_relief();
+  void ask_save_as();
+  void ask_rename();
+  void ask_import();
+  void ask_export();
+  void draw_icons();
+
+  Studio& studio_;
+  MaterialDesk& desk_;
+  QList<QAction*> actions_;
+  MaterialList* list_;
+  QLabel* name_;
+  QLabel* state_;
+  QComboBox* presets_;
+  MaterialFieldsView* fields_;
+  PairTable* pairs_;
+  StrokePreview* preview_;
+  FeltPlot* plot_;
+  StabilitySign* sign_;
+  ForceHistory history_;
+  ForceGraph* graph_;
+  QLabel* notice_;
+  QSplitter* parts_;
+  QTimer frame_;
+  FeltProbe probe_;
+};
+
+}  // namespace felt::desktop

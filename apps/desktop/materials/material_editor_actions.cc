@@ -1,0 +1,169 @@
+// What the editor of materials can be asked for, and its dialogs.
+#include <QCoreApplication>
+#include <QFileDialog>
+#include <QInputDialog>
+#include <QKeyEvent>
+#include <QMenu>
+#include <QToolButton>
+#include <utility>
+
+#include "desktop/materials/material_editor.h"
+#include "desktop/panels/tool_icons.h"
+#include "felt/io/png.h"
+
+namespace felt::desktop {
+namespace {
+
+constexpr auto kIconName = "icon_name";
+
+QString qstring(const std::string& text) {
+  return QString::fromUtf8(text.data(), qsizetype(text.size()));
+}
+
+}  // namespace
+
+QAction* MaterialEditor::action(const char* name) const {
+  for (QAction* action : actions_) {
+    if (action->objectName() == QLatin1String(name)) return action;
+  }
+  return nullptr;
+}
+
+QAction* MaterialEditor::add_action(const char* name, const QString& text, const QString& tip,
+                                    const QList<QKeySequence>& keys, const char* icon,
+                                    std::function<void()> run) {
+  auto* action = new QAction(text, this);
+  action->setObjectName(QLatin1String(name));
+  action->setShortcuts(keys);
+  action->setToolTip(keys.isEmpty() ? tip
+                                    : QStringLiteral("%1 (%2)").arg(
+                                          tip, keys.front().toString(QKeySequence::NativeText)));
+  action->setProperty(kIconName, QString::fromLatin1(icon));
+  connect(action, &QAction::triggered, this, std::move(run));
+  addAction(action);
+  actions_.push_back(action);
+  return action;
+}
+
+void MaterialEditor::make_actions() {
+  add_action("undo", tr("Undo"), tr("Undo"), {QKeySequence(Qt::CTRL | Qt::Key_Z)}, "undo",
+             [this] { desk_.steps().undo(); });
+  add_action("redo", tr("Redo"), tr("Redo"),
+             {QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_Z), QKeySequence(Qt::CTRL | Qt::Key_Y)},
+             "redo", [this] { desk_.steps().redo(); });
+  add_action("revert", tr("Revert"), tr("All figures as they were at first, or when last saved"),
+             {}, "reset", [this] { desk_.revert(); });
+  add_action("flip", tr("Compare: %1").arg(QLatin1Char('A')), {}, {QKeySequence(Qt::Key_B)}, "",
+             [this] { desk_.flip(); });
+  add_action("copy_to_other", tr("Copy %1 to %2").arg(QLatin1Char('A')).arg(QLatin1Char('B')),
+             tr("The other one gets these figures"), {}, "", [this] { desk_.copy_to_other(); });
+  add_action("save", tr("Save"), tr("Save as a file of your own"),
+             {QKeySequence(Qt::CTRL | Qt::Key_S)}, "save",
+             [this] { tell(desk_.save(), tr("%1 is saved.").arg(name_of(desk_.now()))); });
+  add_action("save_as", tr("Save as\u2026"), tr("Save under another name, as your own"),
+             {QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_S)}, "save", [this] { ask_save_as(); });
+  add_action("rename", tr("Rename\u2026"), tr("Another name"), {QKeySequence(Qt::Key_F2)}, "rename",
+             [this] { ask_rename(); });
+  add_action("delete", tr("Delete"), tr("Takes it away, and its file; undo brings it back"), {},
+             "delete", [this] {
+               const QString name = name_of(desk_.now());
+               desk_.remove();
+               tell(tr("%1 is deleted. Undo brings it back.").arg(name));
+             });
+  add_action("import", tr("Import\u2026"), tr("Take up a material of a file"), {}, "import",
+             [this] { ask_import(); });
+  add_action("export", tr("Export\u2026"), tr("Write a file for others"), {}, "export",
+             [this] { ask_export(); });
+}
+
+QToolBar* MaterialEditor::make_bar() {
+  auto* bar = new QToolBar(this);
+  bar->setIconSize(QSize(18, 18));
+  bar->setWindowTitle(tr("Materials"));
+  const auto add = [&](const char* name, Qt::ToolButtonStyle style) {
+    bar->addAction(action(name));
+    auto* button = qobject_cast<QToolButton*>(bar->widgetForAction(action(name)));
+    button->setToolButtonStyle(style);
+    button->setFocusPolicy(Qt::TabFocus);
+    button->setAccessibleName(action(name)->text());
+  };
+  for (const char* name : {"undo", "redo", "revert"}) add(name, Qt::ToolButtonIconOnly);
+  bar->addSeparator();
+  add("flip", Qt::ToolButtonTextOnly);
+  add("copy_to_other", Qt::ToolButtonTextOnly);
+  bar->addSeparator();
+  add("save", Qt::ToolButtonTextBesideIcon);
+  auto* more = new QToolButton(bar);
+  more->setText(tr("More"));
+  more->setAccessibleName(tr("More commands"));
+  more->setPopupMode(QToolButton::InstantPopup);
+  more->setFocusPolicy(Qt::TabFocus);
+  auto* menu = new QMenu(more);
+  for (const char* name : {"save_as", "rename", "delete"}) menu->addAction(action(name));
+  menu->addSeparator();
+  for (const char* name : {"import", "export"}) menu->addAction(action(name));
+  more->setMenu(menu);
+  bar->addWidget(more);
+  draw_icons();
+  return bar;
+}
+
+void MaterialEditor::draw_icons() {
+  for (QAction* action : actions_) {
+    const QString icon = action->property(kIconName).toString();
+    if (!icon.isEmpty()) action->setIcon(icon_of(icon.toStdString()));
+  }
+}
+
+void MaterialEditor::ask_relief() {
+  const QString path =
+      QFileDialog::getOpenFileName(this, tr("Relief from a picture"), {}, tr("Pictures (*.png)"));
+  if (path.isEmpty()) return;
+  const Result<HeightPicture> picture = read_height_png(path.toStdString());
+  if (!picture) return tell(qstring(picture.error().message));
+  tell(desk_.take_relief(*picture), {});
+}
+
+void MaterialEditor::ask_save_as() {
+  bool ok = false;
+  const QString name = QInputDialog::getText(this, tr("Save as"), tr("Name:"), QLineEdit::Normal,
+                                             name_of(desk_.now()), &ok);
+  if (!ok || name.trimmed().isEmpty()) return;
+  tell(desk_.save_as(name), tr("%1 is saved.").arg(name));
+}
+
+void MaterialEditor::ask_rename() {
+  if (!desk_.is_own()) return;
+  bool ok = false;
+  const QString name = QInputDialog::getText(this, tr("Rename"), tr("Name:"), QLineEdit::Normal,
+                                             name_of(desk_.now()), &ok);
+  if (ok) desk_.rename(name);
+}
+
+void MaterialEditor::ask_import() {
+  const QString path =
+      QFileDialog::getOpenFileName(this, tr("Import"), {}, tr("Materials (*.toml)"));
+  if (path.isEmpty()) return;
+  tell(desk_.import_file(path), tr("It is yours now, and not saved yet."));
+}
+
+void MaterialEditor::ask_export() {
+  const QString path = QFileDialog::getSaveFileName(
+      this, tr("Export"), qstring(desk_.key().id + ".toml"), tr("Materials (*.toml)"));
+  if (path.isEmpty()) return;
+  tell(desk_.export_file(path), tr("%1 is written.").arg(path));
+}
+
+/// A number that is being typed has no steps of its own: the editor's steps are meant.
+bool MaterialEditor::eventFilter(QObject* watched, QEvent* event) {
+  if (event->type() == QEvent::ShortcutOverride) {
+    const auto* key = static_cast<const QKeyEvent*>(event);
+    if (key->matches(QKeySequence::Undo) || key->matches(QKeySequence::Redo)) {
+      event->ignore();
+      return true;
+    }
+  }
+  return QWidget::eventFilter(watched, event);
+}
+
+}  // namespace felt::desktop

@@ -1,0 +1,179 @@
+#include "desktop/materials/material_editor.h"
+
+#include <gtest/gtest.h>
+
+#include <QDoubleSpinBox>
+#include <QLineEdit>
+#include <QSignalSpy>
+#include <QSlider>
+#include <QTemporaryDir>
+#include <QTest>
+#include <memory>
+
+#include "desktop/engine/settings.h"
+#include "desktop/materials/settings_keys.h"
+#include "desktop/test_support/accessible_names.h"
+
+namespace felt::desktop {
+namespace {
+
+/// Nothing is left by others, nothing is left to others: the first member.
+struct Clean {
+  Clean() { forget(); }
+  ~Clean() { forget(); }
+  static void forget() { Settings::the().reset(QString::fromLatin1(material_keys::kUnsaved)); }
+};
+
+struct Shown {
+  explicit Shown(const QString& device = QStringLiteral("simulated:touch"))
+      : studio({.device = device, .live = false}) {
+    editor.show();
+    editor.activateWindow();
+    static_cast<void>(QTest::qWaitForWindowActive(&editor));
+  }
+  [[nodiscard]] SurfaceMaterial sheet() const { return std::get<SurfaceMaterial>(desk.now()); }
+  QDoubleSpinBox* spin(const char* field) {
+    return editor.fields().row(field)->findChild<QDoubleSpinBox*>();
+  }
+  QSlider* slider(const char* field) { return editor.fields().row(field)->findChild<QSlider*>(); }
+
+  Clean clean;
+  QTemporaryDir home;
+  OwnMaterials own{{home.path().toStdString()}};
+  Studio studio;
+  MaterialDesk desk{studio, own};
+  MaterialEditor editor{studio, desk, nullptr};
+};
+
+TEST(MaterialEditor, EveryFieldOfTheTablesHasARowThatShowsItsValue) {
+  Shown shown;
+  for (const SheetField& field : sheet_fields()) {
+    FigureRow* row = shown.editor.fields().row(field.id);
+    ASSERT_NE(row, nullptr) << field.id;
+    if (auto* spin = row->findChild<QDoubleSpinBox*>()) {
+      const double factor = spin->suffix() == QStringLiteral(" %") ? 100.0 : 1.0;
+      EXPECT_NEAR(spin->value(), factor * field.get(shown.sheet()), 0.051 * factor) << field.id;
+    }
+  }
+  shown.desk.select({false, "pencil"});
+  for (const MediumField& field : medium_fields()) {
+    ASSERT_NE(shown.editor.fields().row(field.id), nullptr) << field.id;
+  }
+}
+
+TEST(MaterialEditor, EverySliderSetsWhatAFileMayHave) {
+  Shown shown;
+  const auto try_all = [&](const auto& fields, const auto& value_of) {
+    for (const auto& field : fields) {
+      auto* slider = shown.editor.fields().row(field.id)->template findChild<QSlider*>();
+      ASSERT_EQ(slider != nullptr, field.kind == MaterialFieldKind::kNumber) << field.id;
+      if (!slider) continue;
+      for (const int place : {0, 150, 430, 1000}) {
+        slider->setValue(place == slider->value() ? place + 1 : place);
+        ASSERT_TRUE(field.allows(value_of(field))) << field.id << " at " << place;
+      }
+      EXPECT_EQ(value_of(field), field.max) << field.id;
+    }
+    EXPECT_EQ(material_error(shown.desk.now()), "");
+  };
+  try_all(sheet_fields(), [&](const SheetField& field) { return field.get(shown.sheet()); });
+  shown.desk.select({false, "pencil"});
+  try_all(medium_fields(),
+          [&](const MediumField& field) { return field.get(std::get<Medium>(shown.desk.now())); });
+}
+
+TEST(MaterialEditor, ANumberThatIsTypedIsFelt) {
+  Shown shown;
+  shown.spin("feel.stiffness_n_per_m")->setValue(800.0);
+  shown.desk.tell_now();
+  EXPECT_EQ(shown.studio.session().sheet().material().stiffness_n_per_m, 800.0);
+  EXPECT_TRUE(shown.desk.is_own());
+}
+
+TEST(MaterialEditor, ADragOfASliderIsOneStepThatKeysUndo) {
+  Shown shown;
+  shown.desk.set("feel.friction", 0.4);
+  QSlider* slider = shown.slider("feel.stiffness_n_per_m");
+  slider->setSliderDown(true);
+  for (int place = 500; place < 900; place += 7) slider->setValue(place);
+  slider->setSliderDown(false);
+  EXPECT_NE(shown.sheet().stiffness_n_per_m, 500.0);
+  EXPECT_EQ(shown.desk.steps().count(), 2);
+  // With the focus in a number that is being typed, too.
+  QLineEdit* edit = shown.spin("feel.friction")->findChild<QLineEdit*>();
+  edit->setFocus();
+  QTest::keyClick(edit, Qt::Key_Z, Qt::ControlModifier);
+  EXPECT_EQ(shown.sheet().stiffness_n_per_m, 500.0);
+  EXPECT_EQ(shown.sheet().friction, 0.4);
+  QTest::keyClick(edit, Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
+  EXPECT_NE(shown.sheet().stiffness_n_per_m, 500.0);
+}
+
+TEST(MaterialEditor, TheKeyBFlipsAndTheLabelSaysWhich) {
+  Shown shown;
+  shown.desk.set("feel.friction", 0.4);
+  shown.editor.list().setFocus();
+  QAction* flip = shown.editor.action("flip");
+  EXPECT_TRUE(flip->text().contains(u'A'));
+  QTest::keyClick(&shown.editor.list(), Qt::Key_B);
+  EXPECT_EQ(shown.desk.slot(), 'B');
+  EXPECT_TRUE(flip->text().contains(u'B'));
+  EXPECT_EQ(shown.studio.session().sheet().material().friction, find_surface("paper")->friction);
+}
+
+TEST(MaterialEditor, TheListTakesWhatIsChosenInHand) {
+  Shown shown;
+  const std::vector<MaterialKey> keys = shown.editor.list().keys();
+  EXPECT_EQ(keys.size(), surface_materials().size() + media().size() - 1) << "no eraser";
+  Q_EMIT shown.editor.list().chosen({true, "canvas"});
+  EXPECT_EQ(shown.studio.session().sheet().material().id, "canvas");
+  EXPECT_EQ(shown.desk.key().id, "canvas");
+}
+
+TEST(MaterialEditor, R56_TheSignTurnsRedForASheetThatTheDeviceCannotMake) {
+  Shown shown;
+  QSignalSpy figured(&shown.editor.probe(), &FeltProbe::figured);
+  shown.desk.set("feel.stiffness_n_per_m", 2000.0);
+  while (shown.editor.probe().is_busy()) ASSERT_TRUE(figured.wait(8000));
+  EXPECT_EQ(shown.editor.stability().level(), StabilityLevel::kNotGiven);
+  shown.desk.set("feel.stiffness_n_per_m", 300.0);
+  while (shown.editor.probe().is_busy()) ASSERT_TRUE(figured.wait(8000));
+  EXPECT_EQ(shown.editor.stability().level(), StabilityLevel::kGiven);
+}
+
+TEST(MaterialEditor, ThePictureFollows) {
+  Shown shown;
+  QSignalSpy drawn(&shown.editor.preview(), &StrokePreview::drawn);
+  shown.desk.select({false, "charcoal"});
+  ASSERT_TRUE(drawn.wait(8000));
+  const QImage before = shown.editor.preview().picture();
+  shown.desk.set("line.max_mm", 2.0);
+  ASSERT_TRUE(drawn.wait(8000));
+  EXPECT_NE(shown.editor.preview().picture(), before);
+}
+
+TEST(MaterialEditor, SaysWhatCouldNotBeWritten) {
+  Shown shown;
+  shown.desk.set("feel.friction", 0.4);
+  QFile::remove(shown.home.path());
+  shown.home.remove();
+  QFile in_the_way(shown.home.path());
+  ASSERT_TRUE(in_the_way.open(QIODevice::WriteOnly));
+  shown.editor.action("save")->trigger();
+  EXPECT_TRUE(shown.editor.notice().contains(shown.home.path()))
+      << shown.editor.notice().toStdString();
+  EXPECT_TRUE(shown.desk.is_changed());
+  in_the_way.remove();
+}
+
+TEST(MaterialEditor, EveryControlHasAName) {
+  Shown shown;
+  EXPECT_EQ(nameless_controls(shown.editor).join(QStringLiteral(", ")).toStdString(), "");
+  for (const QAction* action : shown.editor.findChildren<QAction*>()) {
+    if (action->objectName().isEmpty() || action->isSeparator()) continue;
+    EXPECT_FALSE(action->text().isEmpty()) << action->objectName().toStdString();
+  }
+}
+
+}  // namespace
+}  // namespace felt::desktop

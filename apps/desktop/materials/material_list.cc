@@ -1,0 +1,110 @@
+#include "desktop/materials/material_list.h"
+
+#include <QHeaderView>
+#include <QSignalBlocker>
+#include <algorithm>
+
+namespace felt::desktop {
+namespace {
+
+constexpr int kSheetRole = Qt::UserRole, kIdRole = Qt::UserRole + 1;
+
+}  // namespace
+
+MaterialList::MaterialList(QWidget* parent) : QTreeWidget(parent) {
+  setHeaderHidden(true);
+  setRootIsDecorated(false);
+  setIndentation(12);
+  setExpandsOnDoubleClick(false);
+  setItemsExpandable(false);
+  setUniformRowHeights(true);
+  setAccessibleName(tr("Sheets and media"));
+  setTextElideMode(Qt::ElideRight);
+  connect(this, &QTreeWidget::currentItemChanged, this, [this](QTreeWidgetItem* item) {
+    if (!item || item->data(0, kIdRole).isNull()) return;
+    Q_EMIT chosen(
+        {item->data(0, kSheetRole).toBool(), item->data(0, kIdRole).toString().toStdString()});
+  });
+}
+
+void MaterialList::show_materials(const Materials& known, const OwnMaterials& own) {
+  std::vector<Row> rows;
+  const auto add = [&](const AnyMaterial& material) {
+    const MaterialKey key = key_of(material);
+    const OwnMaterials::Entry* entry = own.find(key);
+    rows.push_back({key, name_of(entry ? entry->now : material),
+                    words_of(entry ? entry->now : material), !is_built_in(key),
+                    entry && entry->is_changed()});
+  };
+  for (const SurfaceMaterial& sheet : known.surfaces()) add(sheet);
+  // The eraser that Feltline brings is a tool, and no medium to draw with.
+  for (const Medium& medium : known.media()) {
+    if (medium.draws || own.find({false, medium.id})) add(medium);
+  }
+  if (rows == rows_) return;
+  rows_ = std::move(rows);
+  fill();
+}
+
+void MaterialList::fill() {
+  const QTreeWidgetItem* current = currentItem();
+  const MaterialKey chosen_now{
+      current && current->data(0, kSheetRole).toBool(),
+      current ? current->data(0, kIdRole).toString().toStdString() : std::string()};
+  const QSignalBlocker quiet(this);
+  clear();
+  struct Group {
+    QString name;
+    bool is_sheet, is_own;
+  };
+  for (const Group& group :
+       {Group{tr("Sheets"), true, false}, Group{tr("My own sheets"), true, true},
+        Group{tr("Media"), false, false}, Group{tr("My own media"), false, true}}) {
+    QTreeWidgetItem* head = nullptr;
+    for (const Row& row : rows_) {
+      if (row.key.is_sheet != group.is_sheet || row.is_own != group.is_own) continue;
+      if (!head) {
+        head = new QTreeWidgetItem(this, {group.name});
+        head->setFlags(Qt::ItemIsEnabled);
+        QFont font = this->font();
+        font.setBold(true);
+        head->setFont(0, font);
+      }
+      auto* item = new QTreeWidgetItem(head);
+      item->setText(0, row.is_changed ? tr("%1 \u2022 not saved").arg(row.name) : row.name);
+      item->setToolTip(0, row.words);
+      item->setData(0, kSheetRole, row.key.is_sheet);
+      item->setData(0, kIdRole, QString::fromStdString(row.key.id));
+    }
+  }
+  expandAll();
+  setCurrentItem(item_of(chosen_now));
+}
+
+QTreeWidgetItem* MaterialList::item_of(const MaterialKey& key) const {
+  for (int group = 0; group < topLevelItemCount(); ++group) {
+    for (int i = 0; i < topLevelItem(group)->childCount(); ++i) {
+      QTreeWidgetItem* item = topLevelItem(group)->child(i);
+      if (item->data(0, kSheetRole).toBool() == key.is_sheet &&
+          item->data(0, kIdRole).toString().toStdString() == key.id) {
+        return item;
+      }
+    }
+  }
+  return nullptr;
+}
+
+void MaterialList::show_chosen(const MaterialKey& key) {
+  const QSignalBlocker quiet(this);
+  QTreeWidgetItem* item = item_of(key);
+  setCurrentItem(item);
+  if (item) scrollToItem(item);
+}
+
+std::vector<MaterialKey> MaterialList::keys() const {
+  std::vector<MaterialKey> keys;
+  for (const Row& row : rows_) keys.push_back(row.key);
+  return keys;
+}
+
+}  // namespace felt::desktop

@@ -1,0 +1,79 @@
+#include "desktop/materials/material_names.h"
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+#include "desktop/feel/material_words.h"
+
+namespace felt::desktop {
+namespace {
+
+constexpr int kMostIdChars = 48;  // a number behind it has room, too
+
+}  // namespace
+
+MaterialKey key_of(const AnyMaterial& material) {
+  return {std::holds_alternative<SurfaceMaterial>(material), id_of(material)};
+}
+
+const SurfaceMaterial* sheet_in(const Materials& materials, const MaterialKey& key) {
+  return key.is_sheet ? materials.find_surface(key.id) : nullptr;
+}
+
+const Medium* medium_in(const Materials& materials, const MaterialKey& key) {
+  return key.is_sheet ? nullptr : materials.find_medium(key.id);
+}
+
+std::optional<AnyMaterial> find_in(const Materials& materials, const MaterialKey& key) {
+  if (const SurfaceMaterial* sheet = sheet_in(materials, key)) return *sheet;
+  if (const Medium* medium = medium_in(materials, key)) return *medium;
+  return std::nullopt;
+}
+
+bool is_built_in(const MaterialKey& key) {
+  return find_in(Materials::built_in(), key).has_value();
+}
+
+QString name_of(const AnyMaterial& material) {
+  const auto* sheet = std::get_if<SurfaceMaterial>(&material);
+  return sheet ? material_label(*sheet) : medium_label(std::get<Medium>(material));
+}
+
+QString words_of(const AnyMaterial& material) {
+  const auto* sheet = std::get_if<SurfaceMaterial>(&material);
+  return sheet ? material_words(*sheet) : medium_words(std::get<Medium>(material));
+}
+
+std::string id_for(const QString& name, const std::string& fallback,
+                   const std::function<bool(const std::string&)>& is_taken) {
+  std::string id;
+  // Letters lose their accents: "Bütten" is "butten".
+  for (const QChar c : name.normalized(QString::NormalizationForm_KD).toLower()) {
+    if (c.unicode() < 128 && c.isLetterOrNumber()) {
+      id += static_cast<char>(c.unicode());
+    } else if (!c.isMark() && !id.empty() && id.back() != '-') {
+      id += '-';
+    }
+    if (id.size() >= kMostIdChars) break;
+  }
+  while (!id.empty() && id.back() == '-') id.pop_back();
+  if (id.empty()) id = fallback;
+  std::string free = id;
+  for (int i = 2; is_taken(free); ++i) free = id + "-" + std::to_string(i);
+  return free;
+}
+
+AnyMaterial renamed(AnyMaterial material, const std::string& id, const QString& name) {
+  QString label = name.simplified();
+  while (label.toUtf8().size() > qsizetype(kMaxMaterialLabelBytes)) label.chop(1);
+  std::visit(
+      [&](auto& of) {
+        of.id = id;
+        of.label = label.toStdString();
+      },
+      material);
+  return material;
+}
+
+}  // namespace felt::desktop

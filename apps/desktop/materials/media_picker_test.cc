@@ -1,0 +1,133 @@
+#include "desktop/materials/media_picker.h"
+
+#include <gtest/gtest.h>
+
+#include <QAbstractButton>
+#include <QSignalSpy>
+#include <QTest>
+#include <vector>
+
+#include "desktop/materials/medium_picture.h"
+#include "desktop/test_support/accessible_names.h"
+
+namespace felt::desktop {
+namespace {
+
+struct Desk {
+  std::vector<Event> events;
+  Studio studio{{.device = QStringLiteral("simulated:touch"),
+                 .live = false,
+                 .on_event = [this](const Event& event) { events.push_back(event); }}};
+  QWidget window;
+  MediaPictures pictures{studio, &window};
+  MediaPicker picker{studio, pictures, &window};
+};
+
+double number(const Studio& studio, const char* id) {
+  return std::get<double>(studio.session().option(id).value());
+}
+
+TEST(MediaPicker, OffersEveryMediumThatDrawsAndNoEraser) {
+  Desk desk;
+  ASSERT_GE(desk.picker.ids().size(), 9u);
+  for (const Medium& medium : media()) {
+    QAbstractButton* button = desk.picker.button(medium.id);
+    ASSERT_EQ(button != nullptr, medium.draws) << medium.id;
+    if (!button) continue;
+    EXPECT_FALSE(button->text().isEmpty());
+    EXPECT_FALSE(button->toolTip().isEmpty());
+    EXPECT_TRUE(button->focusPolicy() & Qt::TabFocus);
+  }
+  EXPECT_TRUE(desk.picker.button("pencil")->isChecked());
+  EXPECT_TRUE(nameless_controls(desk.picker).isEmpty());
+}
+
+TEST(MediaPicker, AClickTakesAMediumWithItsOwnWidthsAsEvents) {
+  Desk desk;
+  for (const Medium& medium : media()) {
+    if (!medium.draws) continue;
+    desk.studio.apply(SetOption{"pencil.gamma", OptionValue(4.0)});
+    desk.picker.button(medium.id)->click();
+    EXPECT_EQ(medium_in_hand(desk.studio), medium.id);
+    EXPECT_EQ(number(desk.studio, "pencil.min_width_mm"), medium.line.min_mm) << medium.id;
+    EXPECT_EQ(number(desk.studio, "pencil.max_width_mm"), medium.line.max_mm) << medium.id;
+    EXPECT_EQ(number(desk.studio, "pencil.gamma"), medium.line.gamma) << medium.id;
+  }
+  // What was told replays alike in a session of its own.
+  Session other(make_tools(), {});
+  for (const Event& event : desk.events) {
+    if (!std::holds_alternative<SetOption>(event.what)) continue;
+    ASSERT_TRUE(other.apply(event));
+  }
+  for (const char* id : {"pencil.material", "pencil.min_width_mm", "pencil.max_width_mm"}) {
+    EXPECT_EQ(other.option(id).value(), desk.studio.session().option(id).value()) << id;
+  }
+}
+
+TEST(MediaPicker, FollowsWhatOthersChoose) {
+  Desk desk;
+  desk.studio.apply(SetOption{"pencil.material", OptionValue(std::string("chalk"))});
+  EXPECT_TRUE(desk.picker.button("chalk")->isChecked());
+  EXPECT_FALSE(desk.picker.button("pencil")->isChecked());
+}
+
+TEST(MediaPicker, KeysTakeAMedium) {
+  Desk desk;
+  desk.window.resize(300, 400);
+  desk.picker.resize(300, 400);
+  desk.window.show();
+  desk.window.activateWindow();
+  static_cast<void>(QTest::qWaitForWindowActive(&desk.window));
+  QAbstractButton* first = desk.picker.button("pencil");
+  first->setFocus();
+  QTest::keyClick(first, Qt::Key_Right);
+  QTest::keyClick(QApplication::focusWidget(), Qt::Key_Space);
+  EXPECT_NE(medium_in_hand(desk.studio), "pencil");
+}
+
+TEST(MediaPicker, PicturesComeByThemselvesAndAreOthersOnAnotherSheet) {
+  Desk desk;
+  QSignalSpy changed(&desk.pictures, &MediaPictures::changed);
+  ASSERT_TRUE(changed.wait(8000));
+  const QImage on_paper = desk.pictures.of("chalk"), pencil = desk.pictures.of("pencil");
+  ASSERT_FALSE(on_paper.isNull());
+  EXPECT_NE(on_paper, pencil);
+  EXPECT_FALSE(desk.picker.button("chalk")->icon().isNull());
+  desk.studio.apply(SetOption{"sheet.material", OptionValue(std::string("canvas"))});
+  ASSERT_TRUE(changed.wait(8000));
+  EXPECT_NE(desk.pictures.of("chalk"), on_paper);
+}
+
+TEST(MediaPicker, AsManySideBySideAsThereIsRoomFor) {
+  Desk desk;
+  EXPECT_GT(desk.picker.height_for(160), desk.picker.height_for(600));
+  desk.picker.resize(160, 10);
+  EXPECT_EQ(desk.picker.height(), desk.picker.height_for(160));
+  for (const std::string& id : desk.picker.ids()) {
+    EXPECT_TRUE(desk.picker.rect().contains(desk.picker.button(id)->geometry())) << id;
+  }
+}
+
+TEST(MediumPicture, AStrokeGoesFromLightToHard) {
+  const QImage image =
+      draw_medium({.medium = *find_medium("charcoal"), .sheet = *find_surface("rough-paper")});
+  ASSERT_EQ(image.size(), QSize(64, 26));
+  const auto ink = [&image](int from, int to) {
+    int sum = 0;
+    for (int x = from; x < to; ++x) {
+      for (int y = 0; y < image.height(); ++y) sum += 255 - qGray(image.pixel(x, y));
+    }
+    return sum;
+  };
+  EXPECT_GT(ink(40, 60), 2 * ink(4, 24));
+  EXPECT_GT(ink(4, 24), 0);
+}
+
+TEST(MediumPicture, InkIsSeenOnAnyPaper) {
+  EXPECT_EQ(readable_ink(Qt::red, Qt::white), QColor(Qt::red));
+  EXPECT_LT(qGray(readable_ink(Qt::white, Qt::white).rgb()), 80);
+  EXPECT_GT(qGray(readable_ink(Qt::black, QColor(40, 40, 40)).rgb()), 200);
+}
+
+}  // namespace
+}  // namespace felt::desktop

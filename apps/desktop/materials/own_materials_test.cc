@@ -1,0 +1,156 @@
+#include "desktop/materials/own_materials.h"
+
+#include <gtest/gtest.h>
+
+#include <QDir>
+#include <QFile>
+#include <QSignalSpy>
+#include <QTemporaryDir>
+
+#include "desktop/engine/settings.h"
+#include "desktop/materials/settings_keys.h"
+
+namespace felt::desktop {
+namespace {
+
+SurfaceMaterial slate() {
+  SurfaceMaterial sheet = *find_surface("blackboard");
+  sheet.id = "slate";
+  sheet.label = "Slate";
+  sheet.stiffness_n_per_m = 950.0;
+  return sheet;
+}
+
+void forget_unsaved() {
+  Settings::the().reset(QString::fromLatin1(material_keys::kUnsaved));
+}
+
+void write(const QString& path, const QByteArray& text) {
+  QFile file(path);
+  ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+  file.write(text);
+}
+
+TEST(OwnMaterials, WhatIsSavedIsThereAtTheNextStart) {
+  forget_unsaved();
+  const QTemporaryDir home;
+  const std::string folder = home.path().toStdString() + "/feltline/materials";
+  const MaterialKey key{true, "slate"};
+  {
+    OwnMaterials own({folder});
+    EXPECT_TRUE(own.all().empty());
+    own.put(slate());
+    ASSERT_TRUE(own.find(key));
+    EXPECT_TRUE(own.find(key)->is_changed());
+    ASSERT_TRUE(own.save(key));
+    EXPECT_FALSE(own.find(key)->is_changed());
+  }
+  OwnMaterials next({folder});
+  EXPECT_TRUE(next.take_problems().isEmpty());
+  ASSERT_TRUE(next.find(key));
+  EXPECT_EQ(next.find(key)->now, AnyMaterial(slate()));
+  EXPECT_FALSE(next.find(key)->is_changed());
+  EXPECT_NE(next.known().find_surface("slate"), nullptr);
+  EXPECT_NE(next.known().find_surface("paper"), nullptr);
+}
+
+TEST(OwnMaterials, WhatIsNotSavedIsKeptAllTheSame) {
+  forget_unsaved();
+  const QTemporaryDir home;
+  const MaterialKey key{true, "slate"};
+  {
+    OwnMaterials own({home.path().toStdString()});
+    own.put(slate());
+    ASSERT_TRUE(own.save(key));
+    SurfaceMaterial harder = slate();
+    harder.stiffness_n_per_m = 1500.0;
+    own.put(harder);
+  }
+  OwnMaterials next({home.path().toStdString()});
+  ASSERT_TRUE(next.find(key));
+  EXPECT_TRUE(next.find(key)->is_changed());
+  EXPECT_EQ(std::get<SurfaceMaterial>(next.find(key)->now).stiffness_n_per_m, 1500.0);
+  EXPECT_EQ(std::get<SurfaceMaterial>(*next.find(key)->saved).stiffness_n_per_m, 950.0);
+  next.revert(key);
+  EXPECT_FALSE(next.find(key)->is_changed());
+  forget_unsaved();
+}
+
+TEST(OwnMaterials, ABadFileIsToldWithItsLineAndDisturbsNoOther) {
+  forget_unsaved();
+  const QTemporaryDir home;
+  {
+    OwnMaterials own({home.path().toStdString()});
+    own.put(slate());
+    ASSERT_TRUE(own.save({true, "slate"}));
+  }
+  write(home.filePath(QStringLiteral("bad.toml")),
+        "kind = \"sheet\"\nid = \"bad\"\n\n[feel]\nfriction = 99\n");
+  write(home.filePath(QStringLiteral("paper.toml")), "kind = \"sheet\"\nid = \"paper\"\n");
+  write(home.filePath(QStringLiteral("zslate.toml")), "kind = \"sheet\"\nid = \"slate\"\n");
+  OwnMaterials own({home.path().toStdString()});
+  const QStringList problems = own.take_problems();
+  ASSERT_EQ(problems.size(), 3) << problems.join(QLatin1Char('\n')).toStdString();
+  EXPECT_TRUE(problems[0].contains(QStringLiteral("bad.toml:5:"))) << problems[0].toStdString();
+  EXPECT_TRUE(problems[1].contains(QStringLiteral("paper")));
+  EXPECT_TRUE(problems[2].contains(QStringLiteral("zslate.toml")));
+  EXPECT_TRUE(own.take_problems().isEmpty());
+  EXPECT_EQ(own.all().size(), 1u);
+}
+
+TEST(OwnMaterials, BuiltInOnesAreNeverReplaced) {
+  forget_unsaved();
+  const QTemporaryDir home;
+  OwnMaterials own({home.path().toStdString()});
+  SurfaceMaterial paper = *find_surface("paper");
+  paper.friction = 0.9;
+  own.put(paper);
+  EXPECT_TRUE(own.all().empty());
+  EXPECT_EQ(own.known().find_surface("paper")->friction, find_surface("paper")->friction);
+  EXPECT_TRUE(own.is_taken("paper"));
+  EXPECT_FALSE(own.is_taken("slate"));
+}
+
+TEST(OwnMaterials, RemovingTakesTheFileAway) {
+  forget_unsaved();
+  const QTemporaryDir home;
+  OwnMaterials own({home.path().toStdString()});
+  QSignalSpy changed(&own, &OwnMaterials::changed);
+  own.put(slate());
+  ASSERT_TRUE(own.save({true, "slate"}));
+  EXPECT_TRUE(QFile::exists(home.filePath(QStringLiteral("slate.toml"))));
+  ASSERT_TRUE(own.remove({true, "slate"}));
+  EXPECT_FALSE(QFile::exists(home.filePath(QStringLiteral("slate.toml"))));
+  EXPECT_EQ(changed.count(), 3);
+  EXPECT_FALSE(own.find({true, "slate"}));
+}
+
+TEST(OwnMaterials, AFolderThatCannotBeWrittenSaysSoAndNothingIsLost) {
+  forget_unsaved();
+  const QTemporaryDir home;
+  write(home.filePath(QStringLiteral("file")), "no folder");
+  OwnMaterials own({home.path().toStdString() + "/file/materials"});
+  own.put(slate());
+  const Result<void> saved = own.save({true, "slate"});
+  ASSERT_FALSE(saved);
+  EXPECT_NE(saved.error().message.find("file/materials"), std::string::npos);
+  EXPECT_TRUE(own.find({true, "slate"})->is_changed());
+  forget_unsaved();
+}
+
+TEST(MaterialNames, ANameBecomesAnId) {
+  const auto free = [](const std::string&) { return false; };
+  EXPECT_EQ(id_for(QStringLiteral("My soft chalk!"), "x", free), "my-soft-chalk");
+  EXPECT_EQ(id_for(QStringLiteral("Bütten, rauh"), "x", free), "butten-rauh");
+  EXPECT_EQ(id_for(QStringLiteral("  "), "sheet", free), "sheet");
+  EXPECT_EQ(id_for(QStringLiteral("木"), "sheet", free), "sheet");
+  const auto taken = [](const std::string& id) { return id == "wood" || id == "wood-2"; };
+  EXPECT_EQ(id_for(QStringLiteral("Wood"), "x", taken), "wood-3");
+  for (const char* name :
+       {"A-", "--", "ß9", "0123456789012345678901234567890123456789012345678901"}) {
+    EXPECT_TRUE(is_material_id(id_for(QString::fromUtf8(name), "sheet", free))) << name;
+  }
+}
+
+}  // namespace
+}  // namespace felt::desktop

@@ -1,0 +1,106 @@
+#include "desktop/materials/pair_table.h"
+
+#include <QHeaderView>
+#include <QLabel>
+#include <QSignalBlocker>
+#include <QVBoxLayout>
+#include <algorithm>
+#include <cmath>
+
+#include "desktop/feel/material_words.h"
+#include "felt/material/material_fields.h"
+
+namespace felt::desktop {
+namespace {
+
+constexpr int kSheet = 0, kFriction = 1;
+constexpr int kRowRoomPx = 5;
+constexpr int kIdRole = Qt::UserRole, kOwnRole = Qt::UserRole + 1;
+
+bool has_own(const Medium& medium, const std::string& sheet) {
+  return std::any_of(medium.pairs.begin(), medium.pairs.end(),
+                     [&](const PairFriction& pair) { return pair.surface == sheet; });
+}
+
+/// Three digits are more than a hand can tell.
+double rounded(double friction) {
+  return std::round(1000.0 * friction) / 1000.0;
+}
+
+}  // namespace
+
+PairTable::PairTable(QWidget* parent)
+    : QWidget(parent), table_(new QTableWidget(0, 2, this)), rule_(new QToolButton(this)) {
+  auto* lines = new QVBoxLayout(this);
+  lines->setContentsMargins({});
+  auto* heading = new QLabel(tr("Friction on each sheet"), this);
+  heading->setBuddy(table_);
+  lines->addWidget(heading);
+  lines->addWidget(table_);
+  lines->addWidget(rule_, 0, Qt::AlignLeft);
+  table_->setAccessibleName(heading->text());
+  table_->setAccessibleDescription(tr("Bold numbers are the medium's own for that sheet"));
+  table_->setToolTip(tr("Double-click a number, or press F2, to set the friction on that sheet"));
+  table_->setHorizontalHeaderLabels({tr("Sheet"), tr("Friction")});
+  table_->horizontalHeader()->setSectionResizeMode(kSheet, QHeaderView::Stretch);
+  table_->horizontalHeader()->setSectionResizeMode(kFriction, QHeaderView::ResizeToContents);
+  table_->verticalHeader()->hide();
+  table_->verticalHeader()->setDefaultSectionSize(fontMetrics().height() + kRowRoomPx);
+  table_->setSelectionBehavior(QAbstractItemView::SelectRows);
+  table_->setSelectionMode(QAbstractItemView::SingleSelection);
+  table_->setTabKeyNavigation(false);
+  table_->setShowGrid(false);
+  rule_->setText(tr("By the rule"));
+  rule_->setToolTip(tr("Friction of the medium times that of the sheet, again"));
+  rule_->setFocusPolicy(Qt::StrongFocus);
+  connect(table_, &QTableWidget::itemChanged, this, [this](QTableWidgetItem* item) {
+    if (item->column() != kFriction) return;
+    const double typed = std::clamp(item->data(Qt::EditRole).toDouble(), 0.0, kMaxFriction);
+    Q_EMIT chosen(sheet_of(item->row()), rounded(typed));
+  });
+  connect(table_, &QTableWidget::itemSelectionChanged, this, &PairTable::tell_button);
+  connect(rule_, &QToolButton::clicked, this, [this] {
+    if (table_->currentRow() >= 0) Q_EMIT chosen(sheet_of(table_->currentRow()), std::nullopt);
+  });
+}
+
+std::string PairTable::sheet_of(int row) const {
+  return table_->item(row, kSheet)->data(kIdRole).toString().toStdString();
+}
+
+void PairTable::tell_button() {
+  const QTableWidgetItem* item = table_->item(table_->currentRow(), kFriction);
+  rule_->setEnabled(item && item->data(kOwnRole).toBool());
+}
+
+void PairTable::show_pairs(const Medium& medium, const Materials& known) {
+  const QSignalBlocker quiet(table_);
+  table_->setRowCount(static_cast<int>(known.surfaces().size()));
+  int row = 0;
+  for (const SurfaceMaterial& sheet : known.surfaces()) {
+    for (const int column : {kSheet, kFriction}) {
+      if (!table_->item(row, column)) table_->setItem(row, column, new QTableWidgetItem);
+    }
+    QTableWidgetItem* name = table_->item(row, kSheet);
+    name->setText(material_label(sheet));
+    name->setData(kIdRole, QString::fromStdString(sheet.id));
+    name->setFlags(Qt::ItemIsEnabled | Qt::ItemIsSelectable);
+    QTableWidgetItem* number = table_->item(row, kFriction);
+    const bool is_own = has_own(medium, sheet.id);
+    number->setData(Qt::EditRole, rounded(friction_of(medium, sheet)));
+    number->setData(kOwnRole, is_own);
+    number->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
+    QFont font = table_->font();
+    font.setBold(is_own);
+    number->setFont(font);
+    ++row;
+  }
+  // All rows are seen: the sliders around it scroll.
+  int height = table_->horizontalHeader()->sizeHint().height() + 2 * table_->frameWidth();
+  for (int i = 0; i < row; ++i) height += table_->rowHeight(i);
+  table_->setFixedHeight(height);
+  table_->viewport()->update();
+  tell_button();
+}
+
+}  // namespace felt::desktop

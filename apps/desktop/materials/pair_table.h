@@ -1,0 +1,34 @@
+#pragma once
+
+#include <QTableWidget>
+#include <QToolButton>
+#include <QWidget>
+#include <optional>
+#include <string>
+
+#include "felt/material/materials.h"
+
+namespace felt::desktop {
+
+/// The friction of a medium on each sheet: by the rule (medium times sheet), or a number of its
+/// own, which is bold. Typing one makes it so; the button takes it away again.
+class PairTable : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit PairTable(QWidget* parent = nullptr);
+
+  void show_pairs(const Medium& medium, const Materials& known);
+
+ Q_SIGNALS:
+  void chosen(const std::string& sheet, std::optional<double> friction);
+
+ private:
+  void tell_button();
+  [[nodiscard]] std::string sheet_of(int row) const;
+
+  QTableWidget* table_;
+  QToolButton* rule_;
+};
+
+}  // namespace felt::desktop

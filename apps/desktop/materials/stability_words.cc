@@ -1,0 +1,91 @@
+#include "desktop/materials/stability_words.h"
+
+#include <QCoreApplication>
+#include <QLocale>
+#include <algorithm>
+
+namespace felt::desktop {
+namespace {
+
+constexpr double kFeltN = 0.04;   // the least that is perceived (specification section 0)
+constexpr double kCleanN = 0.03;  // likewise: "clean"
+constexpr double kWhole = 0.95;   // of a wish: nobody feels what is missing
+constexpr double kHalf = 0.5;
+
+QString text(const char* english) {
+  return QCoreApplication::translate("Stability", english);
+}
+
+QString whole(double number) {
+  return QLocale().toString(number, 'f', 0);
+}
+
+StabilityLevel level_of_share(double share) {
+  if (share >= kWhole) return StabilityLevel::kGiven;
+  return share >= kHalf ? StabilityLevel::kLess : StabilityLevel::kNotGiven;
+}
+
+StabilityLevel level_of_rest(const FeltFigures& figures) {
+  if (!figures.is_sound || figures.rest_n >= kFeltN) return StabilityLevel::kNotGiven;
+  return figures.rest_n >= kCleanN ? StabilityLevel::kLess : StabilityLevel::kGiven;
+}
+
+QString state_of(StabilityLevel level, bool trembles) {
+  if (level == StabilityLevel::kGiven) {
+    return text(QT_TRANSLATE_NOOP("Stability", "Stable, as wished"));
+  }
+  if (trembles) {
+    return level == StabilityLevel::kLess
+               ? text(QT_TRANSLATE_NOOP("Stability", "Close to trembling"))
+               : text(QT_TRANSLATE_NOOP("Stability", "Trembles"));
+  }
+  return level == StabilityLevel::kLess
+             ? text(QT_TRANSLATE_NOOP("Stability", "Stable, but less than wished"))
+             : text(QT_TRANSLATE_NOOP("Stability", "Too much for this device"));
+}
+
+void tell_rest(const FeltFigures& figures, QStringList& detail) {
+  if (!figures.is_sound) {
+    detail << text(QT_TRANSLATE_NOOP("Stability", "The safety chain would switch forces off."));
+  }
+  if (figures.rest_n < kCleanN) return;
+  detail << text(QT_TRANSLATE_NOOP("Stability",
+                                   "A pen that rests trembles with %1 N above 30 Hz; 0.04 N can be "
+                                   "felt. Less hardness, less friction or more damping helps."))
+                .arg(QLocale().toString(figures.rest_n, 'f', 3));
+}
+
+}  // namespace
+
+StabilityWords stability_words(const FeltWish& wish, const FeltFigures& figures,
+                               const QString& device_label) {
+  StabilityWords words;
+  if (!wish.device.has_force()) {
+    words.detail << text(QT_TRANSLATE_NOOP("Stability",
+                                           "%1 has no motors: nothing is felt. The figures are "
+                                           "those of a 3D Systems Touch."))
+                        .arg(device_label);
+  }
+  const double hard = figures.stiffness_n_per_m / wish.sheet.stiffness_n_per_m;
+  const StabilityLevel rest = level_of_rest(figures);
+  words.level = std::max({level_of_share(hard), level_of_share(figures.grain_share), rest});
+  words.state = state_of(words.level, rest == words.level);
+  words.number = text(QT_TRANSLATE_NOOP("Stability", "%1 % of what the device bears"))
+                     .arg(whole(100.0 * figures.budget_share));
+  if (hard < kWhole) {
+    words.detail << text(QT_TRANSLATE_NOOP("Stability",
+                                           "Hardness: this device makes it %1 of your %2 N/m."))
+                        .arg(whole(figures.stiffness_n_per_m), whole(wish.sheet.stiffness_n_per_m));
+  }
+  if (figures.grain_share < kWhole) {
+    words.detail << text(QT_TRANSLATE_NOOP("Stability",
+                                           "Grain: its hills are steeper than this loop can "
+                                           "follow; felt are %1 of your %2 µm."))
+                        .arg(QLocale().toString(figures.grain_share * wish.sheet.grain_um, 'g', 2),
+                             QLocale().toString(wish.sheet.grain_um, 'g', 3));
+  }
+  tell_rest(figures, words.detail);
+  return words;
+}
+
+}  // namespace felt::desktop

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <QImage>
+#include <QThreadPool>
+#include <QWidget>
+#include <array>
+#include <cstdint>
+
+#include "desktop/materials/medium_picture.h"
+
+namespace felt::desktop {
+
+/// A medium on a sheet as it will be drawn: three strokes, light, firm and hard, in life size, in
+/// the sheet's own colour. Drawn beside Qt's thread; a newer wish goes before an older one.
+class StrokePreview : public QWidget {
+  Q_OBJECT
+
+ public:
+  static constexpr std::array kForces{0.15, 0.5, 0.9};
+
+  explicit StrokePreview(QWidget* parent = nullptr);
+  ~StrokePreview() override;
+
+  void show_medium(const Medium& medium, const SurfaceMaterial& sheet);
+  [[nodiscard]] const QImage& picture() const noexcept { return picture_; }
+
+  [[nodiscard]] QSize sizeHint() const override;
+  [[nodiscard]] QSize minimumSizeHint() const override;
+
+ Q_SIGNALS:
+  void drawn();
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
+
+ private:
+  void draw();
+
+  MediumPicture wanted_;
+  QImage picture_;
+  bool has_wish_ = false, is_busy_ = false, is_stale_ = false;
+  QThreadPool worker_;  // last, so that it has ended before the rest goes
+};
+
+}  // namespace felt::desktop

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+
+namespace felt {
+
+/// Leaves out what a device could not follow: so many cues at once, so many a second for long.
+///
+/// The Slim Pen 2's firmware is known to stop writing when its motor is used heavily
+/// (linux-surface issue 1066), hence no more than a hand can tell apart anyway.
+class CuePacer {
+ public:
+  explicit constexpr CuePacer(double at_once = 5.0, double per_second = 15.0) noexcept
+      : most_(at_once), per_ns_(per_second * 1e-9), left_(at_once) {}
+
+  /// May this one be played? Times that run back count as no time.
+  constexpr bool take(std::int64_t now_ns) noexcept {
+    const double passed_ns =
+        has_last_ ? static_cast<double>(now_ns) - static_cast<double>(last_ns_) : 0.0;
+    has_last_ = true;
+    last_ns_ = now_ns;
+    left_ = std::min(most_, left_ + std::max(passed_ns, 0.0) * per_ns_);
+    if (left_ < 1.0) return false;
+    left_ -= 1.0;
+    return true;
+  }
+
+ private:
+  double most_, per_ns_, left_;
+  std::int64_t last_ns_ = 0;
+  bool has_last_ = false;
+};
+
+}  // namespace felt

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <bitset>
+#include <memory>
+
+#include "felt/devices/cue/cue_pacer.h"
+#include "felt/driver/cue_device.h"
+#include "felt/driver/driver.h"
+#include "felt/driver/evdev_port.h"
+
+namespace felt {
+
+/// A touchpad with FF_HAPTIC (Linux 6.18 and newer), or a game controller that rumbles. Two effects
+/// at most: one that hums and ends by itself after kCueHoldNs, and one that ticks.
+class EvdevCues final : public CueDevice {
+ public:
+  /// `is_haptic`: FF_HAPTIC; else FF_RUMBLE.
+  EvdevCues(std::unique_ptr<EvdevPort> port, bool is_haptic, DeviceDescriptor descriptor)
+      : port_(std::move(port)), is_haptic_(is_haptic), descriptor_(std::move(descriptor)) {}
+  ~EvdevCues() override;
+
+  [[nodiscard]] const DeviceDescriptor& descriptor() const noexcept override { return descriptor_; }
+  /// Of a touchpad only playing tells; what was refused once is not tried again.
+  [[nodiscard]] bool plays(CueWaveform waveform) const noexcept override;
+  tl::expected<void, DeviceFault> play(const Cue& cue, std::int64_t now_ns) noexcept override;
+  void stop() noexcept override;
+
+ private:
+  enum Slot : std::uint8_t { kHum, kTick, kSlots };
+
+  [[nodiscard]] EvdevEffect rumble_of(const Cue& cue) const noexcept;
+  tl::expected<void, int> play_haptic(const Cue& cue, Slot slot) noexcept;
+  tl::expected<void, int> start(EvdevEffect effect, Slot slot) noexcept;
+  void end(Slot slot) noexcept;
+
+  std::unique_ptr<EvdevPort> port_;
+  bool is_haptic_;
+  DeviceDescriptor descriptor_;
+  std::array<std::int16_t, kSlots> ids_{-1, -1};
+  std::bitset<kSlots> playing_;
+  std::bitset<16> refused_;  // waveforms
+  CuePacer pacer_{5.0, 25.0};
+  bool is_gone_ = false;
+};
+
+}  // namespace felt

@@ -1,0 +1,112 @@
+#include "felt/devices/evdev/local_fit.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace felt {
+namespace {
+
+// Unknowns: force, stiffness, friction.
+constexpr std::size_t kUnknowns = 3;
+using Row = std::array<double, kUnknowns>;
+
+constexpr double kSlowMmPerS = 5.0;  // below, a sign of the motion means little
+constexpr double kNoiseN = 0.02;     // what the law may leave over
+// How large each is as a rule: N, N/mm, N.
+constexpr Row kUsual{0.3, 1.0, 1.0};
+
+double sign_of(double speed_mm_per_s) noexcept {
+  return speed_mm_per_s / (std::abs(speed_mm_per_s) + kSlowMmPerS);
+}
+
+struct Sums {
+  std::array<Row, kUnknowns> squares{};
+  Row force{};
+};
+
+/// Cholesky of the unknowns that are wanted; the matrix is positive definite by its ridge.
+Row solve(const Sums& sums, const std::array<bool, kUnknowns>& wanted) noexcept {
+  std::array<Row, kUnknowns> lower{};
+  Row result{};
+  Row half{};
+  for (std::size_t i = 0; i < kUnknowns; ++i) {
+    if (!wanted[i]) continue;
+    for (std::size_t j = 0; j <= i; ++j) {
+      if (!wanted[j]) continue;
+      double rest = sums.squares[i][j];
+      for (std::size_t k = 0; k < j; ++k) rest -= lower[i][k] * lower[j][k];
+      lower[i][j] = i == j ? std::sqrt(std::max(rest, 1e-12)) : rest / lower[j][j];
+    }
+    double rest = sums.force[i];
+    for (std::size_t k = 0; k < i; ++k) rest -= lower[i][k] * half[k];
+    half[i] = rest / lower[i][i];
+  }
+  for (std::size_t i = kUnknowns; i-- > 0;) {
+    if (!wanted[i]) continue;
+    double rest = half[i];
+    for (std::size_t k = i + 1; k < kUnknowns; ++k) rest -= lower[k][i] * result[k];
+    result[i] = rest / lower[i][i];
+  }
+  return result;
+}
+
+bool is_usable(const FitSample& s) noexcept {
+  constexpr double kMost = 1e6;
+  return std::abs(s.position_mm) < kMost && std::abs(s.speed_mm_per_s) < kMost &&
+         std::abs(s.force_n) < kMost;  // false for NaN, too
+}
+
+/// Of the samples, their places as seen from `origin_mm`.
+Sums sums_of(std::span<const FitSample> samples, double origin_mm) noexcept {
+  Sums sums;
+  for (std::size_t i = 0; i < kUnknowns; ++i) {
+    sums.squares[i][i] = (kNoiseN / kUsual[i]) * (kNoiseN / kUsual[i]);
+  }
+  const double forget = std::exp(-std::log(3.0) / kFitForgets);
+  double weight = 1.0;
+  for (std::size_t at = samples.size(); at-- > 0; weight *= forget) {
+    const FitSample& s = samples[at];
+    if (!is_usable(s)) continue;
+    const Row row{1.0, origin_mm - s.position_mm, -sign_of(s.speed_mm_per_s)};
+    for (std::size_t i = 0; i < kUnknowns; ++i) {
+      for (std::size_t j = 0; j < kUnknowns; ++j) sums.squares[i][j] += weight * row[i] * row[j];
+      sums.force[i] += weight * row[i] * s.force_n;
+    }
+  }
+  return sums;
+}
+
+}  // namespace
+
+AxisFit fit_axis(std::span<const FitSample> samples, const FitAbility& can) noexcept {
+  const auto newest = std::find_if(samples.rbegin(), samples.rend(), is_usable);
+  if (newest == samples.rend()) return {};
+  AxisFit fit;
+  fit.position_mm = newest->position_mm;
+  Sums sums = sums_of(samples, fit.position_mm);
+  std::array<bool, kUnknowns> wanted{true, can.spring, can.friction};
+  Row law = solve(sums, wanted);
+  for (int round = 0; round < 2 && (law[1] < 0.0 || law[2] < 0.0); ++round) {
+    wanted[law[1] < law[2] ? 1 : 2] = false;  // the one that gives energy most
+    law = solve(sums, wanted);
+  }
+  if (law[1] > can.most_stiffness_n_per_mm) {
+    // What the device can do of it, and the others anew beside that.
+    law[1] = std::max(can.most_stiffness_n_per_mm, 0.0);
+    for (std::size_t i = 0; i < kUnknowns; ++i) sums.force[i] -= sums.squares[i][1] * law[1];
+    const double stiffness = law[1];
+    wanted[1] = false;
+    law = solve(sums, wanted);
+    law[1] = stiffness;
+  }
+  fit.stiffness_n_per_mm = std::max(law[1], 0.0);
+  // No more than what stands against the motion now: whichever way the grip turns, the law then
+  // never pushes with more than was asked for.
+  const double against_n = -newest->force_n * sign_of(newest->speed_mm_per_s);
+  fit.friction_n = std::clamp(law[2], 0.0, std::max(against_n, 0.0));
+  fit.force_n = newest->force_n + fit.friction_n * sign_of(newest->speed_mm_per_s);
+  return fit;
+}
+
+}  // namespace felt

@@ -1,0 +1,204 @@
+#include "felt/devices/evdev/stick_device.h"
+
+#include <algorithm>
+#include <cerrno>
+#include <chrono>
+#include <cstring>
+#include <utility>
+
+#include "felt/driver/device_models.h"
+
+namespace felt {
+namespace {
+
+constexpr std::uint64_t kTellEvery = 32;  // reads, where nothing else is to be told
+
+/// Without a string: strerror() may allocate.
+std::string_view words_of(int error) noexcept {
+  switch (error) {
+    case ENODEV:
+      return "No such device (ENODEV)";
+    case EIO:
+      return "Input/output error (EIO)";
+    case ENOSPC:
+      return "No space left on device (ENOSPC): its effect slots are taken";
+    case EINVAL:
+      return "Invalid argument (EINVAL): it has no such effect";
+    case EACCES:
+      return "Permission denied (EACCES)";
+    case EBUSY:
+      return "Device or resource busy (EBUSY)";
+    case EAGAIN:
+      return "Resource temporarily unavailable (EAGAIN): it does not say where the stick is";
+    case EINTR:
+      return "Interrupted (EINTR)";
+    case ETIMEDOUT:
+      return "Timed out (ETIMEDOUT)";
+    default:
+      return "The kernel refuses";
+  }
+}
+
+constexpr bool means_gone(int error) noexcept {
+  return error == ENODEV || error == ENXIO || error == EBADF;
+}
+
+}  // namespace
+
+Capabilities capabilities_of(const StickKind& kind, double step_mm) noexcept {
+  Capabilities can = find_device_model(kind.is_wheel ? "ff-wheel" : "ff-stick")->capabilities;
+  // The strength of this one, where it is known: never stronger than the row.
+  can.max_force_n = std::min(can.max_force_n, kind.forces.full_force_n);
+  can.max_stiffness_n_per_m =
+      std::min(can.max_stiffness_n_per_m, 1e3 * ability_of(kind.forces).most_stiffness_n_per_mm);
+  can.position_step_mm = step_mm;
+  can.senses_pressure = true;
+  return can;
+}
+
+StickDevice::StickDevice(std::unique_ptr<EvdevPort> port, const StickKind& kind,
+                         const StickAxes& axes, DeviceDescriptor descriptor, bool has_thread)
+    : port_(std::move(port)),
+      kind_(kind),
+      axes_(axes),
+      descriptor_(std::move(descriptor)),
+      gate_(descriptor_.capabilities),
+      keeper_(*port_, kind_.forces, gate_.most_n()) {
+  if (!kind_.is_known) {
+    status_.notice = ShortText(
+        "How strong this device is is not known: it is taken for a strong one, so its forces may "
+        "be weaker than they should be.");
+  }
+  statuses_.publish(status_);
+  if (has_thread) thread_ = std::thread([this] { run(); });
+}
+
+StickDevice::~StickDevice() {
+  is_over_.store(true);
+  if (thread_.joinable()) thread_.join();
+  keeper_.silence();
+  keeper_.erase_all();
+}
+
+void StickDevice::run() noexcept {
+  using Clock = std::chrono::steady_clock;
+  const Clock::time_point begin = Clock::now();
+  while (!is_over_.load()) {
+    const auto passed = std::chrono::duration_cast<std::chrono::nanoseconds>(Clock::now() - begin);
+    serve(passed.count());
+    std::this_thread::sleep_for(std::chrono::nanoseconds(kLookNs));
+  }
+}
+
+void StickDevice::serve(std::int64_t now_ns) noexcept {
+  keeper_.serve(now_ns);
+  const std::uint32_t question = questions_.load(std::memory_order_acquire);
+  if (question == answered_) return;
+  const StickStand stand = ask_stick(*port_, kind_.layout);
+  if (stand.error == EINTR) return;  // a signal: asked again the next time
+  answered_ = question;
+  answers_.publish({question, stand});
+}
+
+/// What the stick says; after lost events, what the worker found out.
+tl::expected<void, int> StickDevice::hear(std::int64_t now_ns) noexcept {
+  answers_.update();
+  const Answer& answer = answers_.get();
+  if (has_asked_ && answer.question == questions_.load(std::memory_order_relaxed)) {
+    has_asked_ = false;
+    if (const auto taken = axes_.take(answer.stand, now_ns); !taken) return taken;
+  }
+  if (const auto heard = axes_.listen(*port_, now_ns); !heard) return heard;
+  if (axes_.needs_asking() && !std::exchange(has_asked_, true)) {
+    questions_.fetch_add(1, std::memory_order_release);
+  }
+  return {};
+}
+
+DeviceStatus StickDevice::status() noexcept {
+  statuses_.update();
+  return statuses_.get();
+}
+
+tl::unexpected<DeviceFault> StickDevice::failed(DeviceFault fault, int error) noexcept {
+  const bool is_new = status_.fault != fault;
+  status_.fault = status_.last_fault = fault;
+  status_.vendor_code = error;
+  status_.vendor_words = error != 0 ? ShortText(words_of(error)) : ShortText(describe(fault));
+  ++status_.faults;
+  if (is_new || status_.faults % kTellEvery == 0) statuses_.publish(status_);
+  return tl::unexpected(fault);
+}
+
+tl::expected<PenSample, DeviceFault> StickDevice::read(std::int64_t now_ns) noexcept {
+  now_ns_ = now_ns;
+  if (is_gone_) return failed(DeviceFault::kDisconnected, ENODEV);
+  if (const auto heard = hear(now_ns); !heard) {
+    is_gone_ = true;
+    let_go();
+    return failed(DeviceFault::kDisconnected, heard.error());
+  }
+  if (axes_.is_stale(now_ns)) return failed(DeviceFault::kBadData, EAGAIN);
+  pen_ = axes_.sample(now_ns);
+  const bool was_read_fault = status_.fault == DeviceFault::kBadData;
+  if (was_read_fault) status_.fault.reset();
+  if (++status_.reads % kTellEvery == 0 || was_read_fault) statuses_.publish(status_);
+  return pen_;
+}
+
+void StickDevice::remember(const Force& force) noexcept {
+  if (count_ == kWindow) {
+    std::move(x_.begin() + 1, x_.end(), x_.begin());
+    std::move(y_.begin() + 1, y_.end(), y_.begin());
+    --count_;
+  }
+  x_[count_] = {pen_.position.x, pen_.velocity.x, force.x};
+  y_[count_] = {pen_.position.y, pen_.velocity.y, force.y};
+  ++count_;
+}
+
+void StickDevice::plan() noexcept {
+  const bool is_due = now_ns_ - planned_ns_ >= kServeNs || now_ns_ < planned_ns_;
+  if (count_ > 1 && !is_due) return;
+  planned_ns_ = now_ns_;
+  const FitAbility can = ability_of(kind_.forces);
+  const std::array<AxisFit, 2> fits{fit_axis(std::span(x_).first(count_), can),
+                                    fit_axis(std::span(y_).first(count_), can)};
+  keeper_.want(plan_effects(fits, kind_.forces, gate_.most_n()));
+}
+
+void StickDevice::let_go() noexcept {
+  keeper_.silence();
+  count_ = 0;
+}
+
+tl::expected<void, DeviceFault> StickDevice::write(const Force& force) noexcept {
+  if (is_gone_) return failed(DeviceFault::kDisconnected, ENODEV);
+  // It has no axis upwards; what is no number counts all the same.
+  const ForceGate::Passed passed =
+      gate_.pass(is_finite(force) ? Force{force.x, force.y, 0.0} : force, now_ns_);
+  if (!passed.was_finite) {
+    let_go();
+    return failed(DeviceFault::kBadData, 0);
+  }
+  if (passed.force == Force{}) {
+    let_go();
+  } else {
+    remember(passed.force);
+    plan();
+  }
+  const int error = keeper_.error();
+  if (error == 0) {
+    if (std::exchange(status_.fault, std::nullopt)) statuses_.publish(status_);
+    return {};
+  }
+  is_gone_ = means_gone(error);
+  return failed(is_gone_ ? DeviceFault::kDisconnected : DeviceFault::kForcesOff, error);
+}
+
+void StickDevice::stop() noexcept {
+  let_go();
+  gate_.let_go();
+}
+
+}  // namespace felt

@@ -1,0 +1,83 @@
+#pragma once
+
+#include <array>
+#include <atomic>
+#include <cstdint>
+#include <memory>
+#include <thread>
+
+#include "felt/devices/evdev/effect_keeper.h"
+#include "felt/devices/evdev/evdev_driver.h"
+#include "felt/devices/evdev/known_sticks.h"
+#include "felt/driver/force_gate.h"
+
+namespace felt {
+
+/// What a stick of this kind can do, as a device.
+Capabilities capabilities_of(const StickKind& kind, double step_mm) noexcept;
+
+/// An open stick or wheel. The forces that write() is given become a local law of force by place
+/// and motion (fit_axis), eight milliseconds after eight milliseconds, and that becomes effects.
+///
+/// On the haptic thread nothing waits for the kernel: read() takes events that are there; write()
+/// and stop() leave word for the worker (effect_keeper.h), which looks each millisecond. So a force
+/// ends within some 1 ms and the transfer under way; where the worker stands still, after kEffectMs
+/// at the latest, since effects end by themselves.
+class StickDevice final : public DriverDevice, public EffectServed {
+ public:
+  /// Opens nothing: the port is open and has said its axes. Starts the thread.
+  StickDevice(std::unique_ptr<EvdevPort> port, const StickKind& kind, const StickAxes& axes,
+              DeviceDescriptor descriptor, bool has_thread);
+  ~StickDevice() override;
+
+  [[nodiscard]] std::string_view name() const noexcept override { return "evdev"; }
+  [[nodiscard]] const Capabilities& capabilities() const noexcept override {
+    return descriptor_.capabilities;
+  }
+  [[nodiscard]] const DeviceDescriptor& descriptor() const noexcept override { return descriptor_; }
+  [[nodiscard]] DeviceStatus status() noexcept override;
+  tl::expected<PenSample, DeviceFault> read(std::int64_t now_ns) noexcept override;
+  tl::expected<void, DeviceFault> write(const Force& force) noexcept override;
+  void stop() noexcept override;
+  void serve(std::int64_t now_ns) noexcept override;
+
+ private:
+  static constexpr std::size_t kWindow = 24;  ///< samples of a fit
+
+  /// What the worker answers, and to which question.
+  struct Answer {
+    std::uint32_t question = 0;
+    StickStand stand;
+  };
+
+  void run() noexcept;
+  tl::expected<void, int> hear(std::int64_t now_ns) noexcept;
+  void let_go() noexcept;
+  void remember(const Force& force) noexcept;
+  void plan() noexcept;
+  tl::unexpected<DeviceFault> failed(DeviceFault fault, int error) noexcept;
+
+  std::unique_ptr<EvdevPort> port_;
+  StickKind kind_;
+  StickAxes axes_;
+  DeviceDescriptor descriptor_;
+  ForceGate gate_;
+  EffectKeeper keeper_;
+  // Haptic thread's.
+  std::int64_t now_ns_ = 0;
+  bool has_asked_ = false;
+  PenSample pen_;
+  std::array<FitSample, kWindow> x_{}, y_{};
+  std::size_t count_ = 0;
+  std::int64_t planned_ns_ = 0;
+  bool is_gone_ = false;
+  DeviceStatus status_;
+  LatestValue<DeviceStatus> statuses_;
+  std::atomic<std::uint32_t> questions_{0};  // how axes stand, after lost events
+  LatestValue<Answer> answers_;
+  std::uint32_t answered_ = 0;  // worker's
+  std::atomic<bool> is_over_{false};
+  std::thread thread_;
+};
+
+}  // namespace felt

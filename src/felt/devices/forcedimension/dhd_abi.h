@@ -1,0 +1,116 @@
+#pragma once
+
+#include <cstdint>
+
+/// What Force Dimension's libraries (SDK 3.x: libdhd.so, and libdrd.so, which holds all of it) look
+/// like from outside: our own declarations of what `dhdc.h` and `drdc.h` promise. Metres, m/s,
+/// newtons; X is the depth towards the person, Y right, Z up.
+///
+/// Every function of one device takes its number as last argument, although the maker's header
+/// hides that behind a default value: a pointer without it would read whatever lies there. Plain C
+/// functions; those that return an int say -1 for an error, 0 or a positive notice else.
+namespace felt::dhd {
+
+using Id = char;
+
+/// dhdErrorGetLast(), of the calling thread.
+enum Error : int {
+  kNoError = 0,
+  kError = 1,
+  kErrorCom = 2,
+  kErrorBusy = 3,
+  kErrorNoDriver = 4,
+  kErrorNoDevice = 5,
+  kErrorNotAvailable = 6,
+  kErrorTimeout = 7,
+  kErrorGeometry = 8,
+  kErrorExpertMode = 9,
+  kErrorNotImplemented = 10,
+  kErrorOutOfMemory = 11,
+  kErrorNotReady = 12,
+  kErrorConfiguration = 14,
+  kErrorInvalidIndex = 15,
+  kErrorNullArgument = 17,
+  kErrorRedundancy = 18,
+  kErrorInUse = 20,
+  kErrorInvalid = 21,
+};
+
+/// Returned in the place of 0; no errors.
+inline constexpr int kTimeGuard = 1;       ///< asked too soon: the last answer again
+inline constexpr int kMotorSaturated = 2;  ///< the motors give what they can
+inline constexpr int kFailed = -1;
+
+inline constexpr int kOff = 0;
+inline constexpr int kOn = 1;
+
+/// Of the array that dhdGetStatus() fills. Room for more than the 17 of SDK 3.17, since a newer
+/// library writes as many as it knows.
+inline constexpr int kStatusSize = 17;
+inline constexpr int kStatusRoom = 64;
+enum StatusIndex : int {
+  kStatusPower = 0,
+  kStatusConnected = 1,
+  kStatusStarted = 2,
+  kStatusReset = 3,  ///< in the mode in which it must be calibrated
+  kStatusIdle = 4,
+  kStatusForce = 5,
+  kStatusBrake = 6,
+  kStatusTorque = 7,
+  kStatusWristDetected = 8,
+  kStatusError = 9,
+  kStatusGravity = 10,
+  kStatusTimeGuard = 11,
+  kStatusWristInit = 12,
+  kStatusRedundancy = 13,
+  kStatusForceOffCause = 14,
+  kStatusLocks = 15,
+  kStatusAxisChecked = 16,
+};
+
+/// Why the motors are off, at kStatusForceOffCause.
+enum ForceOffCause : int {
+  kCauseNone = 0,
+  kCauseButton = 1,    ///< the force button of the device
+  kCauseVelocity = 2,  ///< the guard against fast movement
+  kCauseWatchdog = 3,  ///< no force command for too long
+  kCauseSoftware = 4,  ///< a program asked for it
+  kCauseUsb = 5,
+  kCauseDeadMan = 6,  ///< nobody holds it
+};
+
+/// The watchdog counts in these; its limit is a byte, so that 31.9 ms is the longest.
+inline constexpr std::int64_t kWatchdogUnitNs = 125'000;
+inline constexpr unsigned char kWatchdog31Ms = 248;
+
+// The types of the functions, by name without "dhd" or "drd".
+using GetDeviceCount = int();
+using OpenId = int(Id index);
+using Close = int(Id);
+using GetSystemType = int(Id);
+using GetSystemName = const char*(Id);
+using GetSerialNumber = int(unsigned short*, Id);
+using GetSdkVersion = void(int* major, int* minor, int* release, int* revision);
+using GetStatus = int(int*, Id);
+using IsTrue = bool(Id);
+using Simple = int(Id);  ///< drdAutoInit, dhdReset, dhdStop
+using DrdStop = int(bool force_on, Id);
+using WaitForReset = int(int timeout_ms, Id);
+using ExpertMode = int();
+using EnableForce = int(unsigned char, Id);
+using SetInt = int(int, Id);  ///< dhdSetGravityCompensation
+using SetDouble = int(double, Id);
+using Get3 = int(double*, double*, double*, Id);
+using SetForce = int(double, double, double, Id);
+using SetForceAndGripperForce = int(double, double, double, double, Id);
+using SetForceAndTorqueAndGripperForce = int(double, double, double, double, double, double, double,
+                                             Id);
+using GetButton = int(int index, Id);
+using GetButtonMask = unsigned int(Id);
+using SetWatchdog = int(unsigned char, Id);
+using GetWatchdog = int(unsigned char*, Id);
+using GetComFreq = double(Id);
+using ErrorGetLast = int();
+using ErrorGetLastStr = const char*();
+
+}  // namespace felt::dhd

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "felt/driver/diagnosis.h"
+#include "felt/driver/system_view.h"
+
+namespace felt::dhd {
+
+/// What is there of Force Dimension and Novint, what is missing, and the next step: the devices on
+/// the USB, the permission to use them, the library. `named` as in library_names(); `last_refusal`
+/// is what the library said when this program could not open a device, or empty.
+std::vector<Finding> diagnose(const SystemView& system, const std::string& named,
+                              const std::string& last_refusal);
+
+}  // namespace felt::dhd

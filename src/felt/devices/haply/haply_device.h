@@ -1,0 +1,128 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "felt/devices/haply/service_messages.h"
+#include "felt/devices/haply/web_socket.h"
+#include "felt/driver/driver.h"
+#include "felt/driver/force_gate.h"
+#include "felt/rt/latest_value.h"
+
+namespace felt::haply {
+
+/// What Driver::open has reached: the service, our device and what it says of it.
+struct Connection {
+  std::unique_ptr<WebSocket> control;
+  std::unique_ptr<WebSocket> events;  ///< null: that channel does not answer
+  DeviceDescriptor descriptor;
+  InventoryDevice device;
+  std::string grip_id;  ///< empty: none
+  int version = 0;      ///< version_number()
+};
+
+/// An Inverse3 or Minverse through the Inverse Service.
+///
+/// A tick is one message each way: write() sends the force, the next read() takes the state that
+/// answers it. Such a state is a period old, so that its place is carried on by its own velocity to
+/// the time of the read; forces come late all the same (Capabilities::delay_ticks says so). Two
+/// messages a tick would make it fresh, but forces that come within one tick of the service add up
+/// (maker's page "Control Commands"). Hence a force goes only to a service that has answered all
+/// before it; while a state is late, messages ask for none, so that a service that stood still and
+/// takes all that waits at once finds one force there, however long it stood.
+///
+/// A state that is late is not waited for longer than kWaitNs; the last one counts for kMostMissed
+/// ticks, then read() fails with kOther, and after kMostSilentTicks with kDisconnected. The service
+/// lets go of the motors when no force comes: that, and not our patience, keeps a hand safe.
+///
+/// The events channel is looked at on each tick, without waiting: a brake, a stall or the stability
+/// ceiling makes write() say kForcesOff with the service's own words, and the force zero at once.
+class HaplyDevice final : public DriverDevice {
+ public:
+  static constexpr std::int64_t kWaitNs = 300'000;          ///< for a state
+  static constexpr std::int64_t kFirstWaitNs = 50'000'000;  ///< for the first, before any force
+  static constexpr std::int64_t kSendNs = 100'000;
+  static constexpr int kMostMissed = 4;
+  static constexpr int kMostSilentTicks = 1000;
+  /// Ticks without a state, once one has come that was late, until the rest counts as answered by
+  /// it. Below kMostMissed, so that the pen stays.
+  static constexpr int kSettleTicks = 2;
+  /// States without any force in them, though one was asked for, until the other spelling of the
+  /// command is tried (ForceKey).
+  static constexpr int kDeafStates = 200;
+  static constexpr double kHeardN = 0.3;  ///< what must show in a state
+
+  explicit HaplyDevice(Connection connection);
+  ~HaplyDevice() override;
+
+  [[nodiscard]] std::string_view name() const noexcept override { return descriptor_.id; }
+  [[nodiscard]] const Capabilities& capabilities() const noexcept override {
+    return descriptor_.capabilities;
+  }
+  [[nodiscard]] const DeviceDescriptor& descriptor() const noexcept override { return descriptor_; }
+  [[nodiscard]] DeviceStatus status() noexcept override;
+  tl::expected<PenSample, DeviceFault> read(std::int64_t now_ns) noexcept override;
+  std::optional<Vec3> pen_axis() noexcept override { return axis_; }
+  tl::expected<void, DeviceFault> write(const Force& force) noexcept override;
+  void stop() noexcept override;
+  [[nodiscard]] Homing homing() noexcept override;
+  [[nodiscard]] std::string homing_words() override;
+  Result<void> find_home() override;
+
+  [[nodiscard]] ForceKey force_key() const noexcept { return key_; }
+
+ private:
+  enum class Heard : std::uint8_t { kNothing, kState, kBad, kClosed };
+
+  bool send(const Force& force) noexcept;
+  void send_nothing() noexcept;  ///< instead of a force, to a service that is behind
+  Heard hear(std::int64_t within_ns) noexcept;
+  Heard hear_all(std::int64_t within_ns) noexcept;
+  void hear_events() noexcept;
+  void take_event(const Event& event) noexcept;
+  void check_that_force_is_heard() noexcept;
+  [[nodiscard]] double ahead_s(std::int64_t now_ns) const noexcept;
+  void count_rate(std::int64_t now_ns) noexcept;
+  tl::expected<PenSample, DeviceFault> nothing_heard() noexcept;
+  tl::unexpected<DeviceFault> failed(DeviceFault fault, const ShortText& words) noexcept;
+  tl::unexpected<DeviceFault> gone(std::string_view words) noexcept;
+  [[nodiscard]] std::string first_notice(bool has_events) const;
+
+  std::unique_ptr<WebSocket> control_, events_;
+  DeviceDescriptor descriptor_;
+  InventoryDevice inventory_;
+  std::string grip_id_;
+  ForceKey key_;
+  ForceGate gate_;
+
+  // The haptic thread's own; where no loop runs, that of the edit thread.
+  State state_;
+  PenSample sample_;
+  std::optional<Vec3> axis_;  // of the grip, as of sample_
+  bool has_sample_ = false;
+  bool is_calibrated_;
+  int unanswered_ = 0;    // messages that no state came for; the oldest may bear a force
+  bool settles_ = false;  // a state has come, others are still owed: these bear no force
+  int missed_ = 0;        // ticks without a state
+  bool is_gone_ = false;
+  bool brake_is_on_ = false;
+  bool events_are_over_ = false;
+  std::optional<ShortText> force_stopped_;  // until the next write() has said so
+  ShortText brake_words_, gone_words_;
+  double sent_n_ = 0.0;
+  int deaf_states_ = 0;
+  int keys_tried_ = 1;
+  std::int64_t now_ns_ = 0;
+  std::int64_t sent_ns_ = 0;  // the newest message
+  std::int64_t rate_since_ns_ = 0;
+  std::uint64_t rate_reads_ = 0;
+  std::array<char, kMostCommand> command_{};
+  DeviceStatus status_;
+
+  LatestValue<DeviceStatus> shown_;
+};
+
+}  // namespace felt::haply

@@ -1,0 +1,186 @@
+#include "felt/devices/haply/haply_doctor.h"
+
+#include <optional>
+#include <string>
+
+#include "felt/devices/haply/service_address.h"
+#include "felt/devices/haply/service_messages.h"
+
+namespace felt::haply {
+namespace {
+
+constexpr const char* kUnitFiles[] = {
+    "/lib/systemd/system/haply-inverse-service.service",
+    "/usr/lib/systemd/system/haply-inverse-service.service",
+    "/etc/systemd/system/haply-inverse-service.service",
+};
+constexpr const char* kConfigFolder = "/etc/haply-inverse-service";
+constexpr int kOldest = 3001;  // the first with the messages that we speak
+constexpr int kUsual = 3005;   // the first whose presets put the origin in the middle for sure
+constexpr int kTooNew = 4000;
+
+bool has_unit(const SystemView& system) {
+  for (const char* file : kUnitFiles) {
+    if (system.exists(file)) return true;
+  }
+  return false;
+}
+
+Finding not_installed(const ServiceAddress& address) {
+  return {.level = FindingLevel::kAbsent,
+          .what = "Haply's Inverse Service is not installed: nobody listens at " +
+                  address.control.text() + ".",
+          .steps = {"Only for an Inverse3 or Minverse: get the Inverse Service for Linux from "
+                    "haply.co (Haply Hub brings it, too).",
+                    "Install its package:\nsudo apt install ./haply-inverse-service*.deb"}};
+}
+
+Finding not_running(const ServiceAddress& address) {
+  const std::string source =
+      address.source.empty() ? std::string() : " (a port from " + address.source + ")";
+  Finding finding{
+      .level = FindingLevel::kProblem,
+      .what = "Haply's Inverse Service does not run: nobody listens at " + address.control.text() +
+              source + ".",
+      .steps = {
+          "Start it, now and whenever the computer starts:\nsudo systemctl enable --now "
+          "haply-inverse-service",
+          "If it stops again, read what it says:\njournalctl -u haply-inverse-service -n 30"}};
+  if (address.source == kUrlVariable) {
+    finding.steps.emplace_back("Or is " + std::string(kUrlVariable) + " wrong? See it:\necho $" +
+                               kUrlVariable);
+  }
+  return finding;
+}
+
+Finding version_finding(const std::string& version) {
+  const int number = version_number(version);
+  const std::string named = "The Inverse Service runs, version " + version + ".";
+  const std::string update = "Install a newer one, from haply.co or with Haply Hub.";
+  if (number == 0) {
+    return {.level = FindingLevel::kWarning,
+            .what = "The Inverse Service runs, but does not say which version it is."};
+  }
+  if (number < kOldest) {
+    return {.level = FindingLevel::kProblem,
+            .what = named + " That is too old: Feltline speaks with 3.1 and newer.",
+            .steps = {update}};
+  }
+  if (number < kUsual) {
+    return {.level = FindingLevel::kWarning,
+            .what = named +
+                    " With services before 3.5 the drawing plane may lie elsewhere than "
+                    "Feltline thinks.",
+            .steps = {"Show Feltline where the plane is: touch three corners (in the desktop: "
+                      "Devices, Calibrate).",
+                      update}};
+  }
+  if (number >= kTooNew) {
+    return {.level = FindingLevel::kWarning,
+            .what = named + " Feltline was made for 3.x and may not understand it."};
+  }
+  return {.what = named};
+}
+
+void add_device(const InventoryDevice& device, std::vector<Finding>& findings) {
+  const std::string named =
+      (device.type.empty() ? "A device" : "The " + device.type) + " \"" + device.id + "\"";
+  if (device.has_power == false) {
+    findings.push_back(
+        {.level = FindingLevel::kProblem,
+         .what = named + " has no power: without it there is no force.",
+         .steps = {"Plug its power supply in (the USB cable alone is not enough)."}});
+    return;
+  }
+  if (device.calibrated == false) {
+    findings.push_back(
+        {.level = FindingLevel::kProblem,
+         .what = named + " is not calibrated.",
+         .steps = {"Put the tip of its handle into the inkwell at its foot and hold it there until "
+                   "the light has changed, or calibrate it in Haply Hub."}});
+    return;
+  }
+  Finding finding{.what = named + " is there."};
+  if (device.in_use == true) {
+    finding.level = FindingLevel::kWarning;
+    finding.what = named + " is there, and another program uses it: forces would add up.";
+    finding.steps = {"Close the other program (a demo in Haply Hub, for example)."};
+  } else if (device.gravity_compensation == false) {
+    finding.level = FindingLevel::kWarning;
+    finding.what = named + " is there; its gravity compensation is off, so that its arm sinks.";
+    finding.steps = {"Switch gravity compensation on in Haply Hub."};
+  }
+  if (device.force_gate.value_or(0.0) > 0.0 || device.damping.value_or(0.0) > 0.0) {
+    finding.what += " The service's own filters act on our forces: force gate " +
+                    std::to_string(device.force_gate.value_or(0.0)).substr(0, 4) + ", damping " +
+                    std::to_string(device.damping.value_or(0.0)).substr(0, 4) + ".";
+  }
+  findings.push_back(finding);
+}
+
+void ask_service(const SystemView& system, const ServiceAddress& address, const TcpConnect& connect,
+                 std::int64_t within_ns, std::vector<Finding>& findings) {
+  const auto version = http_get(connect, address.control, "/version", within_ns);
+  if (!version) {
+    findings.push_back({.level = FindingLevel::kProblem,
+                        .what = "Somebody listens at " + address.control.text() +
+                                ", but does not answer as the Inverse Service does.",
+                        .details = version.error().message,
+                        .steps = {"See which program it is:\nss -tlnp | grep " +
+                                      std::to_string(address.control.port),
+                                  "Restart the service:\nsudo systemctl restart "
+                                  "haply-inverse-service"}});
+    return;
+  }
+  findings.push_back(version_finding(read_version(*version)));
+  if (!system.listens(address.events.port)) {
+    findings.push_back({.level = FindingLevel::kWarning,
+                        .what = "The service's events (port " +
+                                std::to_string(address.events.port) +
+                                ") are not heard: Feltline is not told when the device brakes."});
+  }
+  const auto answer = http_get(connect, address.control, "/devices", within_ns);
+  const std::optional<Inventory> inventory = answer ? read_inventory(*answer) : std::nullopt;
+  if (!inventory) {
+    findings.push_back({.level = FindingLevel::kProblem,
+                        .what = "The Inverse Service does not say which devices there are.",
+                        .details = answer ? std::string() : answer.error().message,
+                        .steps = {"Restart it:\nsudo systemctl restart haply-inverse-service"}});
+    return;
+  }
+  if (inventory->devices.empty()) {
+    findings.push_back(
+        {.level = FindingLevel::kProblem,
+         .what = "The Inverse Service runs, but sees no device.",
+         .steps = {"Plug the device in, with its power supply and its USB cable, and wait some "
+                   "seconds.",
+                   "Does the computer see it? Look for a new line after plugging it in:\nls "
+                   "/dev/ttyACM*"}});
+  }
+  for (const InventoryDevice& device : inventory->devices) add_device(device, findings);
+}
+
+}  // namespace
+
+std::vector<Finding> examine(const SystemView& system, const TcpConnect& connect,
+                             std::int64_t within_ns) {
+  std::vector<Finding> findings;
+  const ServiceAddress address = service_address(system);
+  if (!address.wrong.empty()) {
+    findings.push_back({.level = FindingLevel::kProblem,
+                        .what = address.wrong,
+                        .steps = {"Correct it, or take it away: the usual address is "
+                                  "ws://localhost:10001."}});
+  }
+  const bool is_told = !address.wrong.empty();
+  if (system.listens(address.control.port)) {
+    ask_service(system, address, connect, within_ns, findings);
+  } else if (has_unit(system) || system.exists(kConfigFolder) || !address.source.empty()) {
+    findings.push_back(not_running(address));
+  } else if (!is_told) {
+    findings.push_back(not_installed(address));
+  }
+  return findings;
+}
+
+}  // namespace felt::haply

@@ -1,0 +1,102 @@
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <span>
+#include <string>
+
+#include "felt/base/result.h"
+#include "felt/devices/openhaptics/hd_abi.h"
+#include "felt/driver/dynamic_library.h"
+
+namespace felt {
+
+/// The functions of libHD that we call, under names of our own.
+struct HdFunctions {
+  hd::Handle (*init_device)(const char* name);
+  void (*disable_device)(hd::Handle);
+  void (*begin_frame)(hd::Handle);
+  void (*end_frame)(hd::Handle);
+  hd::ErrorInfo (*get_error)();
+  const char* (*error_words)(hd::Enum);
+  void (*enable)(hd::Enum);
+  void (*disable)(hd::Enum);
+  unsigned char (*is_enabled)(hd::Enum);
+  void (*get_booleans)(hd::Enum, unsigned char*);
+  void (*get_integers)(hd::Enum, int*);
+  void (*get_doubles)(hd::Enum, double*);
+  void (*set_doubles)(hd::Enum, const double*);
+  const char* (*get_string)(hd::Enum);
+  hd::Enum (*check_calibration)();
+  void (*update_calibration)(hd::Enum style);
+  void (*start_scheduler)();
+  void (*stop_scheduler)();
+  void (*set_scheduler_rate)(unsigned long hz);
+  hd::CallbackHandle (*schedule)(hd::Callback, void*, unsigned short priority);
+  void (*unschedule)(hd::CallbackHandle);
+};
+
+/// libHD, loaded. As its state belongs to the process (one scheduler, one current device), so does
+/// this: loading the same file again gives the same object, and one of its devices is open at a
+/// time. It is never unloaded: its threads may outlive our use of it. Edit thread, except call().
+class HdLibrary {
+ public:
+  /// The first of `names` that loads and has all functions.
+  static Result<std::shared_ptr<HdLibrary>> load(std::span<const std::string> names);
+
+  HdLibrary(const HdLibrary&) = delete;
+  HdLibrary& operator=(const HdLibrary&) = delete;
+
+  [[nodiscard]] const HdFunctions& call() const noexcept { return functions_; }
+  [[nodiscard]] std::string path() const { return library_.path(); }
+
+  /// Takes the one device that may be open; false: it is taken. give_back() ends that.
+  bool take() noexcept;
+  void give_back() noexcept { is_taken_ = false; }
+  [[nodiscard]] bool is_taken() const noexcept { return is_taken_; }
+
+ private:
+  explicit HdLibrary(DynamicLibrary library) noexcept : library_(std::move(library)) {}
+  Result<void> find_functions();
+
+  DynamicLibrary library_;
+  HdFunctions functions_{};
+  bool is_taken_ = false;
+};
+
+/// Empties the library's stack of errors, at most `most` of them, newest first (it is a stack).
+/// Calls `each(info)`; returns how many there were. Any thread that may call the library.
+template <class Each>
+std::size_t drain_errors(const HdFunctions& call, std::size_t most, Each&& each) {
+  std::size_t count = 0;
+  for (; count < most; ++count) {
+    const hd::ErrorInfo info = call.get_error();
+    if (info.code == hd::error::kNone) break;
+    each(info);
+  }
+  return count;
+}
+
+/// Of the library's errors, all of them, oldest first, with its own words: "communication error
+/// (0x302, internal 7)". Empty: there were none.
+std::string drained_words(const HdFunctions& call);
+
+/// The library reads numbers from its configuration files with the decimal point of whatever locale
+/// the calling thread has, and with a comma gets joint angles wrong: for this block the thread
+/// has the "C" locale for numbers.
+class PlainNumbers {
+ public:
+  PlainNumbers() noexcept;
+  ~PlainNumbers() noexcept;
+  PlainNumbers(const PlainNumbers&) = delete;
+  PlainNumbers& operator=(const PlainNumbers&) = delete;
+  /// For good on this thread, which is one of the library's own. Real-time safe.
+  static void keep() noexcept;
+  /// Makes what keep() and the block need, on the edit thread, before.
+  static void prepare() noexcept;
+
+ private:
+  void* before_;
+};
+
+}  // namespace felt

@@ -1,0 +1,243 @@
+// What happens in a tick. All of it runs on the scheduler's thread.
+#include "felt/devices/openhaptics/openhaptics_device.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "felt/devices/openhaptics/hd_faults.h"
+
+namespace felt {
+namespace {
+
+constexpr std::size_t kMostErrors = 16;     // heard at once; more wait for the next time
+constexpr std::uint64_t kStatusEvery = 16;  // ticks
+constexpr double kFarthestMm = 1e5;         // what is farther away makes no sense
+constexpr double kFastestMmPerS = 1e6;
+constexpr unsigned kButtonBits = 0xF;
+constexpr double kLeastAxis = 0.5;  // of length 1; what is far from it makes no sense
+constexpr std::size_t kMotors = 6;  // three or six; the library fills what there is
+
+bool is_believable(const PenSample& pen) noexcept {
+  const auto within = [](const Vec3& v, double most) {
+    return std::abs(v.x) <= most && std::abs(v.y) <= most && std::abs(v.z) <= most;  // not NaN
+  };
+  return within(pen.position, kFarthestMm) && within(pen.velocity, kFastestMmPerS);
+}
+
+}  // namespace
+
+void OpenHapticsDevice::begin_tick() noexcept {
+  tick_is_open_ = true;
+  frame_ = Frame::kNotYet;
+  ++ticks_;
+}
+
+void OpenHapticsDevice::end_tick() noexcept {
+  if (frame_ == Frame::kOpen) {
+    close_frame({});
+    force_fault_ = graver(force_fault_, drain());
+    if (force_fault_ == DeviceFault::kDisconnected) die();
+  }
+  tick_is_open_ = false;
+  if (ticks_ % kStatusEvery == 0) publish();
+}
+
+tl::expected<PenSample, DeviceFault> OpenHapticsDevice::read(std::int64_t now_ns) noexcept {
+  if (is_gone_) return tl::unexpected(DeviceFault::kDisconnected);
+  if (!tick_is_open_) {
+    return refuse(DeviceFault::kOther, "read outside of the loop of the device's own software");
+  }
+  if (frame_ == Frame::kDone) return last_;  // one frame a tick: this is what it said
+  now_ns_ = now_ns;
+  if (frame_ == Frame::kNotYet) open_frame();
+  last_ = sense(now_ns);
+  if (last_) ++status_.reads;
+  return last_;
+}
+
+tl::expected<PenSample, DeviceFault> OpenHapticsDevice::sense(std::int64_t now_ns) noexcept {
+  std::array<double, 3> place{}, way{};
+  int buttons = 0;
+  call_.get_doubles(hd::parameter::kPosition, place.data());
+  call_.get_doubles(hd::parameter::kVelocity, way.data());
+  call_.get_integers(hd::parameter::kButtons, &buttons);
+  sense_attitude();
+  sense_state();
+  const std::optional<DeviceFault> fault = drain();
+  if (fault == DeviceFault::kDisconnected) {
+    die();
+    return tl::unexpected(*fault);
+  }
+  if (fault == DeviceFault::kOther) return tl::unexpected(*fault);
+  force_fault_ = graver(force_fault_, fault);
+  if (!is_home_) return refuse(DeviceFault::kNotCalibrated, "calibration needs manual input");
+  const PenSample pen{now_ns,
+                      {place[0], place[1], place[2]},
+                      {way[0], way[1], way[2]},
+                      {},
+                      static_cast<unsigned>(buttons) & kButtonBits};
+  if (!is_believable(pen)) return refuse(DeviceFault::kBadData, "a place that is no place");
+  return pen;
+}
+
+// The stylus lies along its own z axis, the third column of where it is and how it is turned.
+void OpenHapticsDevice::sense_attitude() noexcept {
+  axis_.reset();
+  if (!senses_.attitude) return;
+  std::array<double, 16> transform{};
+  call_.get_doubles(hd::parameter::kTransform, transform.data());
+  const Vec3 axis{transform[8], transform[9], transform[10]};
+  const double size = norm(axis);
+  if (size > kLeastAxis && size < 1.0 / kLeastAxis) axis_ = axis;  // not NaN
+}
+
+void OpenHapticsDevice::sense_state() noexcept {
+  unsigned char state = hd::kFalse;
+  if (senses_.safety_switch) {
+    call_.get_booleans(hd::parameter::kSafetySwitch, &state);
+    // A device that has no switch says nothing of use: only one that was closed can be opened.
+    is_held_ = state != hd::kFalse || !has_safety_switch_;
+    has_safety_switch_ = has_safety_switch_ || state != hd::kFalse;
+  }
+  if (senses_.inkwell) {
+    state = hd::kFalse;
+    call_.get_booleans(hd::parameter::kInkwell, &state);
+    is_in_inkwell_ = state != hd::kFalse;
+  }
+  is_home_ = call_.check_calibration() != hd::calibration::kNeedsPerson;
+  if (senses_.temperature) {
+    std::array<double, kMotors> warm{};
+    call_.get_doubles(hd::parameter::kMotorTemperature, warm.data());
+    double warmest = 0.0;
+    for (const double motor : warm) warmest = motor <= warmest ? warmest : motor;  // NaN stays
+    if (std::isfinite(warmest)) status_.motor_temperature = warmest;
+    warmth_.allow(warmest);
+  }
+  if (senses_.rate && ticks_ % kStatusEvery == 0) {
+    int hz = 0;
+    call_.get_integers(hd::parameter::kMeasuredUpdateRate, &hz);
+    status_.rate_hz = std::max(hz, 0);
+  }
+}
+
+Force OpenHapticsDevice::bounded(const Force& asked, bool& was_finite) noexcept {
+  const ForceGate::Passed passed = gate_.pass(asked, now_ns_);
+  was_finite = passed.was_finite;
+  const double size = norm(passed.force);
+  return size > warmth_.allowed_n() ? (warmth_.allowed_n() / size) * passed.force : passed.force;
+}
+
+tl::expected<void, DeviceFault> OpenHapticsDevice::write(const Force& asked) noexcept {
+  if (is_gone_) return tl::unexpected(DeviceFault::kDisconnected);
+  bool was_finite = true;
+  Force force = bounded(asked, was_finite);
+  std::optional<DeviceFault> fault = std::exchange(force_fault_, std::nullopt);
+  if (!is_held_ || is_in_inkwell_) {
+    force = {};
+    gate_.let_go();
+    fault = graver(fault, DeviceFault::kForcesOff);
+    note(DeviceFault::kForcesOff,
+         is_in_inkwell_ ? "the stylus is in its inkwell" : "the safety switch is open", 0);
+  }
+  if (tick_is_open_ && frame_ != Frame::kDone) {
+    if (frame_ == Frame::kNotYet) open_frame();
+    close_frame(force);
+    fault = graver(fault, drain());
+  } else {
+    // No frame is left that could say it: none at all is what can be done.
+    let_go();
+    if (force != Force{}) {
+      fault = graver(fault, DeviceFault::kOther);
+      note(DeviceFault::kOther, "a force outside of a frame", 0);
+    }
+  }
+  if (fault == DeviceFault::kDisconnected) die();
+  if (!was_finite && !is_gone_) {
+    return refuse(DeviceFault::kBadData, "a force that is no number was asked for");
+  }
+  if (fault) return tl::unexpected(*fault);
+  if (last_ && status_.fault) {
+    status_.fault.reset();
+    publish();
+  }
+  return {};
+}
+
+void OpenHapticsDevice::stop() noexcept {
+  if (tick_is_open_ && frame_ != Frame::kDone && !is_gone_) {
+    if (frame_ == Frame::kNotYet) open_frame();
+    close_frame({});
+  }
+  let_go();
+  const std::optional<DeviceFault> fault = drain();
+  if (fault == DeviceFault::kDisconnected) die();
+}
+
+void OpenHapticsDevice::open_frame() noexcept {
+  call_.begin_frame(handle_);
+  frame_ = Frame::kOpen;
+}
+
+void OpenHapticsDevice::close_frame(const Force& force) noexcept {
+  if (!is_output_on_ && force != Force{}) {
+    call_.enable(hd::capability::kForceOutput);
+    is_output_on_ = true;
+  }
+  const std::array<double, 3> newtons{force.x, force.y, force.z};
+  call_.set_doubles(hd::parameter::kForce, newtons.data());
+  call_.end_frame(handle_);
+  frame_ = Frame::kDone;
+}
+
+// At once, wherever in a tick or outside of it: there may be no frame any more that could say zero.
+void OpenHapticsDevice::let_go() noexcept {
+  call_.disable(hd::capability::kForceOutput);
+  is_output_on_ = false;
+  gate_.let_go();
+}
+
+// For ever. The frame ends, lest the library waits for it.
+void OpenHapticsDevice::die() noexcept {
+  is_gone_ = true;
+  if (frame_ == Frame::kOpen) close_frame({});
+  let_go();
+  drain_errors(call_, kMostErrors, [](const hd::ErrorInfo&) {});
+  status_.fault = DeviceFault::kDisconnected;
+  publish();
+}
+
+std::optional<DeviceFault> OpenHapticsDevice::drain() noexcept {
+  std::optional<DeviceFault> gravest;
+  hd::ErrorInfo told{};
+  drain_errors(call_, kMostErrors, [&](const hd::ErrorInfo& error) {
+    const std::optional<DeviceFault> with = graver(gravest, fault_of(error.code));
+    if (with != gravest) told = error;  // the newest of the gravest ones
+    gravest = with;
+  });
+  if (gravest) {
+    const char* words = call_.error_words(told.code);
+    note(*gravest, words != nullptr ? words : "", told.code);
+  }
+  return gravest;
+}
+
+void OpenHapticsDevice::note(DeviceFault fault, std::string_view words,
+                             std::int64_t code) noexcept {
+  const bool is_news = status_.fault != fault || status_.vendor_code != code;
+  status_.fault = fault;
+  status_.last_fault = fault;
+  status_.vendor_words = ShortText(words);
+  status_.vendor_code = code;
+  if (!is_news) return;
+  ++status_.faults;
+  publish();
+}
+
+tl::unexpected<DeviceFault> OpenHapticsDevice::refuse(DeviceFault fault,
+                                                      std::string_view words) noexcept {
+  note(fault, words, 0);
+  return tl::unexpected(fault);
+}
+
+}  // namespace felt

@@ -1,0 +1,204 @@
+// What happens outside of ticks: the device's loop, its homing, its end. Edit thread, except
+// serve().
+#include <chrono>
+#include <thread>
+#include <utility>
+
+#include "felt/devices/openhaptics/hd_faults.h"
+#include "felt/devices/openhaptics/openhaptics_device.h"
+
+namespace felt {
+namespace {
+
+using std::chrono::milliseconds;
+
+constexpr int kMostHomingMs = 4000;
+constexpr int kHomingStepMs = 10;
+constexpr int kMostWaitMs = 1000;  // for a call that is under way after the scheduler has stopped
+
+// All that hinders; an error of forces is heard, and dealt with, in the ticks.
+std::string hindrances(const HdFunctions& call) {
+  std::string words;
+  drain_errors(call, 64, [&](const hd::ErrorInfo& error) {
+    const DeviceFault fault = fault_of(error.code);
+    if (fault == DeviceFault::kForcesOff || fault == DeviceFault::kOverheated) return;
+    const char* text = call.error_words(error.code);
+    words += (words.empty() ? "" : "; ") + std::string(text != nullptr ? text : "no words");
+  });
+  return words;
+}
+
+}  // namespace
+
+OpenHapticsDevice::OpenHapticsDevice(std::shared_ptr<HdLibrary> library, hd::Handle handle,
+                                     DeviceDescriptor descriptor)
+    : library_(std::move(library)),
+      call_(library_->call()),
+      handle_(handle),
+      descriptor_(std::move(descriptor)),
+      senses_(find_senses()),
+      gate_(descriptor_.capabilities),
+      warmth_(gate_.most_n(), descriptor_.capabilities.continuous_force_n) {
+  PlainNumbers::prepare();
+  statuses_.publish(status_);
+}
+
+OpenHapticsDevice::~OpenHapticsDevice() {
+  const PlainNumbers plain;
+  OpenHapticsDevice::stop_loop();
+  // A call that hangs in the library still needs this object. Who must not wait for it lets go of
+  // the device without destroying it (RealtimeThread::stop).
+  while (is_in_callback_.load()) std::this_thread::sleep_for(milliseconds(1));
+  call_.disable(hd::capability::kForceOutput);
+  call_.disable_device(handle_);
+  static_cast<void>(hindrances(call_));  // the next device shall not hear of them
+  library_->give_back();
+}
+
+// Outside of a frame the library answers with what was in the last one: enough to see whether it
+// knows the question.
+OpenHapticsDevice::Senses OpenHapticsDevice::find_senses() const noexcept {
+  const auto knows = [this](auto ask) {
+    drain_errors(call_, 64, [](const hd::ErrorInfo&) {});
+    ask();
+    return drain_errors(call_, 64, [](const hd::ErrorInfo&) {}) == 0;
+  };
+  Senses senses;
+  senses.temperature = knows([this] {
+    std::array<double, 6> warm{};
+    call_.get_doubles(hd::parameter::kMotorTemperature, warm.data());
+  });
+  unsigned char state = hd::kFalse;
+  senses.safety_switch = knows([&] { call_.get_booleans(hd::parameter::kSafetySwitch, &state); });
+  senses.inkwell = knows([&] { call_.get_booleans(hd::parameter::kInkwell, &state); });
+  int hz = 0;
+  senses.rate = knows([&] { call_.get_integers(hd::parameter::kMeasuredUpdateRate, &hz); });
+  senses.attitude = knows([this] {
+    std::array<double, 16> transform{};
+    call_.get_doubles(hd::parameter::kTransform, transform.data());
+  });
+  return senses;
+}
+
+DeviceStatus OpenHapticsDevice::status() noexcept {
+  statuses_.update();
+  return statuses_.get();
+}
+
+unsigned OpenHapticsDevice::serve(void* self) {
+  return static_cast<OpenHapticsDevice*>(self)->serve();
+}
+
+unsigned OpenHapticsDevice::serve() noexcept {
+  is_in_callback_.store(true);
+  const bool is_serving = is_serving_.load();
+  if (is_serving) {
+    if (!is_greeted_) PlainNumbers::keep();
+    is_greeted_ = true;
+    begin_tick();
+    tick_(context_);
+    end_tick();
+  }
+  is_in_callback_.store(false);
+  return hd::kCallbackContinue;
+}
+
+Result<void> OpenHapticsDevice::start_loop(Tick tick, void* context) {
+  if (loop_runs_) return fail(ErrorCode::kInvalidArgument, "the loop of the device runs already");
+  const PlainNumbers plain;
+  static_cast<void>(hindrances(call_));
+  tick_ = tick;
+  context_ = context;
+  is_greeted_ = false;
+  is_serving_.store(true);
+  callback_ = call_.schedule(&OpenHapticsDevice::serve, this, hd::kFirst);
+  std::string words = hindrances(call_);
+  if (words.empty()) {
+    call_.enable(hd::capability::kForceOutput);
+    is_output_on_ = true;
+    call_.start_scheduler();
+    loop_runs_ = true;
+    words = hindrances(call_);
+    if (words.empty()) return {};
+    stop_loop();
+  }
+  is_serving_.store(false);
+  return fail(ErrorCode::kIo, "OpenHaptics cannot run the loop of the device: " + words);
+}
+
+void OpenHapticsDevice::stop_loop() noexcept {
+  if (!std::exchange(loop_runs_, false)) return;
+  // First, so that a call that begins now does nothing: it says that it is under way before it
+  // looks, and here it is told before we look (both sequentially consistent).
+  is_serving_.store(false);
+  call_.stop_scheduler();
+  for (int i = 0; i < kMostWaitMs && is_in_callback_.load(); ++i) {
+    std::this_thread::sleep_for(milliseconds(1));
+  }
+  call_.unschedule(callback_);
+  drain_errors(call_, 64, [](const hd::ErrorInfo&) {});
+  publish();  // nobody else does now
+}
+
+hd::Enum OpenHapticsDevice::style() const noexcept {
+  int styles = 0;
+  call_.get_integers(hd::parameter::kCalibrationStyle, &styles);
+  const auto bits = static_cast<hd::Enum>(styles);
+  // What asks least of a person first.
+  if ((bits & hd::calibration::kAuto) != 0) return hd::calibration::kAuto;
+  if ((bits & hd::calibration::kInkwell) != 0) return hd::calibration::kInkwell;
+  return hd::calibration::kEncoderReset;
+}
+
+Homing OpenHapticsDevice::homing() noexcept {
+  const PlainNumbers plain;
+  const hd::Enum how = style();
+  hd::Enum state = call_.check_calibration();
+  if (state == hd::calibration::kNeedsUpdate) {  // it has seen all that it needs
+    call_.update_calibration(how);
+    state = call_.check_calibration();
+  }
+  drain_errors(call_, 64, [](const hd::ErrorInfo&) {});
+  if (state == hd::calibration::kOk) return Homing::kNone;
+  return how == hd::calibration::kInkwell ? Homing::kInkwell : Homing::kRestPose;
+}
+
+std::string OpenHapticsDevice::homing_words() {
+  if (homing() == Homing::kNone) return {};
+  switch (style()) {
+    case hd::calibration::kInkwell:
+      return "Put the stylus into its inkwell, all the way in, and leave it there for a moment.";
+    case hd::calibration::kAuto:
+      return "Move the stylus slowly through its whole reach, so that the device finds itself.";
+    default:
+      return "Bring the arm to its rest pose, all joints at right angles, and hold it still.";
+  }
+}
+
+Result<void> OpenHapticsDevice::find_home() {
+  if (loop_runs_) return fail(ErrorCode::kInvalidArgument, "the loop of the device runs");
+  const PlainNumbers plain;
+  const hd::Enum how = style();
+  call_.disable(hd::capability::kForceOutput);
+  call_.start_scheduler();  // it looks at its joints only while it runs
+  std::string words = hindrances(call_);
+  bool is_home = false;
+  for (int ms = 0; words.empty() && !is_home && ms < kMostHomingMs; ms += kHomingStepMs) {
+    if (call_.check_calibration() != hd::calibration::kOk) {
+      call_.update_calibration(how);
+    }
+    is_home = call_.check_calibration() == hd::calibration::kOk;
+    words = hindrances(call_);
+    if (!is_home) std::this_thread::sleep_for(milliseconds(kHomingStepMs));
+  }
+  call_.stop_scheduler();
+  drain_errors(call_, 64, [](const hd::ErrorInfo&) {});
+  if (is_home) return {};
+  if (words.empty()) {
+    words = "it has not seen itself in place within " + std::to_string(kMostHomingMs / 1000) + " s";
+  }
+  return fail(ErrorCode::kIo, "The device is not calibrated: " + words + ". " + homing_words() +
+                                  " Then try again.");
+}
+
+}  // namespace felt

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+namespace felt {
+
+/// How much force warm motors may give, by their own thermometers (0 cold .. 1 too warm). From 0.7
+/// on the bound sinks by a thousandth a tick, down to the force that they stand for good; below 0.5
+/// it rises again, as slowly. The rule, and its numbers, are those of the maker's own sample for
+/// motor temperature (devices.md 3.3); at 1 kHz it halves in 0.7 s.
+///
+/// Haptic thread; real-time safe.
+class TemperatureGuard {
+ public:
+  static constexpr double kWarm = 0.7;
+  static constexpr double kCool = 0.5;
+  static constexpr double kDown = 0.999;  ///< a tick
+  static constexpr double kUp = 1.001;
+
+  /// N: the most there ever is, and the least; the latter is never the larger.
+  TemperatureGuard(double most_n, double continuous_n) noexcept
+      : most_n_(most_n), least_n_(std::min(most_n, continuous_n)), allowed_n_(most_n) {}
+
+  /// One tick, at this temperature of the warmest motor. What is no number is too warm.
+  double allow(double temperature) noexcept {
+    if (!(temperature <= kWarm)) is_warm_ = true;
+    if (temperature < kCool) is_warm_ = false;
+    allowed_n_ = std::clamp(allowed_n_ * (is_warm_ ? kDown : kUp), least_n_, most_n_);
+    return allowed_n_;
+  }
+  [[nodiscard]] double allowed_n() const noexcept { return allowed_n_; }
+
+ private:
+  double most_n_;
+  double least_n_;
+  double allowed_n_;
+  bool is_warm_ = false;
+};
+
+}  // namespace felt

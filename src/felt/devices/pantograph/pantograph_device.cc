@@ -1,0 +1,283 @@
+#include "felt/devices/pantograph/pantograph_device.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <span>
+#include <string>
+#include <utility>
+
+namespace felt::pantograph {
+namespace {
+
+constexpr double kLess = 1.0 - 3e-6;  // so that rounding to the board's floats asks for no more
+constexpr int kMostUnanswered = 4;
+constexpr int kMostPieces = 8;  // that one answer may come in
+constexpr double kNsPerS = 1e9;
+
+constexpr std::int64_t kSetUpNs = 300'000'000;
+constexpr int kSetUpTries = 4;
+constexpr std::int64_t kResetPauseNs = 100'000'000;
+
+}  // namespace
+
+PantographDevice::PantographDevice(std::unique_ptr<ByteStream> port, const BoardModel& model,
+                                   DeviceDescriptor descriptor, const OpenOptions& options)
+    : port_(std::move(port)),
+      model_(model),
+      descriptor_(std::move(descriptor)),
+      gate_(descriptor_.capabilities),
+      is_down_(options.pen_begins_down) {
+  status_.notice = ShortText("It moves in the plane only: a key says when the pen touches.");
+  shown_.publish(status_);
+}
+
+PantographDevice::~PantographDevice() {
+  let_go(kEndTries);
+}
+
+DeviceStatus PantographDevice::status() noexcept {
+  shown_.update();
+  return shown_.get();
+}
+
+tl::unexpected<DeviceFault> PantographDevice::failed(DeviceFault fault,
+                                                     std::string_view words) noexcept {
+  status_.fault = status_.last_fault = fault;
+  status_.vendor_words = ShortText(words);
+  status_.vendor_code = port_->last_errno();
+  ++status_.faults;
+  shown_.publish(status_);
+  return tl::unexpected(fault);
+}
+
+tl::unexpected<DeviceFault> PantographDevice::gone(std::string_view words) noexcept {
+  if (!is_gone_) {
+    is_gone_ = true;
+    gone_words_ = ShortText(words);
+    let_go(kStopTries);
+  }
+  return failed(DeviceFault::kDisconnected, gone_words_.view());
+}
+
+bool PantographDevice::send(const std::array<double, 2>& torques_nm) noexcept {
+  const auto sent = port_->send(torque_frame(model_, torques_nm), kSendNs);
+  if (!sent) {
+    if (sent.error() != StreamFault::kTimedOut) gone("The board was unplugged.");
+    return false;
+  }
+  unanswered_ = std::min(unanswered_ + 1, kMostUnanswered);
+  sent_ns_ = now_ns_;
+  return true;
+}
+
+// Whatever waits belongs to no question of ours any more.
+void PantographDevice::throw_away() noexcept {
+  filled_ = 0;
+  unanswered_ = 0;
+  for (int i = 0; i < kMostPieces; ++i) {
+    if (!port_->receive(in_, 0)) return;
+  }
+}
+
+PantographDevice::Heard PantographDevice::take_reply() noexcept {
+  const auto reply = std::span<const std::byte>(in_).first<kReplyBytes>();
+  std::array<double, 2> angles{};
+  const bool is_ours = std::to_integer<std::uint8_t>(reply[0]) == kDeviceId;
+  if (!is_ours || !read_angles(model_, reply, angles)) return Heard::kBad;
+  const auto bar = FiveBar::at(model_.size, angles);
+  if (!bar) return Heard::kBad;
+  angles_rad_ = angles;
+  bar_ = bar;
+  filled_ -= kReplyBytes;
+  std::memmove(in_.data(), in_.data() + kReplyBytes, filled_);
+  if (unanswered_ > 0) --unanswered_;
+  return Heard::kAngles;
+}
+
+// The newest answer: also what was not owed is taken, as the guard's frames are answered too. Waits
+// for one only.
+PantographDevice::Heard PantographDevice::hear(std::int64_t within_ns) noexcept {
+  const StreamDeadline deadline(within_ns);
+  Heard newest = Heard::kNothing;
+  for (int i = 0; i < kMostPieces; ++i) {
+    while (filled_ >= kReplyBytes) {
+      newest = take_reply();
+      if (newest == Heard::kBad) return newest;
+    }
+    const bool has_one = newest == Heard::kAngles;
+    const auto count =
+        port_->receive(std::span(in_).subspan(filled_), has_one ? 0 : deadline.left_ns());
+    if (count) {
+      filled_ += *count;
+    } else if (count.error() == StreamFault::kTimedOut) {
+      if (has_one) return newest;
+      return filled_ > 0 ? Heard::kHalf : Heard::kNothing;
+    } else {
+      return Heard::kClosed;
+    }
+  }
+  return newest;
+}
+
+tl::expected<PenSample, DeviceFault> PantographDevice::nothing_heard(Heard heard) noexcept {
+  ++missed_;
+  if (missed_ > kMostSilentTicks) return gone("The board is silent.");
+  if (missed_ > kMostMissed || !has_sample_) {
+    const bool is_half = heard == Heard::kHalf;
+    throw_away();
+    return is_half ? failed(DeviceFault::kBadData, "The board's answers are too short.")
+                   : failed(DeviceFault::kOther, "The board does not answer.");
+  }
+  sample_.time_ns = now_ns_;
+  return sample_;
+}
+
+// Follows the places that encoders give in steps of some hundredths of a millimetre: critically
+// damped alpha-beta filter, which lags behind no steady movement (Brookner, Tracking and Kalman
+// Filtering Made Easy, 1998, section 1.2).
+void PantographDevice::follow(const Vec3& measured, double step_s) noexcept {
+  constexpr double kRadPerS = 6.283185307179586 * 80.0;
+  constexpr double kForgetS = 0.02;
+  constexpr double kJumpMm =
+      0.5;  // no hand does that in a tick: the safety chain must see it whole
+  const Vec3 expected = place_ + step_s * velocity_;
+  const Vec3 error = measured - expected;
+  const bool follows = has_place_ && step_s >= 0.0 && step_s < kForgetS && norm(error) < kJumpMm;
+  has_place_ = true;
+  if (!follows) {
+    place_ = measured;
+    velocity_ = {};
+    return;
+  }
+  if (step_s <= 0.0) return;
+  const double keep = std::exp(-kRadPerS * step_s);
+  place_ = expected + (1.0 - keep * keep) * error;
+  velocity_ += ((1.0 - keep) * (1.0 - keep) / step_s) * error;
+}
+
+void PantographDevice::place_pen(std::int64_t now_ns) noexcept {
+  const auto since_s = [](std::int64_t from, std::int64_t to) {
+    return (static_cast<double>(to) - static_cast<double>(from)) / kNsPerS;
+  };
+  follow(bar_->place(), since_s(heard_ns_, sent_ns_));
+  heard_ns_ = sent_ns_;
+  const double age_s = since_s(sent_ns_, now_ns);
+  const double most_s = 2e-9 * static_cast<double>(descriptor_.capabilities.period_ns);
+  const double ahead_s = age_s > 0.0 && age_s <= most_s ? age_s : 0.0;
+  sample_.velocity = velocity_;
+  sample_.position = place_ + ahead_s * velocity_;
+  sample_.position.z = is_down_.load(std::memory_order_relaxed) ? kDownMm : kUpMm;
+  sample_.time_ns = now_ns;
+}
+
+tl::expected<PenSample, DeviceFault> PantographDevice::read(std::int64_t now_ns) noexcept {
+  now_ns_ = now_ns;
+  if (is_gone_) return failed(DeviceFault::kDisconnected, gone_words_.view());
+  if (!is_home_) return failed(DeviceFault::kNotCalibrated, "The arms have not been at rest.");
+  if (unanswered_ == 0) send({});
+  const Heard heard = is_gone_ ? Heard::kClosed : hear(kWaitNs);
+  switch (heard) {
+    case Heard::kClosed:
+      return gone("The board was unplugged.");
+    case Heard::kNothing:
+    case Heard::kHalf:
+      return nothing_heard(heard);
+    case Heard::kBad:
+      bar_.reset();
+      throw_away();
+      return failed(DeviceFault::kBadData, "The board's answer makes no sense.");
+    case Heard::kAngles:
+      break;
+  }
+  missed_ = 0;
+  place_pen(now_ns);
+  has_sample_ = true;
+  status_.fault.reset();
+  ++status_.reads;
+  shown_.publish(status_);
+  return sample_;
+}
+
+tl::expected<void, DeviceFault> PantographDevice::write(const Force& force) noexcept {
+  if (is_gone_) return tl::unexpected(DeviceFault::kDisconnected);
+  const ForceGate::Passed passed =
+      gate_.pass(is_finite(force) ? Force{force.x, force.y, 0.0} : force, now_ns_);
+  std::array<double, 2> torques{};
+  if (bar_ && is_home_ && missed_ <= kMostMissed) {
+    torques = bar_->torques((kLess * bar_->authority()) * passed.force);
+  }
+  const bool went = send(torques);
+  if (is_gone_) return tl::unexpected(DeviceFault::kDisconnected);
+  if (!passed.was_finite) {
+    return failed(DeviceFault::kBadData, "A force was asked for that is no number.");
+  }
+  if (!went) return failed(DeviceFault::kOther, "The board takes no bytes.");
+  return {};
+}
+
+// Also of a board that is given up as silent: it may hear yet.
+void PantographDevice::let_go(int tries) noexcept {
+  gate_.let_go();
+  for (int i = 0; i < tries; ++i) {
+    const auto sent = port_->send(torque_frame(model_, {}), kSendNs);
+    if (sent) {
+      unanswered_ = std::min(unanswered_ + 1, kMostUnanswered);
+      sent_ns_ = now_ns_;
+      return;
+    }
+    if (sent.error() != StreamFault::kTimedOut) {
+      if (!is_gone_) gone("The board was unplugged.");
+      return;
+    }
+  }
+}
+
+void PantographDevice::stop() noexcept {
+  let_go(kStopTries);
+}
+
+std::string PantographDevice::homing_words() {
+  if (is_home_) return {};
+  return "Push both arms outwards, as far as they go, and hold them there: from this place the "
+         "device counts.";
+}
+
+Result<void> PantographDevice::set_up() {
+  // Below nothing is sent for a while, and a board that begins anew must hear no torques.
+  static_cast<void>(port_->keep_guard({}, 0));
+  if (!port_->send(reset_frame(), kSetUpNs)) {
+    return fail(ErrorCode::kIo, "The board takes no bytes.");
+  }
+  // It may say something while it begins anew, or nothing.
+  const StreamDeadline pause(kResetPauseNs);
+  while (port_->receive(in_, pause.left_ns()).has_value() && pause.left_ns() > 0) {
+  }
+  throw_away();
+  if (!port_->send(setup_frame(model_), kSetUpNs)) {
+    return fail(ErrorCode::kIo, "The board takes no bytes.");
+  }
+  for (int i = 0; i < kSetUpTries && !is_gone_; ++i) {
+    throw_away();
+    send({});
+    const Heard heard = hear(kSetUpNs);
+    if (heard == Heard::kAngles) {
+      static_cast<void>(port_->keep_guard(torque_frame(model_, {}), kGuardNs));
+      return {};
+    }
+    if (heard == Heard::kClosed) gone("The board was unplugged.");
+  }
+  return fail(ErrorCode::kIo, is_gone_ ? "The board was unplugged."
+                                       : "What is on this port does not answer like a 2DIY. Is it "
+                                         "this make, and has it its power?");
+}
+
+Result<void> PantographDevice::find_home() {
+  auto done = set_up();
+  is_home_ = done.has_value();
+  has_sample_ = false;
+  has_place_ = false;
+  return done;
+}
+
+}  // namespace felt::pantograph

@@ -1,0 +1,194 @@
+#pragma once
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "felt/driver/system_view.h"
+
+namespace felt {
+
+/// A system for tests of Driver::diagnose and of `feltline doctor`: as a doctor finds a machine,
+/// without one. Empty at first: no file, no library, nobody listens, a user without groups.
+///
+///   FakeSystem system;
+///   system.set_user("ada", {"users"})
+///       .add_file("/sys/class/hidraw/hidraw0/device/uevent", "HID_ID=0003:00002988:00000302\n")
+///       .add_file("/dev/hidraw0").forbid("/dev/hidraw0")
+///       .refuse_library("libHD.so.3.4", "libncurses.so.5: cannot open shared object file: ...");
+///   const std::vector<Finding> findings = driver->diagnose(system);
+///
+/// Folders are there as soon as something lies in them. Links may stand for folders, too.
+class FakeSystem final : public SystemView {
+ public:
+  static constexpr std::string_view kNotAllowed = "Permission denied";
+  static constexpr std::string_view kNoSuchFile = "No such file or directory";
+
+  /// A file that this user may read and write, until forbid() says otherwise.
+  FakeSystem& add_file(const std::string& path, std::string content = {}) {
+    files_[path] = std::move(content);
+    return *this;
+  }
+  FakeSystem& add_folder(const std::string& path) {
+    folders_.insert(path);
+    return *this;
+  }
+  /// `target` is absolute, or relative to the folder that the link lies in, and may end in "..".
+  FakeSystem& add_link(const std::string& path, const std::string& target) {
+    links_[path] = tidy(target.starts_with('/') ? target : parent(path) + "/" + target);
+    return *this;
+  }
+  FakeSystem& remove(const std::string& path) {
+    files_.erase(path);
+    folders_.erase(path);
+    links_.erase(path);
+    return *this;
+  }
+  /// It is there, but not for this user; `words` are errno's.
+  FakeSystem& forbid(const std::string& path, std::string_view words = kNotAllowed) {
+    forbidden_[tidy(path)] = words;
+    return *this;
+  }
+  FakeSystem& allow(const std::string& path) {
+    forbidden_.erase(tidy(path));
+    return *this;
+  }
+  FakeSystem& set_user(std::string name, std::vector<std::string> groups = {}) {
+    user_ = std::move(name);
+    groups_ = std::move(groups);
+    return *this;
+  }
+  FakeSystem& set_environment(const std::string& name, std::string value) {
+    environment_[name] = std::move(value);
+    return *this;
+  }
+  /// It loads: "libHD.so", or a path.
+  FakeSystem& add_library(const std::string& name) {
+    libraries_[name] = {};
+    return *this;
+  }
+  /// It does not, and dlerror() says these words. Any other library is not found.
+  FakeSystem& refuse_library(const std::string& name, std::string words) {
+    libraries_[name] = std::move(words);
+    return *this;
+  }
+  FakeSystem& add_listener(std::uint16_t port) {
+    ports_.insert(port);
+    return *this;
+  }
+
+  [[nodiscard]] std::vector<std::string> list(std::string_view folder) const override;
+  [[nodiscard]] std::optional<std::string> read(std::string_view path) const override;
+  [[nodiscard]] bool exists(std::string_view path) const override;
+  [[nodiscard]] Result<void> may_use(std::string_view path) const override;
+  [[nodiscard]] std::string resolve(std::string_view path) const override;
+  [[nodiscard]] std::string user() const override { return user_; }
+  [[nodiscard]] std::vector<std::string> groups() const override { return groups_; }
+  [[nodiscard]] std::optional<std::string> environment(std::string_view name) const override {
+    const auto found = environment_.find(name);
+    return found != environment_.end() ? std::optional(found->second) : std::nullopt;
+  }
+  [[nodiscard]] Result<void> try_library(const std::string& name) const override {
+    const auto found = libraries_.find(name);
+    if (found == libraries_.end())
+      return fail(ErrorCode::kNotFound,
+                  name + ": cannot open shared object file: " + std::string(kNoSuchFile));
+    if (!found->second.empty()) return fail(ErrorCode::kNotFound, found->second);
+    return {};
+  }
+  [[nodiscard]] bool listens(std::uint16_t port) const override { return ports_.contains(port); }
+
+ private:
+  static constexpr int kMostLinks = 16;  // what leads in circles leads nowhere
+
+  static std::string parent(std::string_view path) {
+    return std::string(path.substr(0, path.rfind('/')));
+  }
+  /// Without "." and "..", doubled and closing slashes.
+  static std::string tidy(std::string_view path);
+  /// With all links followed.
+  [[nodiscard]] std::string followed(std::string_view path) const;
+
+  std::map<std::string, std::string> files_;
+  std::set<std::string> folders_;
+  std::map<std::string, std::string> links_;
+  std::map<std::string, std::string> forbidden_;
+  std::string user_ = "ada";
+  std::vector<std::string> groups_;
+  std::map<std::string, std::string, std::less<>> environment_;
+  std::map<std::string, std::string> libraries_;
+  std::set<std::uint16_t> ports_;
+};
+
+inline std::string FakeSystem::tidy(std::string_view path) {
+  std::vector<std::string_view> parts;
+  for (std::size_t at = 0; at < path.size();) {
+    const std::size_t end = std::min(path.find('/', at), path.size());
+    const std::string_view part = path.substr(at, end - at);
+    if (part == ".." && !parts.empty()) parts.pop_back();
+    if (!part.empty() && part != "." && part != "..") parts.push_back(part);
+    at = end + 1;
+  }
+  std::string whole;
+  for (const std::string_view part : parts) (whole += '/') += part;
+  return whole;
+}
+
+inline std::string FakeSystem::followed(std::string_view path) const {
+  std::string at = tidy(path);
+  for (int i = 0; i < kMostLinks; ++i) {
+    const auto link = std::find_if(links_.begin(), links_.end(), [&at](const auto& entry) {
+      return at == entry.first || at.starts_with(entry.first + "/");
+    });
+    if (link == links_.end()) return at;
+    at = tidy(link->second + at.substr(link->first.size()));
+  }
+  return at;
+}
+
+inline std::vector<std::string> FakeSystem::list(std::string_view folder) const {
+  const std::string begin = followed(folder) + "/";
+  std::set<std::string> names;
+  const auto note = [&](const std::string& path) {
+    if (!path.starts_with(begin) || path.size() == begin.size()) return;
+    names.insert(path.substr(begin.size(), path.find('/', begin.size()) - begin.size()));
+  };
+  for (const auto& entry : files_) note(entry.first);
+  for (const auto& entry : links_) note(entry.first);
+  for (const std::string& path : folders_) note(path);
+  return {names.begin(), names.end()};
+}
+
+inline std::optional<std::string> FakeSystem::read(std::string_view path) const {
+  const std::string at = followed(path);
+  const auto found = files_.find(at);
+  if (found == files_.end() || forbidden_.contains(at)) return std::nullopt;
+  return found->second;
+}
+
+inline bool FakeSystem::exists(std::string_view path) const {
+  const std::string at = followed(path);
+  return files_.contains(at) || folders_.contains(at) || !list(at).empty();
+}
+
+inline Result<void> FakeSystem::may_use(std::string_view path) const {
+  const std::string name(path);
+  if (!exists(path)) return fail(ErrorCode::kNotFound, name + ": " + std::string(kNoSuchFile));
+  const auto found = forbidden_.find(followed(path));
+  if (found != forbidden_.end()) return fail(ErrorCode::kIo, name + ": " + found->second);
+  return {};
+}
+
+inline std::string FakeSystem::resolve(std::string_view path) const {
+  const std::string tidied = tidy(path);
+  if (tidied.empty()) return {};
+  if (links_.contains(tidied)) return followed(tidied);
+  // Its folder may lie behind links, too.
+  const std::string real = followed(parent(tidied)) + tidied.substr(tidied.rfind('/'));
+  return links_.contains(real) ? followed(real) : std::string();
+}
+
+}  // namespace felt

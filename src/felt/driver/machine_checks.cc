@@ -1,0 +1,206 @@
+#include "felt/driver/machine_checks.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cstdint>
+#include <optional>
+#include <string_view>
+
+namespace felt {
+namespace {
+
+// capabilities(7).
+constexpr int kCapIpcLock = 14;
+constexpr int kCapSysNice = 23;
+/// RealtimeOptions::fifo_priority: the loop asks for no more.
+constexpr int kWantedPriority = 80;
+/// hid-haptic came with it (kernel documentation, "HID haptic").
+constexpr KernelVersion kKernelWithHaptics{6, 18};
+
+constexpr const char* kLetFeltline = "Let Feltline write the permission:\nfeltline doctor --fix";
+constexpr const char* kLogInAgain =
+    "Log out and in again (or restart the computer): limits are given at the log-in.";
+
+/// What follows a name in a file of lines, without blanks around it: of /proc/self/status.
+std::string_view value_of(std::string_view text, std::string_view name) {
+  std::size_t at = text.starts_with(name) ? 0 : text.find("\n" + std::string(name));
+  if (at == std::string_view::npos) return {};
+  at = text.find_first_not_of("\n", at) + name.size();
+  std::string_view rest = text.substr(at, text.find('\n', at) - at);
+  const std::size_t begin = rest.find_first_not_of(" \t");
+  return begin == std::string_view::npos ? std::string_view{} : rest.substr(begin);
+}
+
+bool has_capability(const SystemView& system, int bit) {
+  const std::string status = system.read("/proc/self/status").value_or("");
+  const std::string_view text = value_of(status, "CapEff:");
+  std::uint64_t bits = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), bits, 16);
+  static_cast<void>(end);
+  return error == std::errc() && ((bits >> bit) & 1U) != 0;
+}
+
+/// The soft limit, as proc_pid_limits(5) shows it; -1 is "unlimited", nothing where it says none.
+std::optional<std::int64_t> soft_limit(const SystemView& system, std::string_view name) {
+  const std::string limits = system.read("/proc/self/limits").value_or("");
+  const std::string_view value = value_of(limits, name);
+  if (value.starts_with("unlimited")) return -1;
+  std::int64_t number = 0;
+  const auto [end, error] = std::from_chars(value.data(), value.data() + value.size(), number);
+  static_cast<void>(end);
+  return error == std::errc() ? std::optional(number) : std::nullopt;
+}
+
+bool may_run_in_real_time(const SystemView& system) {
+  if (has_capability(system, kCapSysNice)) return true;
+  const std::optional<std::int64_t> limit = soft_limit(system, "Max realtime priority");
+  return limit && (*limit < 0 || *limit >= kWantedPriority);
+}
+
+bool may_lock_memory(const SystemView& system) {
+  return has_capability(system, kCapIpcLock) || soft_limit(system, "Max locked memory") == -1;
+}
+
+/// A name that can stand in a file of limits: anything else would be a line of somebody's own.
+bool is_plain(const std::string& user) {
+  return !user.empty() && user.size() <= 32 && std::all_of(user.begin(), user.end(), [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' ||
+           c == '-' || c == '.';
+  });
+}
+
+Finding real_time(const SystemView& system) {
+  const bool in_time = may_run_in_real_time(system);
+  const bool locks = may_lock_memory(system);
+  if (in_time && locks) {
+    return {.what = "Forces run in real time: they stay smooth while the computer is busy."};
+  }
+  Finding finding{.level = FindingLevel::kWarning, .what = {}};
+  finding.what =
+      in_time
+          ? "Forces may stutter when memory runs short: Feltline may not keep its memory from "
+            "being swapped out. This matters only if you own a force device."
+          : "Forces may stutter while the computer is busy: Feltline may not run its force loop "
+            "in real time. This matters only if you own a force device.";
+  const std::string user = system.user();
+  if (!is_plain(user)) return finding;
+  finding.fix = SystemFix{std::string(kLimitsFile), limits_lines(user), {}};
+  if (system.exists(kLimitsFile) &&
+      system.read(kLimitsFile).value_or("").find(finding.fix->content) != std::string::npos) {
+    finding.what += " The permission is written, but not in effect yet.";
+    finding.fix.reset();
+    finding.steps = {kLogInAgain};
+    return finding;
+  }
+  finding.steps = {kLetFeltline, kLogInAgain};
+  return finding;
+}
+
+/// The folder itself, or the nearest one above it that is there.
+std::string nearest(const SystemView& system, std::string folder) {
+  while (folder.size() > 1 && !system.exists(folder)) {
+    folder.resize(std::max<std::size_t>(1, folder.rfind('/')));
+  }
+  return folder;
+}
+
+std::string xdg_folder(const SystemView& system, const char* variable, const char* below_home) {
+  const std::string set = system.environment(variable).value_or("");
+  if (set.starts_with('/')) return set + "/feltline";  // anything else is to be ignored, says XDG
+  const std::string home = system.environment("HOME").value_or("");
+  return home.starts_with('/') ? home + below_home + "/feltline" : std::string();
+}
+
+/// What gives the user a folder that they may not write. Only what lies below their home is theirs
+/// to take: anything else is for whoever looks after the computer.
+std::string way_into(const SystemView& system, const std::string& folder) {
+  const std::string home = system.environment("HOME").value_or("");
+  const bool is_theirs = home.size() > 1 && folder.starts_with(home + "/") &&
+                         folder.find('\'') == std::string::npos && is_plain(system.user());
+  if (is_theirs) {
+    return "Make the folder yours again:\nsudo chown -R " + system.user() + " '" + folder + "'";
+  }
+  return "Ask whoever looks after this computer for a home folder that you may write into, or say "
+         "where to keep such things:\nexport XDG_CONFIG_HOME=FOLDER XDG_STATE_HOME=FOLDER";
+}
+
+Finding folders(const SystemView& system) {
+  const std::string config = xdg_folder(system, "XDG_CONFIG_HOME", "/.config");
+  const std::string state = xdg_folder(system, "XDG_STATE_HOME", "/.local/state");
+  if (config.empty() || state.empty()) {
+    return {.level = FindingLevel::kProblem,
+            .what =
+                "Nobody said where your home folder is, so neither settings nor unsaved "
+                "drawings can be kept.",
+            .details = "the environment variable HOME is not set",
+            .steps = {"Log in as a user with a home folder, or set it:\nexport HOME=/home/NAME"}};
+  }
+  for (const std::string& folder : {config, state}) {
+    const std::string there = nearest(system, folder);
+    const Result<void> use = system.may_use(there);
+    if (use) continue;
+    return {.level = FindingLevel::kProblem,
+            .what = (folder == config ? "Settings" : "Unsaved drawings") +
+                    std::string(" cannot be kept: you may not write into ") + there + ".",
+            .details = use.error().message,
+            .steps = {way_into(system, there)}};
+  }
+  return {.what = "Settings are kept in " + config + ", unsaved drawings in " + state + "."};
+}
+
+Finding screen(const SystemView& system) {
+  for (const char* name : {"WAYLAND_DISPLAY", "DISPLAY"}) {
+    if (!system.environment(name).value_or("").empty()) {
+      return {.what = "There is a screen: feltline-desktop can open its window."};
+    }
+  }
+  return {.level = FindingLevel::kAbsent,
+          .what =
+              "There is no screen in this session, so feltline-desktop has no window here; "
+              "'feltline' works without one."};
+}
+
+Finding kernel(const SystemView& system) {
+  const std::string release = system.read("/proc/sys/kernel/osrelease").value_or("");
+  const std::string words = release.substr(0, release.find('\n'));
+  if (kernel_version(system) >= kKernelWithHaptics) {
+    return {.what = "The kernel (" + words + ") can play haptic touchpads."};
+  }
+  return {.level = FindingLevel::kAbsent,
+          .what = "The kernel (" + (words.empty() ? "unknown" : words) +
+                  ") cannot play haptic touchpads; 6.18 and later can. Nothing else needs it."};
+}
+
+Finding plugging(const SystemView& system) {
+  if (system.exists("/run/udev/control") || system.exists("/run/udev/data")) {
+    return {.what = "Devices that you plug in are seen (udev runs)."};
+  }
+  return {.level = FindingLevel::kAbsent,
+          .what =
+              "Devices that you plug in are not seen here: there is no udev, as in a container. "
+              "Run Feltline on the computer itself to use one."};
+}
+
+}  // namespace
+
+std::string limits_lines(const std::string& user) {
+  return "# Lets the programs of this user run a loop in real time and keep it in memory.\n" +
+         user + " - rtprio " + std::to_string(kWantedPriority) + "\n" + user +
+         " - memlock unlimited\n";
+}
+
+KernelVersion kernel_version(const SystemView& system) {
+  const std::string text = system.read("/proc/sys/kernel/osrelease").value_or("");
+  const char* const end = text.data() + text.size();
+  KernelVersion version;
+  const auto [dot, error] = std::from_chars(text.data(), end, version.major);
+  if (error != std::errc() || dot == end || *dot != '.') return {};
+  if (std::from_chars(dot + 1, end, version.minor).ec != std::errc()) return {};
+  return version;
+}
+
+std::vector<Finding> diagnose_machine(const SystemView& system) {
+  return {folders(system), real_time(system), plugging(system), screen(system), kernel(system)};
+}
+
+}  // namespace felt

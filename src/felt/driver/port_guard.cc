@@ -1,0 +1,122 @@
+#include "felt/driver/port_guard.h"
+
+#include <errno.h>
+#include <poll.h>
+#include <pthread.h>
+#include <signal.h>
+#include <sys/socket.h>
+#include <sys/wait.h>
+#include <time.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <climits>
+
+namespace felt {
+namespace {
+
+constexpr std::int64_t kNsPerS = 1'000'000'000;
+constexpr int kTries = 20;  // for the last words, each waits for room
+constexpr int kTryMs = 50;
+
+struct Watch {
+  int port = -1;
+  int connection = -1;
+  std::array<std::byte, PortGuard::kMostBytes> words{};
+  std::size_t size = 0;
+  timespec patience{};
+};
+
+// From here on, in the new process: only calls that are safe between fork() and exec() of a program
+// with threads (signal-safety(7)), no memory, no locks, no objects with destructors.
+
+void close_all(unsigned from, unsigned to) noexcept {
+  constexpr unsigned kMost = 65'535;  // where the kernel is older than the call (5.9)
+  if (close_range(from, to, 0) == 0) return;
+  for (unsigned i = from; i <= std::min(to, kMost); ++i) ::close(static_cast<int>(i));
+}
+
+void keep_only(int one, int other) noexcept {
+  const auto low = static_cast<unsigned>(std::min(one, other));
+  const auto high = static_cast<unsigned>(std::max(one, other));
+  if (low > 0) close_all(0, low - 1);
+  if (high > low + 1) close_all(low + 1, high - 1);
+  close_all(high + 1, UINT_MAX);
+}
+
+void say(const Watch& watch) noexcept {
+  std::size_t sent = 0;
+  for (int i = 0; i < kTries && sent < watch.size; ++i) {
+    const ssize_t count = ::write(watch.port, watch.words.data() + sent, watch.size - sent);
+    if (count > 0) {
+      sent += static_cast<std::size_t>(count);
+    } else if (count < 0 && errno == EAGAIN) {
+      pollfd room{.fd = watch.port, .events = POLLOUT, .revents = 0};
+      poll(&room, 1, kTryMs);
+    } else if (count == 0 || errno != EINTR) {
+      return;
+    }
+  }
+}
+
+[[noreturn]] void keep_watch(const Watch& watch) noexcept {
+  setsid();
+  keep_only(watch.port, watch.connection);
+  bool has_beaten = false;
+  for (;;) {
+    pollfd beats{.fd = watch.connection, .events = POLLIN, .revents = 0};
+    const int ready = ppoll(&beats, 1, has_beaten ? &watch.patience : nullptr, nullptr);
+    if (ready == 0) {
+      say(watch);
+      has_beaten = false;
+      continue;
+    }
+    std::array<char, 64> room;
+    const ssize_t count = ready > 0 ? ::read(watch.connection, room.data(), room.size()) : -1;
+    if (count > 0) has_beaten = true;
+    if (count > 0 || (count < 0 && errno == EINTR)) continue;
+    say(watch);
+    _exit(0);
+  }
+}
+
+}  // namespace
+
+std::unique_ptr<PortGuard> PortGuard::start(int port, std::span<const std::byte> last_words,
+                                            std::int64_t patience_ns) {
+  if (port < 0 || last_words.size() > kMostBytes) return nullptr;
+  std::array<int, 2> ends{};
+  if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) != 0) return nullptr;
+  Watch watch{.port = port, .connection = ends[1]};
+  std::copy(last_words.begin(), last_words.end(), watch.words.begin());
+  watch.size = last_words.size();
+  watch.patience = {.tv_sec = patience_ns / kNsPerS, .tv_nsec = patience_ns % kNsPerS};
+  // Signals are blocked before, so that no handler of ours ever runs there.
+  sigset_t all, before;
+  sigfillset(&all);
+  pthread_sigmask(SIG_SETMASK, &all, &before);
+  const pid_t process = ::fork();
+  if (process == 0) keep_watch(watch);
+  pthread_sigmask(SIG_SETMASK, &before, nullptr);
+  ::close(ends[1]);
+  if (process < 0) {
+    ::close(ends[0]);
+    return nullptr;
+  }
+  return std::unique_ptr<PortGuard>(new PortGuard(process, ends[0]));
+}
+
+PortGuard::~PortGuard() {
+  ::close(connection_);
+  while (waitpid(process_, nullptr, 0) < 0 && errno == EINTR) {
+  }
+}
+
+void PortGuard::beat() noexcept {
+  const char life = 1;
+  // It may be full when the guard has no time to read: then it has enough of them.
+  static_cast<void>(::send(connection_, &life, 1, MSG_DONTWAIT | MSG_NOSIGNAL));
+}
+
+}  // namespace felt

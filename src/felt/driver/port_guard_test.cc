@@ -1,0 +1,192 @@
+#include "felt/driver/port_guard.h"
+
+#include <fcntl.h>
+#include <gtest/gtest.h>
+#include <poll.h>
+#include <signal.h>
+#include <stdlib.h>
+#include <sys/wait.h>
+#include <termios.h>
+#include <unistd.h>
+
+#include <array>
+#include <atomic>
+#include <memory>
+#include <span>
+#include <string>
+#include <string_view>
+#include <thread>
+
+namespace felt {
+namespace {
+
+constexpr std::int64_t kMs = 1'000'000;
+constexpr std::int64_t kNeverNs = 3'600'000 * kMs;
+constexpr int kLongMs = 8000;  // an upper bound that no test waits for
+constexpr std::string_view kWords("\x02\x05\0\0\0\0\0\0\0\0", 10);
+
+// A terminal: the board's end, and the port as a program has it.
+class Port {
+ public:
+  Port() {
+    board_ = posix_openpt(O_RDWR | O_NOCTTY | O_CLOEXEC);
+    EXPECT_EQ(grantpt(board_), 0);
+    EXPECT_EQ(unlockpt(board_), 0);
+    std::array<char, 128> name{};
+    EXPECT_EQ(ptsname_r(board_, name.data(), name.size()), 0);
+    port_ = ::open(name.data(), O_RDWR | O_NOCTTY | O_NONBLOCK | O_CLOEXEC);
+    termios raw{};
+    EXPECT_EQ(tcgetattr(port_, &raw), 0);
+    cfmakeraw(&raw);
+    EXPECT_EQ(tcsetattr(port_, TCSANOW, &raw), 0);
+  }
+  Port(const Port&) = delete;
+  Port& operator=(const Port&) = delete;
+  ~Port() {
+    ::close(port_);
+    ::close(board_);
+  }
+  [[nodiscard]] int get() const { return port_; }
+  std::unique_ptr<PortGuard> guard(std::int64_t patience_ns) const {
+    return PortGuard::start(port_, std::as_bytes(std::span(kWords)), patience_ns);
+  }
+  // What the board hears next, as long as the words.
+  std::string hear() const {
+    std::string heard;
+    while (heard.size() < kWords.size()) {
+      pollfd waits{.fd = board_, .events = POLLIN, .revents = 0};
+      if (poll(&waits, 1, kLongMs) <= 0) break;
+      std::array<char, 64> room{};
+      const ssize_t count = ::read(board_, room.data(), kWords.size() - heard.size());
+      if (count <= 0) break;
+      heard.append(room.data(), static_cast<std::size_t>(count));
+    }
+    return heard;
+  }
+  [[nodiscard]] bool is_quiet() const {
+    pollfd waits{.fd = board_, .events = POLLIN, .revents = 0};
+    return poll(&waits, 1, 0) == 0;
+  }
+
+ private:
+  int board_ = -1;
+  int port_ = -1;
+};
+
+TEST(PortGuard, SpeaksWhenItIsEnded) {
+  const Port port;
+  auto guard = port.guard(kNeverNs);
+  ASSERT_NE(guard, nullptr);
+  guard->beat();
+  EXPECT_TRUE(port.is_quiet());
+  guard.reset();
+  EXPECT_EQ(port.hear(), kWords);
+  EXPECT_TRUE(port.is_quiet()) << "once";
+}
+
+TEST(PortGuard, SpeaksOnceForEachSilenceAfterABeat) {
+  const Port port;
+  auto guard = port.guard(20 * kMs);
+  ASSERT_NE(guard, nullptr);
+  for (int i = 0; i < 3; ++i) {
+    guard->beat();
+    EXPECT_EQ(port.hear(), kWords) << i;
+    usleep(60'000);
+    EXPECT_TRUE(port.is_quiet()) << i;
+  }
+}
+
+// A program of its own that beats each millisecond, until something happens to it.
+class Program {
+ public:
+  Program(const Port& port, std::int64_t patience_ns) {
+    std::array<int, 2> ready{};
+    EXPECT_EQ(pipe(ready.data()), 0);
+    process_ = ::fork();
+    if (process_ == 0) {
+      const auto guard = port.guard(patience_ns);
+      for (;;) {
+        if (guard) guard->beat();
+        static_cast<void>(!::write(ready[1], "x", 1));
+        usleep(1000);
+      }
+    }
+    char one = 0;
+    for (int i = 0; i < 5; ++i) EXPECT_EQ(::read(ready[0], &one, 1), 1);
+    fcntl(ready[1], F_SETFL, O_NONBLOCK);  // shared with it: it goes on when nobody reads
+    ::close(ready[1]);
+    ready_ = ready[0];
+  }
+  Program(const Program&) = delete;
+  Program& operator=(const Program&) = delete;
+  ~Program() {
+    ::kill(process_, SIGKILL);
+    waitpid(process_, nullptr, 0);
+    ::close(ready_);
+  }
+  void signal(int number) const { ::kill(process_, number); }
+
+ private:
+  pid_t process_ = -1;
+  int ready_ = -1;
+};
+
+TEST(PortGuard, SpeaksForAProgramThatWasKilled) {
+  const Port port;
+  const Program program(port, kNeverNs);
+  EXPECT_TRUE(port.is_quiet());
+  program.signal(SIGKILL);
+  EXPECT_EQ(port.hear(), kWords);
+}
+
+TEST(PortGuard, SpeaksForAProgramThatWasStopped) {
+  const Port port;
+  const Program program(port, 50 * kMs);
+  program.signal(SIGSTOP);
+  EXPECT_EQ(port.hear(), kWords);
+}
+
+// Or the guard of another port would hold the connection of this one open for ever.
+TEST(PortGuard, HoldsNothingElseOpen) {
+  std::array<int, 2> ends{};
+  ASSERT_EQ(pipe2(ends.data(), O_CLOEXEC), 0);
+  const Port port;
+  const auto guard = port.guard(kNeverNs);
+  ASSERT_NE(guard, nullptr);
+  ::close(ends[1]);
+  pollfd waits{.fd = ends[0], .events = POLLIN, .revents = 0};
+  ASSERT_EQ(poll(&waits, 1, kLongMs), 1);
+  char one = 0;
+  EXPECT_EQ(::read(ends[0], &one, 1), 0);
+  ::close(ends[0]);
+}
+
+// Threads that allocate all the time: one of them holds the lock of the memory at some fork.
+TEST(PortGuard, StartsFromAProgramWithThreads) {
+  const Port port;
+  std::atomic<bool> is_over{false};
+  std::thread other([&] {
+    while (!is_over) std::string(1000, 'x').append("y");
+  });
+  for (int i = 0; i < 30; ++i) {
+    auto guard = port.guard(kNeverNs);
+    ASSERT_NE(guard, nullptr);
+    guard->beat();
+    guard.reset();
+    EXPECT_EQ(port.hear(), kWords);
+  }
+  is_over = true;
+  other.join();
+}
+
+TEST(PortGuard, BeatsNeverWait) {
+  const Port port;
+  const auto guard = port.guard(kNeverNs);
+  ASSERT_NE(guard, nullptr);
+  for (int i = 0; i < 200'000; ++i) guard->beat();  // more than it can read: never waits
+  EXPECT_TRUE(port.is_quiet());
+  EXPECT_EQ(PortGuard::start(-1, {}, kMs), nullptr);
+}
+
+}  // namespace
+}  // namespace felt

@@ -1,0 +1,106 @@
+#include "felt/formats/own_materials.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "felt/formats/drawing_grain.h"
+#include "felt/formats/drawing_reader.h"
+#include "felt/formats/drawing_writer.h"
+#include "felt/formats/layered_drawing.h"
+#include "felt/material/material_file.h"
+#include "felt/stroke/random_stroke.h"
+
+namespace felt {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+
+SurfaceMaterial my_paper() {
+  SurfaceMaterial surface = *find_surface("rough-paper");
+  surface.id = "my-paper";
+  surface.label = "Büttenpapier <1> & \"2\"";
+  surface.grain_um = 12.0;
+  return surface;
+}
+
+Medium my_pen(const std::string& id) {
+  Medium medium = *find_medium("charcoal");
+  medium.id = id;
+  return medium;
+}
+
+/// One stroke of that medium, on that sheet.
+StoredDrawing drawing_of(const std::string& medium, const std::string& surface) {
+  StrokeData data = testing::straight_stroke({10, 10}, {90, 40}, 2.0, 3.0).data();
+  data.material = medium;
+  LayeredSketch sketch;
+  sketch.layers.push_back({"Ink", true, false, {{"s1", Stroke::create(data).value()}}});
+  StoredDrawing drawing = stored_drawing(std::move(sketch));
+  drawing.page.surface = surface;
+  return drawing;
+}
+
+TEST(OwnMaterials, ADrawingBringsWhatItUses) {
+  Materials known = Materials::built_in();
+  known.put(my_paper());
+  known.put(my_pen("my-pen"));
+  known.put(my_pen("other-pen"));
+  const std::string paper = write_material(my_paper()), pen = write_material(my_pen("my-pen"));
+  const StoredDrawing drawing = drawing_of("my-pen", "my-paper");
+  EXPECT_THAT(texts_of_used(drawing.document, "my-paper", known), ElementsAre(paper, pen));
+  EXPECT_THAT(texts_of_used(drawing.document, "glass", known), ElementsAre(pen));
+  EXPECT_THAT(texts_of_used({}, "", known), IsEmpty());
+  const std::vector<std::string> next = {"my-pen", "pencil"};
+  EXPECT_THAT(texts_of_used({}, "", known, next), ElementsAre(pen));
+  EXPECT_THAT(texts_of_used(drawing.document, "my-paper", Materials::built_in()), IsEmpty());
+
+  const std::vector<std::string> texts = {paper, "nonsense", pen};
+  const Materials back = with_texts(texts);
+  ASSERT_NE(back.find_surface("my-paper"), nullptr);
+  EXPECT_EQ(*back.find_surface("my-paper"), my_paper());
+  EXPECT_NE(back.find_medium("my-pen"), nullptr);
+  EXPECT_EQ(back.find_medium("other-pen"), nullptr);
+}
+
+TEST(OwnMaterials, TravelInEveryFormatThatHasASheet) {
+  StoredDrawing drawing = drawing_of("my-pen", "my-paper");
+  drawing.materials = {write_material(my_paper()), write_material(my_pen("my-pen"))};
+  for (const FileFormat format : {FileFormat::kFelt, FileFormat::kSvg, FileFormat::kInkml}) {
+    const std::string bytes = drawing_bytes(drawing, format).value();
+    const OpenedDrawing opened = parse_drawing(bytes, "-").value();
+    EXPECT_TRUE(opened.report.empty());
+    EXPECT_TRUE(opened.drawing == drawing) << static_cast<int>(format);
+    EXPECT_EQ(drawing_bytes(opened.drawing, format).value(), bytes);
+    // Told or not, the same grain.
+    EXPECT_TRUE(grain_of(opened.drawing));
+  }
+}
+
+TEST(OwnMaterials, ABadOneIsNamedAndTheDrawingOpens) {
+  StoredDrawing drawing = drawing_of("my-pen", "my-paper");
+  const std::string good = write_material(my_paper());
+  drawing.materials = {"kind = \"medium\"\nid = \"my-pen\"\nloudness = ", good, "hello"};
+  for (const FileFormat format : {FileFormat::kFelt, FileFormat::kSvg, FileFormat::kInkml}) {
+    const std::string bytes = drawing_bytes(drawing, format).value();
+    const OpenedDrawing opened = parse_drawing(bytes, "-").value();
+    EXPECT_THAT(opened.drawing.materials, ElementsAre(good));
+    EXPECT_EQ(opened.drawing.document.stroke_count(), 1u);
+    ASSERT_EQ(opened.report.notices().size(), 2u);
+    EXPECT_THAT(notice_text(opened.report.notices()[0]), HasSubstr("material 1:"));
+    EXPECT_THAT(notice_text(opened.report.notices()[1]), HasSubstr("material 3"));
+  }
+}
+
+TEST(OwnMaterials, TheGrainIsThatOfTheSheet) {
+  EXPECT_FALSE(grain_of(drawing_of("pencil", "")).value().is_smooth());  // paper
+  EXPECT_TRUE(grain_of(drawing_of("pencil", "glass")).value().is_smooth());
+  StoredDrawing drawing = drawing_of("pencil", "my-paper");
+  EXPECT_THAT(grain_of(drawing).error().message, HasSubstr("'my-paper' is not known"));
+  drawing.materials = {write_material(my_paper())};
+  EXPECT_FALSE(grain_of(drawing).value().is_smooth());
+}
+
+}  // namespace
+}  // namespace felt

@@ -1,0 +1,145 @@
+#include "felt/geometry/height_picture.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+#include "felt/geometry/height_tile.h"
+
+namespace felt {
+namespace {
+
+using height_tile::kSide;
+using height_tile::Tile;
+
+constexpr double kFadeFrom = 30.0;
+constexpr double kMost = HeightField::kWavesPerTile * HeightField::kBand;
+
+/// Which of `count` pixels a place of the tile covers, and how far into the next one it lies.
+struct Covered {
+  int first = 0, last = 0;
+  double part = 0.0;
+};
+
+Covered covered(int place, int count) noexcept {
+  const double step = static_cast<double>(count) / kSide;
+  if (step >= 1.0) {
+    const int first = static_cast<int>(place * step);
+    return {first, std::max(first, std::min(static_cast<int>((place + 1) * step), count) - 1), 0.0};
+  }
+  const double at = std::clamp((place + 0.5) * step - 0.5, 0.0, count - 1.0);
+  const int first = static_cast<int>(at);
+  return {first, std::min(first + 1, count - 1), at - first};
+}
+
+/// The mean of the pixels that a place covers, or what lies between the two next to it.
+double share_of(const Covered& covered, int pixel, bool is_shrunk) noexcept {
+  if (is_shrunk) return 1.0 / (covered.last - covered.first + 1);
+  const double second = covered.first == covered.last ? 0.0 : covered.part;
+  return pixel == covered.first ? 1.0 - second : second;
+}
+
+Tile fitted(const HeightPicture& picture) {
+  Tile tile(std::size_t{kSide} * kSide, 0.0);
+  const bool shrinks_x = picture.width >= kSide, shrinks_y = picture.height >= kSide;
+  for (int y = 0; y < kSide; ++y) {
+    const Covered rows = covered(y, picture.height);
+    for (int x = 0; x < kSide; ++x) {
+      const Covered columns = covered(x, picture.width);
+      double sum = 0.0;
+      for (int row = rows.first; row <= rows.last; ++row) {
+        const std::size_t line =
+            static_cast<std::size_t>(row) * static_cast<std::size_t>(picture.width);
+        double of_row = 0.0;
+        for (int column = columns.first; column <= columns.last; ++column) {
+          of_row += share_of(columns, column, shrinks_x) *
+                    static_cast<double>(picture.heights[line + static_cast<std::size_t>(column)]);
+        }
+        sum += share_of(rows, row, shrinks_y) * of_row;
+      }
+      tile[static_cast<std::size_t>(y * kSide + x)] = sum;
+    }
+  }
+  return tile;
+}
+
+void remove_mean(Tile& tile) noexcept {
+  double mean = 0.0;
+  for (const double h : tile) mean += h / static_cast<double>(tile.size());
+  for (double& h : tile) h -= mean;
+}
+
+double at(const Tile& tile, int x, int y, bool turned) noexcept {
+  const int column = turned ? y : x, row = turned ? x : y;
+  return tile[static_cast<std::size_t>((row & (kSide - 1)) * kSide + (column & (kSide - 1)))];
+}
+
+/// True where the last column goes on in the first as any column goes on in the next.
+bool meets(const Tile& tile, bool turned) noexcept {
+  double seam = 0.0, within = 0.0;
+  for (int y = 0; y < kSide; ++y) {
+    for (int x = 0; x < kSide; ++x) {
+      const double step = at(tile, x + 1, y, turned) - at(tile, x, y, turned);
+      (x + 1 == kSide ? seam : within) += step * step;
+    }
+  }
+  constexpr double kLikely = 2.0;
+  return seam <= kLikely * within / (kSide - 1);
+}
+
+/// Fades the edges of the columns into the tile moved by half, and keeps the height of its hills:
+/// the sum of two reliefs that have nothing to do with each other is lower by the root of the sum
+/// of squares.
+Tile joined(const Tile& tile, bool turned) {
+  Tile out(tile.size());
+  for (int y = 0; y < kSide; ++y) {
+    for (int x = 0; x < kSide; ++x) {
+      const double from_edge = 2.0 * std::min(x + 0.5, kSide - x - 0.5) / kSide;
+      const double t = std::clamp(2.0 * from_edge, 0.0, 1.0);
+      const double own = t * t * (3.0 - 2.0 * t);
+      const double moved = 1.0 - own;
+      const int column = turned ? y : x, row = turned ? x : y;
+      out[static_cast<std::size_t>(row * kSide + column)] =
+          (own * at(tile, x, y, turned) + moved * at(tile, x + kSide / 2, y, turned)) /
+          std::sqrt(own * own + moved * moved);
+    }
+  }
+  return out;
+}
+
+}  // namespace
+
+Result<HeightField> height_field_of(const HeightPicture& picture, const HeightPictureSpec& spec) {
+  const auto is_within = [](double value, double least, double most) {
+    return value >= least && value <= most;
+  };
+  if (!is_within(spec.tile_mm, 5.0, 500.0) || !is_within(spec.height_um, 0.0, 1000.0)) {
+    return fail(ErrorCode::kInvalidArgument,
+                "a relief must be 5 to 500 mm wide and at most 1000 um high");
+  }
+  const bool fits = picture.width > 0 && picture.height > 0 &&
+                    picture.heights.size() == static_cast<std::size_t>(picture.width) *
+                                                  static_cast<std::size_t>(picture.height) &&
+                    std::all_of(picture.heights.begin(), picture.heights.end(),
+                                [](float h) { return std::isfinite(h); });
+  if (!fits) return fail(ErrorCode::kInvalidData, "the heights of the relief do not fit its size");
+  Tile tile = fitted(picture);
+  remove_mean(tile);
+  for (const bool turned : {false, true}) {
+    if (!meets(tile, turned)) tile = joined(tile, turned);
+  }
+  height_tile::keep_band(tile, 1.0, kFadeFrom, kMost);
+  double squares = 0.0;
+  for (const double h : tile) squares += h * h;
+  const double rms = std::sqrt(squares / static_cast<double>(tile.size()));
+  constexpr double kLeast = 1e-5;  // of the way from black to white
+  if (!(rms > kLeast)) {
+    return fail(ErrorCode::kInvalidData, "the picture has no relief that is coarse enough to feel");
+  }
+  return HeightField({.wavelength_mm = spec.tile_mm / HeightField::kWavesPerTile,
+                      .rms_um = rms * spec.height_um,
+                      .character = HeightCharacter::kPicture},
+                     tile);
+}
+
+}  // namespace felt

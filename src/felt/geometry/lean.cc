@@ -1,0 +1,30 @@
+#include "felt/geometry/lean.h"
+
+namespace felt {
+namespace {
+
+constexpr double kDegPerRad = 57.295779513082320877;
+
+double in_tenths(double degrees) noexcept {
+  return std::round(10.0 * degrees) / 10.0;
+}
+
+}  // namespace
+
+std::optional<double> lean_of_axis(const Vec3& axis) noexcept {
+  const double beside = std::hypot(axis.x, axis.y), up = std::fabs(axis.z);
+  if (!std::isfinite(beside) || !std::isfinite(up) || beside + up <= 0.0) return std::nullopt;
+  return in_tenths(kDegPerRad * std::atan2(beside, up));
+}
+
+std::optional<double> lean_of_tilt(double x_deg, double y_deg) noexcept {
+  const double x = std::fabs(x_deg), y = std::fabs(y_deg);
+  if (!(x <= kMostLeanDeg && y <= kMostLeanDeg)) return std::nullopt;
+  // Multiplied by both cosines, so that 90 degrees are no infinity; none of these is negative.
+  const double cx = std::fmax(std::cos(x / kDegPerRad), 0.0);
+  const double cy = std::fmax(std::cos(y / kDegPerRad), 0.0);
+  if (x == kMostLeanDeg || y == kMostLeanDeg) return kMostLeanDeg;
+  return lean_of_axis({std::sin(x / kDegPerRad) * cy, std::sin(y / kDegPerRad) * cx, cx * cy});
+}
+
+}  // namespace felt

@@ -1,0 +1,205 @@
+#include "felt/material/material_fields.h"
+
+#include <algorithm>
+
+#include "felt/material/number_text.h"
+
+namespace felt {
+namespace {
+
+using Kind = MaterialFieldKind;
+
+template <auto Part, auto... Rest>
+constexpr auto& part_of(auto& whole) noexcept {
+  if constexpr (sizeof...(Rest) == 0) {
+    return whole.*Part;
+  } else {
+    return part_of<Rest...>(whole.*Part);
+  }
+}
+
+/// A row about the member that the path leads to.
+template <class Material, auto... Path>
+constexpr MaterialField<Material> row(std::string_view id, std::string_view label,
+                                      std::string_view unit, Kind kind, double min, double max,
+                                      std::string_view help,
+                                      std::span<const std::string_view> choices = {}) {
+  return {
+      .id = id,
+      .label = label,
+      .unit = unit,
+      .kind = kind,
+      .min = min,
+      .max = max,
+      .choices = choices,
+      .help = help,
+      .get = [](const Material& m) noexcept { return static_cast<double>(part_of<Path...>(m)); },
+      .set =
+          [](Material& m, double value) noexcept {
+            auto& part = part_of<Path...>(m);
+            part = static_cast<std::remove_reference_t<decltype(part)>>(value);
+          }};
+}
+
+template <auto... Path>
+constexpr SheetField sheet(std::string_view id, std::string_view label, std::string_view unit,
+                           double min, double max, std::string_view help) {
+  return row<SurfaceMaterial, Path...>(id, label, unit, Kind::kNumber, min, max, help);
+}
+
+template <auto... Path>
+constexpr MediumField medium(std::string_view id, std::string_view label, std::string_view unit,
+                             double min, double max, std::string_view help) {
+  return row<Medium, Path...>(id, label, unit, Kind::kNumber, min, max, help);
+}
+
+using Sheet = SurfaceMaterial;
+
+constexpr std::array<SheetField, 10> kSheetFields = {{
+    row<Sheet, &Sheet::color_rgb>("color", "Colour", "", Kind::kColor, 0, 0,
+                                  "Colour of the sheet; a page of another keeps its own."),
+    sheet<&Sheet::stiffness_n_per_m>("feel.stiffness_n_per_m", "Hardness", "N/m", 50, 2000,
+                                     "How hard it pushes back, where the device bears as much."),
+    sheet<&Sheet::damping_n_s_per_m>("feel.damping_n_s_per_m", "Damping", "N s/m", 0, 10,
+                                     "How much it swallows of a push."),
+    sheet<&Sheet::friction>("feel.friction", "Friction", "", 0, kMaxFriction,
+                            "Coefficient of friction of the pencil on it."),
+    row<Sheet, &Sheet::grain_character>("grain.character", "Character of the grain", "",
+                                        Kind::kChoice, 0, 0, "What the relief looks like.",
+                                        kGrainCharacters),
+    sheet<&Sheet::grain_um>("grain.height_um", "Height of the grain", "um", 0, 200,
+                            "Root mean square of its heights; 0 is smooth."),
+    sheet<&Sheet::grain_mm>("grain.wavelength_mm", "Width of the grain", "mm", 0.3, 20,
+                            "From hill to hill; a relief of one's own is 32 of it wide."),
+    row<Sheet, &Sheet::grain_seed>("grain.seed", "Seed of the grain", "", Kind::kWhole, 0,
+                                   4294967295.0, "Another one makes another relief of its kind."),
+    sheet<&Sheet::sound, &SurfaceSound::loudness>("sound.loudness", "Loudness", "", 0, 1,
+                                                  "How loud a pen is on it; 0 is silent."),
+    sheet<&Sheet::sound, &SurfaceSound::brightness>("sound.brightness", "Brightness of the sound",
+                                                    "", 0, 1, "From dull to bright."),
+}};
+
+constexpr std::array<MediumField, 29> kMediumFields = {{
+    row<Medium, &Medium::color_rgb>("color", "Colour", "", Kind::kColor, 0, 0, "Its usual colour."),
+    row<Medium, &Medium::draws>("draws", "Draws", "", Kind::kSwitch, 0, 1,
+                                "False for what rubs out: it is no choice for drawing."),
+    medium<&Medium::friction>("feel.friction", "Friction", "", 0, kMaxFriction,
+                              "Coefficient of friction on paper; pairs may say otherwise."),
+    medium<&Medium::bristle_n_per_m>("feel.bristle_n_per_m", "Hold", "N/m", 50, 2000,
+                                     "How stiffly it holds before it slides."),
+    medium<&Medium::bristle_n_s_per_m>("feel.bristle_n_s_per_m", "Damping of the hold", "N s/m", 0,
+                                       10, "Damping of that."),
+    medium<&Medium::grain>("feel.grain", "Grain in the hand", "", 0, 2,
+                           "How much of the sheet's relief the hand feels through it."),
+    medium<&Medium::wear>("feel.wear", "Wear of the grain", "", 0, 1,
+                          "Share of the relief that a firm push flattens, for hand and eye."),
+    medium<&Medium::line, &MediumLine::min_mm>("line.min_mm", "Thinnest line", "mm", 0.05, 20,
+                                               "Width of a line without pressure."),
+    medium<&Medium::line, &MediumLine::max_mm>("line.max_mm", "Broadest line", "mm", 0.05, 50,
+                                               "Width of a line at full pressure."),
+    medium<&Medium::line, &MediumLine::gamma>(
+        "line.gamma", "Pressure curve of the width", "", 0.2, 5,
+        "Above 1 a light hand stays thin for longer, below 1 it broadens sooner."),
+    medium<&Medium::line, &MediumLine::lean_width>("line.lean_width", "Width of a leaning pen", "",
+                                                   1, 20, "In widths of an upright one."),
+    medium<&Medium::line, &MediumLine::tone_light>("line.tone_light", "Tone of a light hand", "", 0,
+                                                   1, "How much is laid on without pressure."),
+    medium<&Medium::line, &MediumLine::tone_heavy>("line.tone_heavy", "Tone of a heavy hand", "", 0,
+                                                   1, "How much at full pressure."),
+    medium<&Medium::line, &MediumLine::tone_gamma>(
+        "line.tone_gamma", "Pressure curve of the tone", "", 0.2, 5,
+        "Above 1 a light hand stays pale for longer, below 1 it darkens sooner."),
+    medium<&Medium::line, &MediumLine::lean_tone>("line.lean_tone", "Tone of a leaning pen", "", 0,
+                                                  1, "In tones of an upright one."),
+    medium<&Medium::look, &MediumLook::opacity_light>("look.opacity_light", "Opacity, light", "", 0,
+                                                      1, "Of what is inked, at tone 0."),
+    medium<&Medium::look, &MediumLook::opacity_heavy>("look.opacity_heavy", "Opacity, heavy", "", 0,
+                                                      1, "Of what is inked, at tone 1."),
+    medium<&Medium::look, &MediumLook::grain>(
+        "look.grain", "Grain in the eye", "", 0, 1,
+        "How much of the sheet's relief is seen; 0 for what is wet."),
+    medium<&Medium::look, &MediumLook::cut_light>(
+        "look.cut_light", "Depth, light", "RMS", -6, 6,
+        "What lies below so many heights of the grain stays bare, at tone 0."),
+    medium<&Medium::look, &MediumLook::cut_heavy>("look.cut_heavy", "Depth, heavy", "RMS", -6, 6,
+                                                  "The same at tone 1."),
+    medium<&Medium::look, &MediumLook::soft>("look.soft", "Softness of the grain", "RMS", 0.05, 6,
+                                             "Half of the width of the edge of a grain."),
+    medium<&Medium::look, &MediumLook::crumb>("look.crumb", "Crumbs", "", 0, 1,
+                                              "Share of its own coarseness: dust and crumbs."),
+    medium<&Medium::look, &MediumLook::crumb_mm>("look.crumb_mm", "Size of the crumbs", "mm", 0.05,
+                                                 5, "Their wavelength."),
+    medium<&Medium::look, &MediumLook::edge>(
+        "look.edge", "Soft edge", "", 0, 1,
+        "How far the rim of the line is soft, in shares of its radius."),
+    medium<&Medium::look, &MediumLook::rim>("look.rim", "Dark rim", "", 0, 1,
+                                            "How much darker a wet line dries at its rim."),
+    medium<&Medium::look, &MediumLook::streaks>(
+        "look.streaks", "Streaks", "", 0, 1,
+        "How far a line falls apart into hairs along its way."),
+    medium<&Medium::sound, &MediumSound::loudness>("sound.loudness", "Loudness", "", 0, 1,
+                                                   "How loud it rubs; 0 is silent."),
+    medium<&Medium::sound, &MediumSound::brightness>("sound.brightness", "Brightness of the sound",
+                                                     "", 0, 1, "From dull to bright."),
+    medium<&Medium::sound, &MediumSound::squeak>("sound.squeak", "Squeak", "", 0, 1,
+                                                 "How readily stick and slip sing."),
+}};
+
+template <class Table>
+auto find(const Table& table, std::string_view id) noexcept -> decltype(table.data()) {
+  const auto at =
+      std::find_if(table.begin(), table.end(), [&](const auto& field) { return field.id == id; });
+  return at == table.end() ? nullptr : &*at;
+}
+
+template <class Field>
+std::string allowed_of(const Field& field) {
+  const std::string range = number_text(field.min) + " to " + number_text(field.max);
+  switch (field.kind) {
+    case Kind::kSwitch:
+      return "true or false";
+    case Kind::kColor:
+      return "a colour like \"#1f2933\"";
+    case Kind::kWhole:
+      return "a whole number from " + range;
+    case Kind::kChoice: {
+      std::string words = "one of";
+      for (const std::string_view choice : field.choices) {
+        words += choice == field.choices.front() ? " " : ", ";
+        words += choice;
+      }
+      return words;
+    }
+    case Kind::kNumber:
+      break;
+  }
+  return range + (field.unit.empty() ? "" : " " + std::string(field.unit));
+}
+
+}  // namespace
+
+std::string allowed_text(const SheetField& field) {
+  return allowed_of(field);
+}
+
+std::string allowed_text(const MediumField& field) {
+  return allowed_of(field);
+}
+
+std::span<const SheetField> sheet_fields() noexcept {
+  return kSheetFields;
+}
+
+std::span<const MediumField> medium_fields() noexcept {
+  return kMediumFields;
+}
+
+const SheetField* find_sheet_field(std::string_view id) noexcept {
+  return find(kSheetFields, id);
+}
+
+const MediumField* find_medium_field(std::string_view id) noexcept {
+  return find(kMediumFields, id);
+}
+
+}  // namespace felt

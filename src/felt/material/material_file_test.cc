@@ -1,0 +1,421 @@
+#include "felt/material/material_file.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <random>
+#include <set>
+#include <string>
+
+#include "felt/material/material_fields.h"
+#include "felt/material/own_relief.h"
+
+namespace felt {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::StartsWith;
+
+const MaterialSource kMine{.name = "my-paper.toml"};
+
+std::string error_of(std::string_view text, const MaterialSource& source = kMine) {
+  const Result<AnyMaterial> material = read_material(text, source);
+  return material ? "none" : material.error().message;
+}
+
+std::string sheet_with(const std::string& lines) {
+  return "kind = \"sheet\"\nid = \"my-paper\"\n" + lines + "\n";
+}
+
+std::string medium_with(const std::string& lines) {
+  return "kind = \"medium\"\nid = \"my-pen\"\n" + lines + "\n";
+}
+
+SurfaceMaterial sheet_of(std::string_view text) {
+  return std::get<SurfaceMaterial>(read_material(text).value());
+}
+
+Medium medium_from(std::string_view text) {
+  return std::get<Medium>(read_material(text).value());
+}
+
+TEST(MaterialFile, ReadsASheet) {
+  const SurfaceMaterial sheet = sheet_of(R"(# mine
+kind = "sheet"
+id = "my-paper"
+label = "Bütten \"rau\""
+color = "#FaF0e6"
+[feel]
+stiffness_n_per_m = 450
+[grain]
+height_um = 12.5
+wavelength_mm = 1
+character = "weave"
+seed = 4294967295
+[sound]
+brightness = 0
+)");
+  SurfaceMaterial wanted;
+  wanted.id = "my-paper";
+  wanted.label = "Bütten \"rau\"";
+  wanted.color_rgb = 0xFAF0E6;
+  wanted.stiffness_n_per_m = 450.0;
+  wanted.grain_um = 12.5;
+  wanted.grain_mm = 1.0;
+  wanted.grain_character = HeightCharacter::kWeave;
+  wanted.grain_seed = 4294967295U;
+  wanted.sound.brightness = 0.0;
+  EXPECT_EQ(sheet, wanted);
+}
+
+TEST(MaterialFile, ReadsAMedium) {
+  const Medium medium = medium_from(R"(kind = "medium"
+id = "my-pen"
+draws = false
+[feel]
+friction = 1.5
+[pairs]
+glass = 0.1
+canvas = 1
+[line]
+min_mm = 0.5
+max_mm = 0.5
+[look]
+cut_heavy = -1.5e0
+)");
+  Medium wanted;
+  wanted.id = "my-pen";
+  wanted.label = "My pen";
+  wanted.draws = false;
+  wanted.friction = 1.5;
+  wanted.pairs = {{"glass", 0.1}, {"canvas", 1.0}};
+  wanted.line.min_mm = wanted.line.max_mm = 0.5;
+  wanted.look.cut_heavy = -1.5;
+  EXPECT_EQ(medium, wanted);
+}
+
+TEST(MaterialFile, SaysWhereWhichWhatAndWhatIsAllowed) {
+  EXPECT_EQ(error_of(sheet_with("\n\n\n[grain]\nheight_um = 900\nwavelength_mm = 1")),
+            "my-paper.toml:7: grain.height_um is 900, it must be 0 to 200 um");
+  EXPECT_EQ(error_of(sheet_with("color = \"red\"")),
+            "my-paper.toml:3: color is \"red\", it must be a colour like \"#1f2933\"");
+  EXPECT_EQ(error_of(sheet_with("grain.character = \"rouh\"")),
+            "my-paper.toml:3: grain.character is \"rouh\", it must be one of grain, rough, weave, "
+            "fibres, wood, picture");
+  EXPECT_EQ(error_of(sheet_with("grain.seed = 1.5")),
+            "my-paper.toml:3: grain.seed is 1.5, it must be a whole number from 0 to 4294967295");
+  EXPECT_EQ(error_of(medium_with("draws = 1")),
+            "my-paper.toml:3: draws is 1, it must be true or false");
+  EXPECT_EQ(error_of(medium_with("feel.friction = \"0.3\"")),
+            "my-paper.toml:3: feel.friction is \"0.3\", it must be 0 to 1.5");
+  EXPECT_EQ(error_of(medium_with("feel.wear = [1]")),
+            "my-paper.toml:3: feel.wear is a list, it must be 0 to 1");
+  EXPECT_EQ(error_of(medium_with("[pairs]\nglass = 2")),
+            "my-paper.toml:4: pairs.glass is 2, it must be 0 to 1.5");
+  EXPECT_EQ(error_of(medium_with("[line]\nmin_mm = 3\nmax_mm = 2")),
+            "my-paper.toml:5: line.max_mm is 2, it must be at least line.min_mm, 3");
+}
+
+TEST(MaterialFile, RefusesWhatIsNoMaterial) {
+  EXPECT_THAT(error_of(""), StartsWith("my-paper.toml:1: kind is missing"));
+  EXPECT_THAT(error_of("kind = \"sheet\""), StartsWith("my-paper.toml:1: id is missing"));
+  EXPECT_EQ(error_of("id = \"a\"\nkind = \"paper\""),
+            "my-paper.toml:2: kind is \"paper\", it must be \"sheet\" or \"medium\"");
+  EXPECT_THAT(error_of("kind = \"sheet\"\nkind = \"sheet\""), StartsWith("my-paper.toml:2: "));
+  EXPECT_THAT(error_of(sheet_with("a = = 3")), StartsWith("my-paper.toml:3: "));
+  for (const char* header : {"[= 1]", "[[= 1]]", " [ ~", "[", "[.a]", "[[", "[]"}) {
+    EXPECT_THAT(error_of(sheet_with(header)), StartsWith("my-paper.toml:3: ")) << header;
+  }
+  EXPECT_EQ(error_of(sheet_with("label = \"\xE5\"")), "my-paper.toml: is not UTF-8");
+  for (const char* stray : {"ä = 1", "feel.friction ä= 1", "label = \"a\" ä", "ä"}) {
+    EXPECT_EQ(error_of(sheet_with(stray)),
+              "my-paper.toml:3: a letter that is not ASCII stands outside of a string");
+  }
+  for (const char* fine :
+       {"label = \"ä\\\"ä\" # ä", "label = 'ä\"ä' # 'ä", "label = \"\"\"ä\"\"\""}) {
+    EXPECT_EQ(error_of(sheet_with(fine)), "none") << fine;
+  }
+  for (const char* id : {"", "My", "a b", "a_b", "ä", "../a", "a.b"}) {
+    EXPECT_THAT(error_of("kind = \"sheet\"\nid = \"" + std::string(id) + "\""),
+                HasSubstr("it must be 1 to 64 of a-z, 0-9 and -"))
+        << id;
+  }
+  EXPECT_EQ(error_of("kind = \"sheet\"\nid = \"" + std::string(64, 'a') + "\""), "none");
+  EXPECT_THAT(error_of("kind = \"sheet\"\nid = \"" + std::string(65, 'a') + "\""),
+              HasSubstr(":2: id is \"aaa"));
+  EXPECT_THAT(error_of(sheet_with("label = \"a\\nb\"")), HasSubstr("in one line"));
+  EXPECT_THAT(error_of(sheet_with("label = \"" + std::string(81, 'a') + "\"")), HasSubstr(":3:"));
+}
+
+TEST(MaterialFile, RefusesUnknownKeysAndSaysWhatThereIs) {
+  EXPECT_EQ(error_of(sheet_with("[grain]\nhight_um = 2")),
+            "my-paper.toml:4: grain.hight_um is unknown; [grain] of a sheet has picture, heights, "
+            "character, height_um, wavelength_mm, seed");
+  EXPECT_EQ(error_of(sheet_with("friction = 1")),
+            "my-paper.toml:3: friction is unknown; a sheet has kind, id, label, [grain], color, "
+            "[feel], [sound]");
+  EXPECT_THAT(error_of(sheet_with("[look]")), HasSubstr("look is unknown"));
+  EXPECT_THAT(error_of(sheet_with("feel = 3")), HasSubstr("feel is unknown; [feel] of a sheet"));
+  EXPECT_EQ(error_of(sheet_with("[feel]")), "none");
+  EXPECT_THAT(error_of(sheet_with("\"feel.friction\" = 0.2")),
+              HasSubstr("\"feel.friction\" is unknown"));
+  EXPECT_THAT(error_of(medium_with("[pairs]\n\"My sheet\" = 0.2")),
+              HasSubstr(":4: pairs.My sheet"));
+  EXPECT_THAT(error_of(medium_with("[[feel]]\nfriction = 0.2")), HasSubstr("unknown"));
+}
+
+TEST(MaterialFile, RefusesDuplicates) {
+  EXPECT_THAT(error_of(medium_with("[pairs]\nglass = 0.1\nglass = 0.1")), HasSubstr(":5: "));
+  EXPECT_THAT(error_of(sheet_with("[feel]\nfriction = 0.1\n[feel]\ndamping_n_s_per_m = 1")),
+              HasSubstr(":5: "));
+}
+
+TEST(MaterialFile, TellsAllThatIsWrongInItsOrder) {
+  const auto problems = material_problems(
+      "kind = \"sheet\"\n[feel]\nfriction = 2\nspring = 1\ndamping_n_s_per_m = -1", kMine);
+  std::vector<std::string> places;
+  for (const Error& error : problems) places.push_back(error.message.substr(13, 3));
+  EXPECT_THAT(places, ElementsAre(":1:", ":3:", ":4:", ":5:"));
+  EXPECT_TRUE(material_problems(sheet_with("")).empty());
+  std::string many = sheet_with("");
+  for (int i = 0; i < 1000; ++i) many += "k" + std::to_string(i) + " = 1\n";
+  EXPECT_EQ(material_problems(many).size(), 20u);
+}
+
+TEST(MaterialFile, IsBoundedInLengthAndDepth) {
+  std::string text = sheet_with("");
+  text.resize(kMaxMaterialBytes, '\n');
+  EXPECT_EQ(error_of(text), "none");
+  EXPECT_EQ(error_of(text + "\n"), "my-paper.toml: is longer than 64 KiB");
+  EXPECT_EQ(error_of(sheet_with("# " + std::string(498, 'x'))), "none");
+  EXPECT_EQ(error_of(sheet_with("# " + std::string(499, 'x'))),
+            "my-paper.toml:3: is longer than 500 bytes");
+  std::string deep;
+  for (int i = 0; i < 240; ++i) deep += "a.";
+  EXPECT_THAT(error_of(sheet_with(deep + "a = 1")), HasSubstr("deeper"));
+  EXPECT_THAT(error_of(sheet_with("[" + deep + "a]\n" + deep + "b = 1")), HasSubstr("deeper"));
+  EXPECT_THAT(error_of(sheet_with("a = " + std::string(200, '[') + std::string(200, ']'))),
+              StartsWith("my-paper.toml:3: "));
+  EXPECT_THAT(error_of(sheet_with("a = {b = {c = {d = {e = 1}}}}")), HasSubstr("deeper"));
+}
+
+TEST(MaterialFile, TakesNoNumberThatIsNone) {
+  for (const char* number : {"nan", "inf", "-inf", "+nan", "1e999", "-1e-300"}) {
+    EXPECT_THAT(error_of(sheet_with("feel.friction = " + std::string(number))),
+                StartsWith("my-paper.toml:3: "))
+        << number;
+  }
+}
+
+template <class Material>
+std::string text_with(const Material& material, std::string_view id, double value) {
+  Material changed = material;
+  for (const auto& field : [] {
+         if constexpr (std::is_same_v<Material, Medium>) {
+           return medium_fields();
+         } else {
+           return sheet_fields();
+         }
+       }()) {
+    if (field.id == id) field.set(changed, value);
+  }
+  return write_material(changed);
+}
+
+/// Each figure at the ends of its range, and beyond.
+template <class Material, class Field>
+void check_ranges(const Material& any, std::span<const Field> fields) {
+  std::set<std::string_view> ids;
+  for (const Field& field : fields) {
+    SCOPED_TRACE(field.id);
+    EXPECT_TRUE(ids.insert(field.id).second);
+    EXPECT_FALSE(field.label.empty() || field.help.empty());
+    EXPECT_EQ(field.help.back(), '.');
+    if (field.kind != MaterialFieldKind::kNumber) continue;
+    EXPECT_LT(field.min, field.max);
+    for (const double good : {field.min, field.max}) {
+      EXPECT_EQ(error_of(text_with(any, field.id, good)), "none") << good;
+    }
+    for (const double bad :
+         {std::nextafter(field.min, -1e9), std::nextafter(field.max, 1e9),
+          std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
+      EXPECT_THAT(error_of(text_with(any, field.id, bad)),
+                  HasSubstr(std::string(field.id) + " is "))
+          << bad;
+    }
+  }
+}
+
+TEST(MaterialFile, KeepsEveryFigureInItsRange) {
+  SurfaceMaterial sheet = *find_surface("paper");
+  Medium medium = *find_medium("pencil");
+  medium.line.min_mm = 0.05;
+  medium.line.max_mm = 20.0;
+  check_ranges(sheet, sheet_fields());
+  check_ranges(medium, medium_fields());
+}
+
+template <class Material, class Field>
+void shuffle(Material& material, std::span<const Field> fields, std::mt19937_64& random) {
+  for (const Field& field : fields) {
+    const double share = std::uniform_real_distribution(0.0, 1.0)(random);
+    double value = field.min + share * (field.max - field.min);
+    if (field.kind == MaterialFieldKind::kSwitch) value = share < 0.5 ? 0.0 : 1.0;
+    if (field.kind == MaterialFieldKind::kColor) value = std::floor(share * 0x1000000);
+    if (field.kind == MaterialFieldKind::kWhole) value = std::floor(value);
+    if (field.kind == MaterialFieldKind::kChoice) {
+      value = std::floor(share * static_cast<double>(field.choices.size() - 1));
+    }
+    field.set(material,
+              std::clamp(value, field.kind == MaterialFieldKind::kNumber ? field.min : value,
+                         field.kind == MaterialFieldKind::kNumber ? field.max : value));
+  }
+}
+
+TEST(MaterialFile, WritesWhatItReads) {
+  for (std::uint64_t seed = 1; seed <= 300; ++seed) {
+    SCOPED_TRACE(seed);
+    std::mt19937_64 random(seed);
+    SurfaceMaterial sheet{.id = "s-" + std::to_string(seed), .label = "\"\\ ü # ' = ["};
+    shuffle(sheet, sheet_fields(), random);
+    const std::string text = write_material(sheet);
+    ASSERT_EQ(error_of(text), "none") << text;
+    EXPECT_EQ(sheet_of(text), sheet) << text;
+    EXPECT_EQ(write_material(sheet_of(text)), text);
+
+    Medium medium{.id = "m-" + std::to_string(seed), .label = "M"};
+    shuffle(medium, medium_fields(), random);
+    medium.line.max_mm = std::max(medium.line.max_mm, medium.line.min_mm);
+    for (const char* id : {"glass", "canvas", "1-2"}) {
+      medium.pairs.push_back({id, std::uniform_real_distribution(0.0, 1.5)(random)});
+    }
+    EXPECT_EQ(medium_from(write_material(medium)), medium) << write_material(medium);
+    EXPECT_EQ(material_error(medium), "");
+  }
+}
+
+TEST(MaterialFile, WritesEveryBuiltInMaterial) {
+  for (const SurfaceMaterial& sheet : surface_materials()) {
+    EXPECT_EQ(sheet_of(write_material(sheet)), sheet) << write_material(sheet);
+  }
+  for (const Medium& medium : media()) {
+    EXPECT_EQ(medium_from(write_material(medium)), medium) << write_material(medium);
+  }
+}
+
+TEST(MaterialFile, SaysWhatATextOfItWouldBeRefusedFor) {
+  SurfaceMaterial sheet = *find_surface("paper");
+  EXPECT_EQ(material_error(sheet), "");
+  sheet.friction = 3.0;
+  EXPECT_THAT(material_error(sheet), HasSubstr("feel.friction is 3, it must be 0 to 1.5"));
+  Medium medium = *find_medium("chalk");
+  medium.label = "a\nb";
+  EXPECT_THAT(material_error(medium), HasSubstr("label"));
+  medium.label = "a";
+  medium.pairs = {{"glass", 0.1}, {"glass", 0.2}};
+  EXPECT_NE(material_error(medium), "");
+}
+
+/// A hill at the side of a picture.
+HeightPicture hill(int width, int height) {
+  HeightPicture picture{.width = width, .height = height, .heights = {}};
+  for (int y = 0; y < height; ++y) {
+    for (int x = 0; x < width; ++x) {
+      const double dx = (x + 0.5) / width - 0.3, dy = (y + 0.5) / height - 0.6;
+      picture.heights.push_back(static_cast<float>(1.0 / (1.0 + 40.0 * (dx * dx + dy * dy))));
+    }
+  }
+  return picture;
+}
+
+TEST(MaterialFile, KeepsAReliefOfOnesOwn) {
+  SurfaceMaterial sheet{.id = "mine", .label = "Mine", .grain_um = 20.0, .grain_mm = 1.25};
+  sheet.grain_character = HeightCharacter::kPicture;
+  sheet.picture = own_relief(hill(300, 200)).value();
+  const std::string text = write_material(sheet);
+  EXPECT_LT(text.size(), kMaxMaterialBytes);
+  const SurfaceMaterial again = sheet_of(text);
+  EXPECT_EQ(again, sheet);
+  EXPECT_EQ(again.picture, sheet.picture) << "the same object";
+  EXPECT_EQ(write_material(again), text);
+}
+
+TEST(MaterialFile, ReadsAPictureBesideTheText) {
+  std::string asked;
+  MaterialSource source = kMine;
+  source.load_picture = [&](const std::string& file) -> Result<HeightPicture> {
+    asked = file;
+    if (file == "no.png") return fail(ErrorCode::kNotFound, "no.png: there is no such file");
+    return hill(64, 64);
+  };
+  const std::string text =
+      sheet_with("[grain]\npicture = \"hill.png\"\nheight_um = 5\nwavelength_mm = 1");
+  const auto material = read_material(text, source);
+  ASSERT_TRUE(material) << material.error().message;
+  const auto& sheet = std::get<SurfaceMaterial>(*material);
+  EXPECT_EQ(asked, "hill.png");
+  ASSERT_TRUE(sheet.picture);
+  EXPECT_EQ(sheet.grain_character, HeightCharacter::kPicture);
+  EXPECT_EQ(sheet_of(write_material(sheet)), sheet) << "and needs no file any more";
+
+  EXPECT_EQ(error_of(sheet_with("grain.picture = \"no.png\""), source),
+            "my-paper.toml:3: grain.picture: no.png: there is no such file");
+  EXPECT_THAT(error_of(text), HasSubstr("no file is read here"));
+  for (const char* away : {"../a.png", "/etc/passwd", "a\\\\b.png", "..", ""}) {
+    EXPECT_THAT(error_of(sheet_with("grain.picture = \"" + std::string(away) + "\""), source),
+                HasSubstr("beside this file"))
+        << away;
+  }
+  EXPECT_THAT(error_of(sheet_with("grain.character = \"picture\""), source),
+              HasSubstr("says which"));
+  EXPECT_THAT(error_of(sheet_with("grain.heights = \"AAAA\""), source), HasSubstr("128 x 128"));
+  EXPECT_THAT(error_of(sheet_with("grain.heights = \"*\""), source), HasSubstr("base64"));
+}
+
+TEST(OwnRelief, HasTheShapeOfThePicture) {
+  for (const int side : {3, 100, 128, 1000}) {
+    const auto relief = own_relief(hill(side, side)).value();
+    const HeightField whole = height_field_of(hill(side, side)).value();
+    double alike = 0.0, ours = 0.0, theirs = 0.0;
+    for (int i = 0; i < 4096; ++i) {
+      const Point at{0.625 * (i % 64), 0.625 * static_cast<double>(i / 64)};
+      const double a = relief->at(at).height_mm, b = whole.at(at).height_mm;
+      alike += a * b;
+      ours += a * a;
+      theirs += b * b;
+    }
+    EXPECT_GT(alike / std::sqrt(ours * theirs), side < 128 ? 0.97 : 0.99) << side;
+  }
+  EXPECT_FALSE(own_relief(HeightPicture{.width = 2, .height = 2, .heights = {0, 0, 0, 0}}));
+  EXPECT_FALSE(own_relief(HeightPicture{.width = 2, .height = 2, .heights = {0, 1}}));
+}
+
+TEST(OwnRelief, OfAnotherMakeIsLookedAt) {
+  const HeightField field = height_field_of(hill(128, 128)).value();
+  const std::string text = own_relief_text(field);
+  const auto relief = own_relief(text).value();
+  EXPECT_EQ(own_relief_text(*relief), text);
+}
+
+TEST(Materials, NamesWhatTheBuiltInOnesDoNotHave) {
+  Materials materials = Materials::built_in();
+  EXPECT_TRUE(not_built_in(materials).empty());
+  Medium mine = *find_medium("chalk");
+  mine.id = "my-chalk";
+  materials.put(mine);
+  SurfaceMaterial paper = *find_surface("paper");
+  paper.friction = 0.3;
+  put(materials, paper);
+  const std::vector<AnyMaterial> own = not_built_in(materials);
+  ASSERT_EQ(own.size(), 2u);
+  EXPECT_EQ(id_of(own[0]), "paper");
+  EXPECT_EQ(kind_of(own[0]), "sheet");
+  EXPECT_EQ(id_of(own[1]), "my-chalk");
+  EXPECT_EQ(label_of(own[1]), "Chalk");
+}
+
+}  // namespace
+}  // namespace felt

@@ -1,0 +1,185 @@
+#include "felt/material/material_library.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <set>
+#include <system_error>
+#include <utility>
+
+#include "felt/base/atomic_file.h"
+#include "felt/base/read_file.h"
+
+namespace felt {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t kMostFiles = 1000;  // of one folder
+constexpr const char* kBelow = "/feltline/materials";
+
+/// What an environment variable says, if it is a folder that can be meant.
+std::string folder_in(const char* variable) {
+  const char* value = std::getenv(variable);
+  return value != nullptr && *value == '/' ? value : "";
+}
+
+/// Names of the *.toml files of a folder, in their order.
+std::vector<std::string> files_of(const std::string& folder, std::vector<std::string>& problems) {
+  std::vector<std::string> names;
+  std::error_code error;
+  for (fs::directory_iterator at(folder, error), end; !error && at != end; at.increment(error)) {
+    std::error_code unknown;
+    const std::string name = at->path().filename().string();
+    // Whatever else may be called so: a pipe would be waited for.
+    if (!at->is_regular_file(unknown) || !name.ends_with(".toml") || name[0] == '.') continue;
+    if (names.size() == kMostFiles) {
+      problems.push_back(folder + ": only " + std::to_string(kMostFiles) +
+                         " of the materials here are looked at");
+      break;
+    }
+    names.push_back(name);
+  }
+  if (error && error != std::errc::no_such_file_or_directory &&
+      error != std::errc::not_a_directory) {
+    problems.push_back(folder + ": cannot be read: " + error.message());
+  }
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+/// The materials of one folder, those with ids of `known` left out.
+void add_folder(const std::string& folder, const LoadPicture& load_picture,
+                const std::set<std::string>& known, MaterialLibrary& library) {
+  std::set<std::string> here;
+  for (const std::string& name : files_of(folder, library.problems)) {
+    const std::string path = folder + "/" + name;
+    Result<AnyMaterial> material = read_material_file(path, load_picture);
+    if (!material) {
+      library.problems.push_back(material.error().message);
+      continue;
+    }
+    const std::string id = id_of(*material);
+    if (const std::string taken = own_id_error(id); !taken.empty()) {
+      library.problems.push_back(path + ": " + taken);
+    } else if (!here.insert(id).second) {
+      library.problems.push_back(path + ": another file of this folder has the id " + id);
+    } else if (!known.contains(id)) {
+      put(library.materials, *material);
+      library.own.push_back({*std::move(material), path});
+    }
+  }
+}
+
+const MaterialEntry* find_own(const MaterialLibrary& library, std::string_view id) {
+  const auto at = std::find_if(library.own.begin(), library.own.end(),
+                               [&](const auto& entry) { return id_of(entry.material) == id; });
+  return at == library.own.end() ? nullptr : &*at;
+}
+
+MaterialLibrary library_of(const std::string& folder) {
+  // Pictures are named only, for the ids alone count.
+  return load_materials(std::span(&folder, 1), [](const std::string&) -> Result<HeightPicture> {
+    return HeightPicture{.width = 2, .height = 1, .heights = {0.0F, 1.0F}};
+  });
+}
+
+}  // namespace
+
+std::vector<std::string> material_folders() {
+  std::string own = folder_in("XDG_DATA_HOME");
+  if (own.empty()) {
+    const std::string home = folder_in("HOME");
+    if (!home.empty()) own = home + "/.local/share";
+  }
+  std::vector<std::string> folders = {own.empty() ? "" : own + kBelow};
+  const char* told = std::getenv("XDG_DATA_DIRS");
+  std::string_view dirs = told != nullptr && *told != '\0' ? told : "/usr/local/share:/usr/share";
+  while (!dirs.empty()) {
+    const std::size_t end = std::min(dirs.find(':'), dirs.size());
+    std::string folder(dirs.substr(0, end));
+    while (folder.size() > 1 && folder.back() == '/') folder.pop_back();
+    // What is not absolute is to be passed over (XDG base directory specification).
+    if (folder.starts_with('/')) folders.push_back(folder + kBelow);
+    dirs.remove_prefix(std::min(end + 1, dirs.size()));
+  }
+  return folders;
+}
+
+MaterialSource material_source(const std::string& path, const LoadPicture& load_picture) {
+  MaterialSource source{.name = path == "-" ? "stdin" : path, .load_picture = {}};
+  if (load_picture) {
+    source.load_picture = [folder = fs::path(path).parent_path(), load_picture](const auto& file) {
+      return load_picture((folder / file).string());
+    };
+  }
+  return source;
+}
+
+Result<AnyMaterial> read_material_file(const std::string& path, const LoadPicture& load_picture) {
+  const Result<std::string> text = read_file(path, kMaxMaterialBytes);
+  if (!text) return tl::unexpected(text.error());
+  return read_material(*text, material_source(path, load_picture));
+}
+
+MaterialLibrary load_materials(std::span<const std::string> folders,
+                               const LoadPicture& load_picture) {
+  MaterialLibrary library;
+  std::set<std::string> known;
+  for (const std::string& folder : folders) {
+    if (folder.empty()) continue;
+    add_folder(folder, load_picture, known, library);
+    for (const MaterialEntry& entry : library.own) known.insert(id_of(entry.material));
+  }
+  return library;
+}
+
+Result<std::string> save_material(const std::string& folder, const AnyMaterial& material) {
+  const std::string& id = id_of(material);
+  const auto refuse = [&](const std::string& why) {
+    return fail(ErrorCode::kInvalidArgument, "the material cannot be saved: " + why);
+  };
+  if (folder.empty()) {
+    return fail(ErrorCode::kNotFound,
+                "there is no place for materials of your own: neither XDG_DATA_HOME nor HOME is "
+                "set to a folder");
+  }
+  if (const std::string wrong = material_error(material); !wrong.empty()) return refuse(wrong);
+  if (const std::string taken = own_id_error(id); !taken.empty()) return refuse(taken);
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (error) return fail(ErrorCode::kIo, folder + ": cannot be made: " + error.message());
+  const MaterialLibrary there = library_of(folder);
+  const MaterialEntry* old = find_own(there, id);
+  const std::string path = old ? old->path : folder + "/" + id + ".toml";
+  if (!old && fs::exists(path, error)) {
+    return refuse(path + " is another material, or none that can be read");
+  }
+  if (Result<void> saved = save_file(path, write_material(material)); !saved) {
+    return tl::unexpected(saved.error());
+  }
+  return path;
+}
+
+Result<void> delete_material(const std::string& folder, std::string_view id) {
+  const MaterialLibrary there = library_of(folder);
+  const MaterialEntry* entry = folder.empty() ? nullptr : find_own(there, id);
+  if (!entry) {
+    return fail(ErrorCode::kNotFound,
+                "there is no material \"" + std::string(id) + "\" of your own in " + folder);
+  }
+  std::error_code error;
+  if (fs::remove(entry->path, error)) return {};
+  return fail(ErrorCode::kIo, entry->path + ": cannot be deleted: " + error.message());
+}
+
+std::string own_id_error(std::string_view id) {
+  const std::string name(id);
+  if (!is_material_id(id)) return "\"" + name + "\" is not 1 to 64 of a-z, 0-9 and -";
+  const char* kind = find_surface(id) ? "sheet" : find_medium(id) ? "medium" : nullptr;
+  if (!kind) return "";
+  return name + " is the id of a " + kind + " that Feltline brings; give yours another, like my-" +
+         name;
+}
+
+}  // namespace felt

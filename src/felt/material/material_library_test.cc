@@ -1,0 +1,202 @@
+#include "felt/material/material_library.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <optional>
+
+namespace felt {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::StartsWith;
+
+namespace fs = std::filesystem;
+
+/// A folder of materials that goes with the test.
+class Folder {
+ public:
+  explicit Folder(const std::string& name)
+      : path_(::testing::TempDir() + "materials-" + std::to_string(getpid()) + "-" + name) {
+    fs::create_directories(path_);
+  }
+  ~Folder() { fs::remove_all(path_); }
+  Folder(const Folder&) = delete;
+  Folder& operator=(const Folder&) = delete;
+
+  [[nodiscard]] const std::string& path() const { return path_; }
+  void put(const std::string& name, const std::string& text) const {
+    std::ofstream(path_ + "/" + name) << text;
+  }
+  [[nodiscard]] std::string text_of(const std::string& name) const {
+    std::ifstream file(path_ + "/" + name);
+    return {std::istreambuf_iterator<char>(file), {}};
+  }
+  [[nodiscard]] std::size_t files() const {
+    return static_cast<std::size_t>(
+        std::distance(fs::directory_iterator(path_), fs::directory_iterator()));
+  }
+
+ private:
+  std::string path_;
+};
+
+MaterialLibrary load(std::vector<std::string> folders) {
+  return load_materials(folders);
+}
+
+std::string sheet_text(const std::string& id, const std::string& friction = "0.3") {
+  return "kind = \"sheet\"\nid = \"" + id + "\"\n[feel]\nfriction = " + friction + "\n";
+}
+
+std::vector<std::string> ids_of(const MaterialLibrary& library) {
+  std::vector<std::string> ids;
+  for (const MaterialEntry& entry : library.own) ids.push_back(id_of(entry.material));
+  return ids;
+}
+
+TEST(BuiltInMaterials, EachTextIsAMaterial) {
+  std::size_t sheets = 0;
+  for (const BuiltInText& built_in : built_in_texts()) {
+    const Result<AnyMaterial> material =
+        read_material(built_in.text, {.name = std::string(built_in.id), .load_picture = {}});
+    ASSERT_TRUE(material) << material.error().message;
+    EXPECT_EQ(id_of(*material), built_in.id);
+    EXPECT_THAT(std::string(built_in.text), StartsWith("# A "));
+    sheets += std::holds_alternative<SurfaceMaterial>(*material) ? 1 : 0;
+  }
+  EXPECT_EQ(sheets, surface_materials().size());
+  EXPECT_EQ(built_in_texts().size() - sheets, media().size());
+  EXPECT_EQ(surface_materials().front().id, "paper");
+  EXPECT_EQ(media().front().id, "pencil");
+  EXPECT_FALSE(find_medium("eraser")->draws);
+}
+
+TEST(BuiltInMaterials, AreAllFilesThatAreInstalled) {
+  std::vector<std::string> files, texts;
+  for (const char* kind : {"sheets", "media"}) {
+    for (const auto& entry : fs::directory_iterator("share/materials/" + std::string(kind))) {
+      files.push_back(entry.path().stem().string());
+    }
+  }
+  for (const BuiltInText& built_in : built_in_texts()) texts.emplace_back(built_in.id);
+  EXPECT_THAT(files, ::testing::UnorderedElementsAreArray(texts));
+}
+
+TEST(MaterialLibrary, AddsAPersonsOwnToTheBuiltInOnes) {
+  const Folder own("own"), shared("shared");
+  own.put("a.toml", sheet_text("my-paper"));
+  own.put("b.toml", "kind = \"medium\"\nid = \"my-pen\"\n");
+  own.put("notes.txt", "no material");
+  own.put(".hidden.toml", "no material");
+  shared.put("c.toml", sheet_text("my-paper", "0.9"));
+  shared.put("d.toml", sheet_text("their-paper"));
+  const MaterialLibrary library = load({own.path(), shared.path(), own.path() + "/none", ""});
+  EXPECT_THAT(library.problems, ElementsAre());
+  EXPECT_THAT(ids_of(library), ElementsAre("my-paper", "my-pen", "their-paper"));
+  EXPECT_EQ(library.materials.find_surface("my-paper")->friction, 0.3) << "the first folder's";
+  EXPECT_NE(library.materials.find_medium("my-pen"), nullptr);
+  EXPECT_EQ(library.materials.surfaces().size(), surface_materials().size() + 2);
+  EXPECT_EQ(library.own[2].path, shared.path() + "/d.toml");
+}
+
+TEST(MaterialLibrary, NamesABadFileAndLoadsTheOthers) {
+  const Folder own("bad");
+  own.put("a.toml", sheet_text("first", "7"));
+  own.put("b.toml", sheet_text("paper"));
+  own.put("c.toml", sheet_text("charcoal"));
+  own.put("d.toml", sheet_text("good"));
+  own.put("e.toml", sheet_text("good"));
+  own.put("f.toml", std::string(kMaxMaterialBytes + 1, '\n'));
+  fs::create_directory(own.path() + "/g.toml");
+  const MaterialLibrary library = load({own.path()});
+  EXPECT_THAT(ids_of(library), ElementsAre("good"));
+  ASSERT_EQ(library.problems.size(), 5u);
+  EXPECT_EQ(library.problems[0], own.path() + "/a.toml:4: feel.friction is 7, it must be 0 to 1.5");
+  EXPECT_THAT(library.problems[1], HasSubstr("b.toml: paper is the id of a sheet that Feltline"));
+  EXPECT_THAT(library.problems[2], HasSubstr("c.toml: charcoal is the id of a medium"));
+  EXPECT_THAT(library.problems[3], HasSubstr("e.toml: another file of this folder has the id"));
+  EXPECT_THAT(library.problems[4], HasSubstr("f.toml"));
+  EXPECT_EQ(*library.materials.find_surface("paper"), *find_surface("paper"));
+}
+
+TEST(MaterialLibrary, SavesOverTheFileOfThatIdAndDeletesIt) {
+  const Folder own("save");
+  const std::string below = own.path() + "/new/materials";
+  SurfaceMaterial sheet = *find_surface("felt");
+  sheet.id = "my-felt";
+  const Result<std::string> path = save_material(below, sheet);
+  ASSERT_TRUE(path) << path.error().message;
+  EXPECT_EQ(*path, below + "/my-felt.toml");
+  EXPECT_EQ(std::get<SurfaceMaterial>(read_material_file(*path).value()), sheet);
+
+  own.put("other-name.toml", sheet_text("mine"));
+  own.put("bad.toml", "kind = 3");
+  sheet.id = "mine";
+  EXPECT_EQ(save_material(own.path(), sheet).value(), own.path() + "/other-name.toml");
+  EXPECT_EQ(own.text_of("other-name.toml"), write_material(sheet));
+  sheet.id = "bad";
+  EXPECT_THAT(save_material(own.path(), sheet).error().message, HasSubstr("bad.toml is another"));
+  EXPECT_EQ(own.text_of("bad.toml"), "kind = 3");
+  EXPECT_EQ(own.files(), 3u) << "nothing half-written stays";
+
+  EXPECT_TRUE(delete_material(own.path(), "mine"));
+  EXPECT_EQ(own.text_of("other-name.toml"), "");
+  EXPECT_THAT(delete_material(own.path(), "mine").error().message,
+              HasSubstr("no material \"mine\""));
+  EXPECT_FALSE(delete_material(own.path(), "paper"));
+}
+
+TEST(MaterialLibrary, SavesNothingThatItWouldNotRead) {
+  const Folder own("refuse");
+  SurfaceMaterial sheet = *find_surface("felt");
+  EXPECT_THAT(save_material(own.path(), sheet).error().message, HasSubstr("like my-felt"));
+  sheet.id = "../felt";
+  EXPECT_FALSE(save_material(own.path(), sheet));
+  sheet.id = "mine";
+  sheet.friction = 2.0;
+  EXPECT_THAT(save_material(own.path(), sheet).error().message, HasSubstr("feel.friction is 2"));
+  sheet.friction = 0.2;
+  EXPECT_THAT(save_material("", sheet).error().message, HasSubstr("XDG_DATA_HOME"));
+  EXPECT_EQ(own.files(), 0u);
+}
+
+/// An environment variable that is as it was afterwards.
+class Variable {
+ public:
+  Variable(const char* name, const char* value) : name_(name) {
+    if (const char* old = std::getenv(name)) old_ = old;
+    value ? setenv(name, value, 1) : unsetenv(name);
+  }
+  ~Variable() { old_ ? setenv(name_, old_->c_str(), 1) : unsetenv(name_); }
+  Variable(const Variable&) = delete;
+  Variable& operator=(const Variable&) = delete;
+
+ private:
+  const char* name_;
+  std::optional<std::string> old_;
+};
+
+TEST(MaterialLibrary, LooksWhereTheStandardSays) {
+  const Variable home("HOME", "/h");
+  {
+    const Variable data("XDG_DATA_HOME", "/d"), dirs("XDG_DATA_DIRS", "/a/:relative::/b");
+    EXPECT_THAT(material_folders(), ElementsAre("/d/feltline/materials", "/a/feltline/materials",
+                                                "/b/feltline/materials"));
+  }
+  const Variable data("XDG_DATA_HOME", "not/absolute"), dirs("XDG_DATA_DIRS", nullptr);
+  EXPECT_THAT(material_folders(),
+              ElementsAre("/h/.local/share/feltline/materials",
+                          "/usr/local/share/feltline/materials", "/usr/share/feltline/materials"));
+  const Variable homeless("HOME", nullptr);
+  EXPECT_EQ(material_folders().front(), "");
+}
+
+}  // namespace
+}  // namespace felt

@@ -1,0 +1,67 @@
+#include "felt/material/materials.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace felt {
+namespace {
+
+template <class Table>
+auto find(Table& table, std::string_view id) noexcept -> decltype(table.data()) {
+  const auto at =
+      std::find_if(table.begin(), table.end(), [&](const auto& m) { return m.id == id; });
+  return at == table.end() ? nullptr : &*at;
+}
+
+template <class Item>
+void put_into(std::vector<Item>& table, Item item) {
+  if (Item* known = find(table, item.id)) {
+    *known = std::move(item);
+  } else {
+    table.push_back(std::move(item));
+  }
+}
+
+}  // namespace
+
+const SurfaceMaterial* Materials::find_surface(std::string_view id) const noexcept {
+  return find(surfaces_, id);
+}
+
+const Medium* Materials::find_medium(std::string_view id) const noexcept {
+  return find(media_, id);
+}
+
+void Materials::put(SurfaceMaterial surface) {
+  put_into(surfaces_, std::move(surface));
+}
+
+void Materials::put(Medium medium) {
+  put_into(media_, std::move(medium));
+}
+
+std::span<const SurfaceMaterial> surface_materials() noexcept {
+  return Materials::built_in().surfaces();
+}
+
+std::span<const Medium> media() noexcept {
+  return Materials::built_in().media();
+}
+
+const SurfaceMaterial* find_surface(std::string_view id) noexcept {
+  return Materials::built_in().find_surface(id);
+}
+
+const Medium* find_medium(std::string_view id) noexcept {
+  return Materials::built_in().find_medium(id);
+}
+
+double friction_of(const Medium& medium, const SurfaceMaterial& surface) noexcept {
+  for (const PairFriction& pair : medium.pairs) {
+    if (pair.surface == surface.id) return pair.coefficient;
+  }
+  return medium.friction * surface.friction / surface_materials().front().friction;
+}
+
+}  // namespace felt

@@ -1,0 +1,131 @@
+#include "felt/render/ink_look.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+namespace felt {
+namespace {
+
+/// The cut at the rim of a soft edge lies so far above that of a breath: no grain reaches it.
+constexpr double kOutOfReach = 3.5;
+
+constexpr int kHairs = 44;  // that a line falls apart into
+
+double smoothstep(double x) noexcept {
+  const double y = std::clamp(x, 0.0, 1.0);
+  return y * y * (3.0 - 2.0 * y);
+}
+
+/// -1..1, the same on every machine.
+double noise(std::uint32_t n) noexcept {
+  n = (n ^ (n >> 16U)) * 0x7FEB352DU;
+  n = (n ^ (n >> 15U)) * 0x846CA68BU;
+  return static_cast<double>(n ^ (n >> 16U)) / 2147483648.0 - 1.0;
+}
+
+/// Hairs of unequal thickness, by x in 0..1 across the line, about 1 RMS high.
+double hair(double x) noexcept {
+  const auto smooth = [](double at, std::uint32_t seed) {
+    const double f = at - std::floor(at);
+    const auto k = seed + static_cast<std::uint32_t>(std::floor(at));
+    return noise(k) + (noise(k + 1) - noise(k)) * smoothstep(f);
+  };
+  return 1.35 * (smooth(kHairs * x, 1000U) + 0.8 * smooth(0.37 * kHairs * x, 2000U));
+}
+
+}  // namespace
+
+ReliefWeights relief_weights(const MediumLook& look) noexcept {
+  const double n =
+      std::sqrt(look.grain * look.grain + look.crumb * look.crumb + look.streaks * look.streaks);
+  if (!(n > 0.0)) return {};
+  return {look.grain / n, look.crumb / n, look.streaks / n, std::min(1.0, n)};
+}
+
+double ink_alpha(const MediumLook& look, double wear, double push, double relief,
+                 double blur) noexcept {
+  const double tone = std::clamp(push, 0.0, 1.0);
+  const double lost = std::clamp(push / PressureMap::kLeastPush, 0.0, 1.0);  // at a soft edge
+  const double cut = look.cut_light + (look.cut_heavy - look.cut_light) * tone + kOutOfReach * lost;
+  const double height = 1.0 - wear * tone;
+  const double per_rms = 0.5 / std::max(look.soft, 0.05);
+  const auto seen_at = [&](double r) { return smoothstep(0.5 + (height * r - cut) * per_rms); };
+  double seen = seen_at(relief);
+  if (blur > 0.0) {  // a normal distribution by seven points of equal weight
+    constexpr std::array<double, 3> kAt{0.366, 0.792, 1.466};
+    for (const double at : kAt) seen += seen_at(relief - at * blur) + seen_at(relief + at * blur);
+    seen /= 7.0;
+  }
+  const double opacity = look.opacity_light + (look.opacity_heavy - look.opacity_light) * tone;
+  return opacity * (1.0 - lost) * (1.0 - relief_weights(look).all * (1.0 - seen));
+}
+
+InkLook::InkLook(const MediumLook& look, double wear, const SeenRelief& seen) {
+  const ReliefWeights weights = relief_weights(look);
+  const auto of_256 = [](double weight) {
+    return static_cast<int>(std::floor(256.0 * weight + 0.5));
+  };
+  const double sheet_share = weights.sheet * seen.depth;
+  sheet_weight = of_256(sheet_share);
+  crumb_weight = of_256(weights.crumb);
+  hair_weight = of_256(weights.hairs);
+  const double blur = std::sqrt(sheet_share * sheet_share * (1.0 - seen.kept) +
+                                weights.crumb * weights.crumb * (1.0 - seen.crumb_kept));
+  alphas.reserve(static_cast<std::size_t>(PressureMap::kRows) * kReliefs);
+  for (int row = 0; row < PressureMap::kRows; ++row) {
+    for (int level = 0; level < kReliefs; ++level) {
+      const double relief = (level - kReliefs / 2) / ReliefLevel::kPerRms;
+      const double alpha =
+          ink_alpha(look, wear, PressureMap::push_of_row(row), relief, blur > 0.05 ? blur : 0.0);
+      alphas.push_back(static_cast<std::uint8_t>(255.0 * std::clamp(alpha, 0.0, 1.0) + 0.5));
+    }
+  }
+  edge = look.edge;
+  has_rim = look.rim > 0.0;
+  for (std::size_t i = 0; i < rim.size(); ++i) {
+    const double rho = std::sqrt((static_cast<double>(i) + 0.5) / static_cast<double>(rim.size()));
+    rim[i] = static_cast<std::uint16_t>(
+        256.0 * (1.0 + std::max(look.rim, 0.0) * smoothstep((rho - 0.55) / 0.35)) + 0.5);
+  }
+  for (std::size_t i = 0; i < hairs.size(); ++i) {
+    const double x = (static_cast<double>(i) + 0.5) / static_cast<double>(hairs.size());
+    hairs[i] = static_cast<std::int16_t>(std::clamp(ReliefLevel::kPerRms * hair(x), -127.0, 127.0));
+  }
+}
+
+InkShade::InkShade(const InkLook& look, const View& view) : look_(&look) {
+  if (look.sheet) sheet_ = ReliefPlane(*look.sheet, look.sheet_tile_mm, view);
+  if (look.crumb) crumb_ = ReliefPlane(*look.crumb, look.crumb_tile_mm, view);
+}
+
+void InkShade::row(const PressureMap& pressure, int x, int y, int count,
+                   std::uint8_t* alphas) const noexcept {
+  constexpr int kPiece = 64;
+  const InkLook& look = *look_;
+  for (int from = 0; from < count; from += kPiece) {
+    const int pixels = std::min(kPiece, count - from);
+    const std::int32_t* packed = pressure.row(y) + (x + from - pressure.area().x0);
+    std::uint8_t* alpha = alphas + from;
+    int reliefs[kPiece] = {};
+    if (!sheet_.is_flat()) sheet_.add_row(x + from, y, pixels, look.sheet_weight, reliefs);
+    if (!crumb_.is_flat()) crumb_.add_row(x + from, y, pixels, look.crumb_weight, reliefs);
+    if (look.hair_weight > 0) {
+      for (int i = 0; i < pixels; ++i) {
+        reliefs[i] += look.hair_weight * look.hairs[PressureMap::across_of(packed[i])];
+      }
+    }
+    for (int i = 0; i < pixels; ++i) {
+      const int level = std::clamp((reliefs[i] + 32768 + 128) / 256, 0, InkLook::kReliefs - 1);
+      unsigned seen = look.alphas[PressureMap::row_of(packed[i]) * InkLook::kReliefs +
+                                  static_cast<std::size_t>(level)];
+      if (look.has_rim) {
+        seen = std::min(255U, (seen * look.rim[PressureMap::rim_of(packed[i])]) >> 8U);
+      }
+      const unsigned product = seen * alpha[i] + 128U;
+      alpha[i] = static_cast<std::uint8_t>((product + (product >> 8U)) >> 8U);
+    }
+  }
+}
+
+}  // namespace felt

@@ -1,0 +1,55 @@
+#include "felt/session/heard_pen.h"
+
+#include <algorithm>
+#include <string>
+#include <variant>
+
+#include "felt/tools/pressing.h"
+
+namespace felt {
+namespace {
+
+constexpr int kLookSamples = 64;
+constexpr double kLeastPushN = 0.02;  // what touches rubs
+constexpr double kUsualPushN = 0.6;   // of a mouse
+
+}  // namespace
+
+const Medium& medium_in_hand(const Session& session) {
+  const std::string_view tool = session.tool().info().id;
+  const Materials& known = session.materials();
+  if (tool == "eraser") return *known.find_medium("eraser");
+  const auto option = session.option(std::string(tool) + ".material");
+  const auto* id = option ? std::get_if<std::string>(&*option) : nullptr;
+  const Medium* medium = id ? known.find_medium(*id) : nullptr;
+  return medium ? *medium : known.media().front();
+}
+
+void HeardPen::look() {
+  until_look_ = kLookSamples;
+  const SurfaceMaterial& sheet = session_->sheet().material();
+  pair_ = rubbing_pair(sheet, medium_in_hand(*session_));
+  const Pressing pressing(sheet, session_->device());
+  stiffness_n_per_m_ = pressing.stiffness_n_per_m();
+  most_n_ = pair_.firm_push_n = pressing.most_n();
+}
+
+RubbingSample HeardPen::sample(const PenSample& pen) {
+  const bool is_down = in_contact(pen);
+  if (--until_look_ <= 0 || is_down != is_down_) look();
+  is_down_ = is_down;
+  RubbingSample heard;
+  heard.time_ns = pen.time_ns;
+  heard.at = {pen.position.x, pen.position.y};
+  if (!is_down) return heard;
+  if (session_->device().sensed_axes >= 3 && pen.position.z < 0.0) {
+    heard.push_n = 0.001 * stiffness_n_per_m_ * depth_mm(pen);
+  } else {
+    heard.push_n = pen.pressure ? *pen.pressure * most_n_ : kUsualPushN;
+  }
+  heard.push_n = std::max(heard.push_n, kLeastPushN);
+  heard.strike_mm_per_s = std::max(-pen.velocity.z, 0.0);
+  return heard;
+}
+
+}  // namespace felt

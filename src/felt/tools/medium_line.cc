@@ -1,0 +1,28 @@
+#include "felt/tools/medium_line.h"
+
+#include <algorithm>
+
+namespace felt {
+namespace {
+
+/// True when tone_of_width() of the width of p is p: over the usual range, evenly.
+bool says_it_all(const WidthMapOptions& widths) {
+  const WidthMapOptions usual;
+  return widths.gamma == 1.0 && widths.lean_width == 1.0 && widths.min_mm == usual.min_mm &&
+         widths.max_mm == usual.max_mm;
+}
+
+}  // namespace
+
+InkFitOptions drawn_with(const Medium& medium, InkFitOptions ink) {
+  const MediumLine& line = medium.line;
+  ink.material = medium.id;
+  WidthMapOptions& widths = ink.width_map;
+  widths.lean_width = std::max(line.lean_width, 1.0);
+  ink.width.max_mm *= widths.lean_width;
+  const ToneMapOptions tone{line.tone_light, line.tone_heavy, line.tone_gamma, line.lean_tone};
+  if (tone != ToneMapOptions{} || !says_it_all(widths)) widths.tone = tone;
+  return ink;
+}
+
+}  // namespace felt

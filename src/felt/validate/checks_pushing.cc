@@ -1,0 +1,232 @@
+// Levels 5 and 6: what a small force does to a pen that somebody holds.
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+#include "felt/validate/checks.h"
+
+namespace felt {
+namespace {
+
+constexpr int kStillPairs = 4;
+constexpr int kCirclePairs = 6;
+constexpr double kStillSettleS = 0.25;
+constexpr double kStillMeanS = 0.15;
+constexpr double kCircleSettleS = 0.35;
+constexpr double kCircleS = 1.0;  // the mean over a whole circle is where its middle is
+constexpr double kLeastMovedMm = 0.04;
+constexpr double kSurely = 3.0;     // standard errors
+constexpr double kMostAside = 0.6;  // of the way along the axis, across it
+
+constexpr int kSteps = 8;
+constexpr double kStepS = 0.3;
+constexpr double kLeastStepMm = 0.1;
+constexpr double kBegun = 0.15;  // of the way: it has begun to move
+constexpr double kMostDeadS = 0.050;
+constexpr double kMostRinging = 0.3;  // of the way, in the last third
+
+constexpr const char* kHoldStill =
+    "Hold the pen in the air as for writing, loosely, and keep it still. It will push a little "
+    "this way and that.";
+constexpr const char* kDrawCircles =
+    "Nothing moved while you held still, which friction may do. Now draw circles in the air, as "
+    "small as a pea, about one a second, until the next message.";
+
+std::array<int, 3> shuffled_axes(std::mt19937_64& random) {
+  std::array<int, 3> axes{0, 1, 2};
+  for (std::size_t i = 2; i > 0; --i) std::swap(axes[i], axes[random() % (i + 1)]);
+  return axes;
+}
+
+/// Pushes in + and in - along one axis, again and again: how far apart the pen then is.
+PushResponse push_along(Trial& trial, int axis, bool in_circles) {
+  std::array<Series, 3> apart;
+  Vec3 sum{};
+  const int pairs = in_circles ? kCirclePairs : kStillPairs;
+  const double mean_s = in_circles ? kCircleS : kStillMeanS;
+  const auto place_under = [&](double newtons) {
+    trial.push(along(axis, newtons));
+    trial.pass((in_circles ? kCircleSettleS : kStillSettleS) + mean_s);
+    return trial.mean_place(mean_s);
+  };
+  for (int i = 0; i < pairs && trial.trouble().empty(); ++i) {
+    // + - and - + by turns, so that a hand that drifts counts for nothing.
+    const double first = i % 2 == 0 ? kTestForceN : -kTestForceN;
+    const Vec3 there = place_under(first);
+    const Vec3 back = place_under(-first);
+    const Vec3 moved = i % 2 == 0 ? there - back : back - there;
+    sum += moved;
+    for (int k = 0; k < 3; ++k) apart[static_cast<std::size_t>(k)].add(component(moved, k));
+    trial.forget();
+  }
+  trial.push({});
+  PushResponse response;
+  response.moved = (1.0 / pairs) * sum;
+  for (const Series& series : apart) {
+    response.uncertainty = std::max(response.uncertainty, series.error());
+  }
+  return response;
+}
+
+bool is_felt(const CheckContext& context, const PushResponse& push) {
+  const double step = context.subject.device()->capabilities().position_step_mm;
+  return norm(push.moved) > std::max({kLeastMovedMm, step, kSurely * push.uncertainty});
+}
+
+std::string moved_words(const CheckContext& context) {
+  std::string words;
+  for (int axis = 0; axis < context.subject.device()->capabilities().actuated_axes && axis < 3;
+       ++axis) {
+    const PushResponse& push = (*context.pushes)[static_cast<std::size_t>(axis)];
+    words += (words.empty() ? "" : ", ") + std::string(axis_name(axis)) + " " +
+             figure(component(push.moved, axis), 2) + " +- " + figure(push.uncertainty, 2) + " mm";
+  }
+  return "+0.3 N against -0.3 N: " + words;
+}
+
+/// Axes that it can push along: a planar device has two.
+int pushed_axes(const CheckContext& context) {
+  return std::clamp(context.subject.device()->capabilities().actuated_axes, 0, 3);
+}
+
+/// Fills context.pushes. Words why not; empty: done.
+std::optional<CheckOutcome> push_all(CheckContext& context, bool in_circles) {
+  Result<std::unique_ptr<Trial>> trial = context.begin();
+  if (!trial) return failed({}, trial.error().message);
+  (*trial)->pass(1.0);  // the person needs a moment
+  (*trial)->arm();
+  std::array<PushResponse, 3> pushes{};
+  for (const int axis : shuffled_axes(context.random)) {
+    if (axis >= pushed_axes(context)) continue;
+    pushes[static_cast<std::size_t>(axis)] = push_along(**trial, axis, in_circles);
+  }
+  if (!(*trial)->trouble().empty()) return broken(**trial);
+  const SafetyReport safety = (*trial)->servo().latest().safety;
+  if (safety.state != SafetyState::kActive) {
+    return not_possible("the safety chain took the force away meanwhile (" +
+                        std::to_string(safety.soft_faults + safety.hard_faults) +
+                        " faults): the loop was late, or the pen too fast");
+  }
+  context.pushes = pushes;
+  context.pushed_in_circles = in_circles;
+  return std::nullopt;
+}
+
+int count_felt(const CheckContext& context) {
+  int count = 0;
+  for (int axis = 0; axis < pushed_axes(context); ++axis) {
+    if (is_felt(context, (*context.pushes)[static_cast<std::size_t>(axis)])) ++count;
+  }
+  return count;
+}
+
+}  // namespace
+
+CheckOutcome check_force_felt(CheckContext& context) {
+  if (context.subject.device() == nullptr) return not_possible("it did not open");
+  if (const std::string why = context.refusal(); !why.empty()) return not_possible(why);
+  if (!context.person.does(PersonTask::kHoldStill, kHoldStill)) {
+    return not_possible("nobody held it");
+  }
+  if (auto outcome = push_all(context, false)) return *outcome;
+  if (count_felt(context) < pushed_axes(context) &&
+      context.person.does(PersonTask::kDrawCircles, kDrawCircles)) {
+    if (auto outcome = push_all(context, true)) return *outcome;
+  }
+  const std::string measured =
+      moved_words(context) + (context.pushed_in_circles ? ", in circles" : "");
+  const int felt = count_felt(context);
+  if (felt == pushed_axes(context)) return passed(measured);
+  const std::string words =
+      felt == 0 ? "the device takes forces and does nothing with them: look for a switch, a button "
+                  "or a grip that allows forces, and for its power supply"
+                : "no force is felt along one of the axes: a motor or its amplifier is off";
+  if (felt == 0) context.pushes.reset();
+  return failed(measured, words);
+}
+
+CheckOutcome check_force_sign(CheckContext& context) {
+  if (!context.pushes) return not_possible("no force was felt");
+  std::string wrong;
+  for (int axis = 0; axis < pushed_axes(context); ++axis) {
+    const PushResponse& push = (*context.pushes)[static_cast<std::size_t>(axis)];
+    if (!is_felt(context, push)) continue;
+    const double way = component(push.moved, axis);
+    Vec3 aside = push.moved;
+    (axis == 0 ? aside.x : axis == 1 ? aside.y : aside.z) = 0.0;
+    const std::string name = axis_name(axis);
+    if (way < 0.0) {
+      wrong += (wrong.empty() ? "" : "; ") + name + " pushes the opposite way";
+    } else if (norm(aside) > kMostAside * way) {
+      wrong += (wrong.empty() ? "" : "; ") + name + " pushes aside";
+    }
+  }
+  if (wrong.empty()) return passed("x, y, z of the sheet: right, down, towards the hand");
+  return failed(moved_words(context),
+                wrong +
+                    ". Do not draw with it: show it the drawing plane again (it may be upside "
+                    "down or mirrored), and tell us if that does not help");
+}
+
+CheckOutcome check_step(CheckContext& context) {
+  const std::optional<int> axis = context.best_axis();
+  if (!axis) return not_possible("no force was felt");
+  if (!context.person.does(PersonTask::kHoldStill, kHoldStill)) {
+    return not_possible("nobody held it");
+  }
+  Result<std::unique_ptr<Trial>> trial = context.begin();
+  if (!trial) return failed({}, trial.error().message);
+  (*trial)->pass(1.0);
+  (*trial)->arm();
+  const double period_s = 1e-9 * static_cast<double>((*trial)->servo().options().period_ns);
+  std::vector<Series> curve(static_cast<std::size_t>(kStepS / period_s));
+  for (int i = 0; i < kSteps && (*trial)->trouble().empty(); ++i) {
+    const double sign = i % 2 == 0 ? 1.0 : -1.0;
+    const double from = component((*trial)->mean_place(0.05), *axis);
+    (*trial)->forget();
+    (*trial)->step(along(*axis, sign * kTestForceN));
+    (*trial)->pass(kStepS + 0.05);
+    // From the tick on at which the device was told.
+    std::size_t at = 0;
+    bool told = false;
+    for (const ProbeTick& tick : (*trial)->ticks()) {
+      if (told && at < curve.size()) {
+        curve[at++].add(sign * (component(tick.sample.position, *axis) - from));
+      }
+      told = told || norm(tick.force) > 0.5 * kTestForceN;
+    }
+    (*trial)->push({});
+    (*trial)->pass(0.4);
+  }
+  if (!(*trial)->trouble().empty()) return broken(**trial);
+  Series end;
+  double begins_s = -1.0, farthest = 0.0;
+  for (std::size_t i = curve.size() * 2 / 3; i < curve.size(); ++i) end.add(curve[i].mean());
+  const double way = end.mean();
+  // The sign was judged before; here only how soon and how calmly.
+  const double facing = way < 0.0 ? -1.0 : 1.0;
+  if (std::abs(way) < kLeastStepMm) {
+    return not_possible("friction holds the pen: a step of 0.3 N moves it by " + figure(way, 2) +
+                        " mm");
+  }
+  for (std::size_t i = 0; i < curve.size(); ++i) {
+    const double moved = facing * curve[i].mean();
+    if (begins_s < 0.0 && moved > kBegun * std::abs(way)) {
+      begins_s = period_s * static_cast<double>(i + 1);
+    }
+    farthest = std::max(farthest, moved);
+  }
+  const double ringing = end.deviation() / std::abs(way);
+  const std::string measured = figure(std::abs(way), 2) + " mm, begun after " +
+                               figure(1e3 * begins_s, 0) + " ms, " +
+                               figure(100.0 * std::max(0.0, farthest / std::abs(way) - 1.0), 0) +
+                               " % over, " + figure(100.0 * ringing, 0) + " % ringing";
+  if (begins_s < 0.0 || begins_s > kMostDeadS) {
+    return failed(measured, "the force comes late: walls would hum");
+  }
+  if (ringing > kMostRinging) return failed(measured, "it swings on and on after a step");
+  return passed(measured);
+}
+
+}  // namespace felt

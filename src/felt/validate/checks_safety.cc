@@ -1,0 +1,202 @@
+// Levels 7 and 8: what stands between a force and the hand, at this very device.
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "felt/validate/checks.h"
+
+namespace felt {
+namespace {
+
+constexpr double kAskedN = 3.0;  // ten times what may come
+constexpr double kEpsilonN = 1e-6;
+/// A late tick is credited with two periods at most (TickClock).
+constexpr double kCreditedPeriods = 2.0;
+
+constexpr double kStallS = 0.100;
+constexpr int kStalls = 4;
+/// Three stalls in 10 s are a hard fault.
+constexpr double kBetweenStallsS = 6.0;
+constexpr double kHeldS = 0.4;
+constexpr int kTicksAfter = 5;
+constexpr double kLeastPushedMm = 0.15;
+constexpr double kControlReturns = 0.4;
+constexpr double kLimp = 0.5;
+
+constexpr const char* kHoldStill =
+    "Hold the pen in the air as for writing, loosely, and keep it still.";
+
+/// The largest force, and the largest rise from tick to tick.
+struct Sent {
+  double most_n = 0.0;
+  double rise_n = 0.0;
+};
+
+Sent sent_in(const std::vector<ProbeTick>& ticks) {
+  Sent sent;
+  Force last{};
+  for (const ProbeTick& tick : ticks) {
+    sent.most_n = std::max(sent.most_n, norm(tick.force));
+    if (norm(tick.force) > norm(last)) sent.rise_n = std::max(sent.rise_n, norm(tick.force - last));
+    last = tick.force;
+  }
+  return sent;
+}
+
+std::optional<CheckOutcome> hold(CheckContext& context) {
+  if (context.subject.device() == nullptr) return not_possible("it did not open");
+  if (const std::string why = context.refusal(); !why.empty()) return not_possible(why);
+  if (!context.person.does(PersonTask::kHoldStill, kHoldStill)) {
+    return not_possible("nobody held it");
+  }
+  return std::nullopt;
+}
+
+/// How far along `axis` the pen is from where it was without force.
+double away(const Trial& trial, int axis, double rest, double seconds) {
+  return component(trial.mean_place(seconds), axis) - rest;
+}
+
+/// Mean place along `axis` of the ticks from the one after the stall on.
+std::optional<double> after_stall(const Trial& trial, int axis) {
+  Series places;
+  for (const ProbeTick& tick : trial.ticks()) {
+    if (places.count == 0.0 && !tick.after_stall) continue;
+    if (places.count < kTicksAfter) places.add(component(tick.sample.position, axis));
+  }
+  return places.count > 0.0 ? std::optional(places.mean()) : std::nullopt;
+}
+
+/// Force that was sent to the device at the ticks after a stall, but for the very first: that one
+/// may have been worked out before anybody knew.
+double sent_after_stall(const Trial& trial) {
+  double most = 0.0;
+  int since = -1;
+  for (const ProbeTick& tick : trial.ticks()) {
+    if (tick.after_stall) since = 0;
+    if (since >= 2 && since < 50) most = std::max(most, norm(tick.force));
+    if (since >= 0) ++since;
+  }
+  return most;
+}
+
+}  // namespace
+
+CheckOutcome check_limits(CheckContext& context) {
+  if (auto outcome = hold(context)) return *outcome;
+  Result<std::unique_ptr<Trial>> trial = context.begin();
+  if (!trial) return failed({}, trial.error().message);
+  (*trial)->pass(1.0);
+  (*trial)->arm();
+  (*trial)->forget();
+  (*trial)->step({0.0, 0.0, kAskedN});
+  (*trial)->pass(0.3);
+  const Sent sent = sent_in((*trial)->ticks());
+  (*trial)->push({});
+  (*trial)->forget();
+  (*trial)->step({0.0, 0.0, std::numeric_limits<double>::quiet_NaN()});
+  (*trial)->pass(0.1);
+  (*trial)->forget();
+  (*trial)->step({0.0, 0.0, 0.1});
+  (*trial)->pass(0.2);
+  if (!(*trial)->trouble().empty()) return broken(**trial);
+  const double after_nonsense = sent_in((*trial)->ticks()).most_n;
+  const ServoOptions& options = (*trial)->servo().options();
+  const double period_ms = 1e-6 * static_cast<double>(options.period_ns);
+  const std::string measured = "asked for 3 N: " + figure(sent.most_n, 2) + " N came, rising by " +
+                               figure(sent.rise_n / period_ms, 2) +
+                               " N/ms; asked for NaN: " + figure(after_nonsense, 2) + " N";
+  const double most_rise = kCreditedPeriods * period_ms * options.limits.rise_n_per_ms;
+  if (sent.most_n > kTestForceN + kEpsilonN || sent.rise_n > most_rise + kEpsilonN ||
+      after_nonsense > kEpsilonN) {
+    return failed(measured, "a limit of force was broken: do not draw with it, and tell us");
+  }
+  if (sent.most_n <= kEpsilonN) {
+    return not_possible("the safety chain let no force through: the loop was late", measured);
+  }
+  return passed(measured);
+}
+
+CheckOutcome check_engaging(CheckContext& context) {
+  if (auto outcome = hold(context)) return *outcome;
+  Result<std::unique_ptr<Trial>> trial = context.begin();
+  if (!trial) return failed({}, trial.error().message);
+  // Pressed before forces are allowed: nothing may come until it was let go.
+  (*trial)->pass(1.0);
+  (*trial)->step({0.0, 0.0, kAskedN});
+  (*trial)->pass(0.1);
+  (*trial)->servo().arm();
+  (*trial)->pass(0.5);
+  const double kick = sent_in((*trial)->ticks()).most_n;
+  (*trial)->step({});
+  (*trial)->pass(0.05);
+  (*trial)->forget();
+  (*trial)->step({0.0, 0.0, kTestForceN});
+  (*trial)->pass(0.4);
+  if (!(*trial)->trouble().empty()) return broken(**trial);
+  const Sent sent = sent_in((*trial)->ticks());
+  const ServoOptions& options = (*trial)->servo().options();
+  const double period_ms = 1e-6 * static_cast<double>(options.period_ns);
+  const std::string measured = figure(kick, 2) + " N at the start while it asked for 3 N, then " +
+                               figure(sent.rise_n / period_ms, 3) + " N/ms at most";
+  const double most_rise = kCreditedPeriods * period_ms * options.limits.engage_rise_n_per_ms;
+  if (kick > kEpsilonN || sent.rise_n > most_rise + kEpsilonN) {
+    return failed(measured, "forces begin with a kick: do not draw with it, and tell us");
+  }
+  return passed(measured);
+}
+
+CheckOutcome check_watchdog(CheckContext& context) {
+  const std::optional<int> axis = context.best_axis();
+  if (!axis) return not_possible("no force was felt");
+  if (auto outcome = hold(context)) return *outcome;
+  Result<std::unique_ptr<Trial>> begun = context.begin();
+  if (!begun) return failed({}, begun.error().message);
+  Trial& trial = **begun;
+  trial.pass(1.0);
+  trial.arm();
+  Series pushed, returns, limp;
+  double sent_n = 0.0;
+  for (int i = 0; i < 2 * kStalls && trial.trouble().empty(); ++i) {
+    const bool stalls = i % 2 == 1;
+    const double sign = i % 4 < 2 ? 1.0 : -1.0;
+    const double rest = component(trial.mean_place(0.1), *axis);
+    trial.push(along(*axis, sign * kTestForceN));
+    trial.pass(kHeldS);
+    const double there = sign * away(trial, *axis, rest, 0.05);
+    pushed.add(there);
+    trial.forget();
+    if (stalls) {
+      trial.stall(kStallS);
+      trial.pass(0.1);
+      sent_n = std::max(sent_n, sent_after_stall(trial));
+      if (const auto place = after_stall(trial, *axis)) limp.add(there - sign * (*place - rest));
+    } else {
+      trial.step({});
+      trial.pass(kStallS);
+      returns.add(there - sign * away(trial, *axis, rest, 0.005));
+    }
+    trial.push({});
+    trial.pass(stalls ? kBetweenStallsS : 0.5);
+  }
+  if (!trial.trouble().empty()) return broken(trial);
+  const double way = std::abs(pushed.mean());
+  const std::string measured = "pushed " + figure(way, 2) + " mm; let go it returns " +
+                               figure(returns.mean(), 2) + " mm, left alone for 100 ms " +
+                               figure(limp.mean(), 2) + " mm";
+  if (sent_n > kEpsilonN) {
+    return failed(measured, "force came at once after the loop had stood still for 100 ms");
+  }
+  const double facing = pushed.mean() < 0.0 ? -1.0 : 1.0;
+  if (way < kLeastPushedMm || facing * returns.mean() < kControlReturns * way) {
+    return not_possible("friction holds the pen where a force of 0.3 N left it", measured);
+  }
+  if (facing * limp.mean() < kLimp * facing * returns.mean()) {
+    return failed(measured,
+                  "it goes on pushing while no program speaks to it: should the program hang or "
+                  "die, the last force stays. Keep its power switch within reach");
+  }
+  return passed(measured);
+}
+
+}  // namespace felt

@@ -1,0 +1,68 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "felt/validate/test_subject.h"
+
+namespace felt {
+
+struct SimulatedSubjectOptions {
+  /// As the firmware of most devices: no word for so long, and the force goes. 0 = it stays.
+  std::int64_t watchdog_ns = 32'000'000;
+};
+
+/// A simulated device under test, and the simulated person who holds it: does what the test asks at
+/// once, and agrees to everything. On a VirtualTestLoop, whose before_tick() is this one's.
+class SimulatedSubject final : public TestSubject, public TestPerson {
+ public:
+  /// `device` and `hand` (as a rule one object) must outlive this.
+  SimulatedSubject(Device& device, HandInput& hand, DeviceDescriptor descriptor,
+                   const SimulatedSubjectOptions& options = {});
+
+  void before_tick(std::int64_t now_ns);
+
+  // TestSubject
+  [[nodiscard]] const DeviceDescriptor& descriptor() const noexcept override { return descriptor_; }
+  Result<void> open() override;
+  void close() noexcept override;
+  [[nodiscard]] Device* device() noexcept override { return is_open_ ? &plug_ : nullptr; }
+  bool is_connected() override { return !unplugged_; }
+
+  // TestPerson
+  bool does(PersonTask task, const std::string& words) override;
+
+ private:
+  /// The device with its cable and its firmware's watchdog.
+  class Plug final : public Device {
+   public:
+    Plug(Device& device, std::int64_t watchdog_ns) : device_(device), watchdog_ns_(watchdog_ns) {}
+    [[nodiscard]] std::string_view name() const noexcept override { return device_.name(); }
+    [[nodiscard]] const Capabilities& capabilities() const noexcept override {
+      return device_.capabilities();
+    }
+    tl::expected<PenSample, DeviceFault> read(std::int64_t now_ns) noexcept override;
+    tl::expected<void, DeviceFault> write(const Force& force) noexcept override;
+    void stop() noexcept override { device_.stop(); }
+    void pull() noexcept;
+    void plug_in() noexcept { is_gone_ = false; }
+
+   private:
+    Device& device_;
+    std::int64_t watchdog_ns_;
+    std::optional<std::int64_t> last_ns_;
+    bool is_gone_ = false;
+  };
+
+  HandInput& hand_;
+  DeviceDescriptor descriptor_;
+  Plug plug_;
+  Vec3 middle_;
+  PersonTask task_ = PersonTask::kLeaveAlone;
+  std::int64_t now_ns_ = 0;
+  std::int64_t since_ns_ = 0;  // that task_ is being done
+  bool unplugged_ = false;
+  bool is_open_ = false;
+};
+
+}  // namespace felt

@@ -1,0 +1,99 @@
+# Materials: listed, shown, checked, begun; a person's own are found, and used by their ids.
+. "$(dirname "$0")/helpers.sh"
+export XDG_DATA_HOME=$work/data XDG_DATA_DIRS=$work/shared HOME=$work
+
+run 0 "$feltline" materials
+has out "rough-paper"
+has out "charcoal"
+is_empty err
+run 0 "$feltline" materials --json
+has out '{"id":"paper","kind":"sheet","label":"Paper","path":null'
+lines out 18
+
+# What is shown is what is read, for each.
+ids=$(sed 's/^{"id":"\([^"]*\)".*/\1/' out)
+texts=()
+for id in $ids; do
+  "$feltline" materials show "$id" >"$id.toml" || fail "show $id"
+  texts+=("$id.toml")
+done
+run 0 "$feltline" materials check "${texts[@]}"
+lines out 18
+has out "paper.toml: sheet paper (to read, but not as one of your own"
+run 1 "$feltline" materials show mud
+has err 'there is no material "mud"; there are paper, rough-paper'
+
+# What is wrong is said with its place, each thing, and others are looked at, too.
+sed 's/^height_um = [0-9.]*/height_um = 900/; s/^friction/fricton/' paper.toml >bad.toml
+wrong=$(grep -n ^fricton bad.toml | cut -d: -f1) high=$(grep -n ^height_um bad.toml | cut -d: -f1)
+run 1 "$feltline" materials check bad.toml glass.toml none.toml
+has err "bad.toml:$wrong: feel.fricton is unknown"
+has err "bad.toml:$high: grain.height_um is 900, it must be 0 to 200 um"
+has err "none.toml"
+has out "glass.toml: sheet glass"
+"$feltline" materials show wood | "$feltline" materials check - >out 2>err || fail "check - : $(cat err)"
+has out "stdin: sheet wood"
+run 2 "$feltline" materials check
+run 2 "$feltline" materials polish
+
+# A new one, to stdout or into the folder, and never over another.
+run 0 "$feltline" materials new my-paper --from rough-paper
+has out 'id = "my-paper"'
+has out 'label = "My paper"'
+run 2 "$feltline" materials new charcoal
+has err "that Feltline brings"
+run 2 "$feltline" materials new My_Paper
+run 2 "$feltline" materials new a --from mud
+run 0 "$feltline" materials new my-paper --from rough-paper --save
+has out "$XDG_DATA_HOME/feltline/materials/my-paper.toml"
+run 1 "$feltline" materials new my-paper --save
+has err "it stays as it is"
+run 0 "$feltline" materials new my-chalk --from chalk --save
+run 0 "$feltline" materials
+has out "data/feltline/materials/my-chalk.toml"
+run 0 "$feltline" tools --json
+has out '"my-chalk"'
+has out '"my-paper"'
+
+# A file that is wrong is named, and the others are there.
+mkdir -p shared/feltline/materials
+cp bad.toml shared/feltline/materials/
+run 0 "$feltline" materials --json
+lines out 20
+has err "shared/feltline/materials/bad.toml:$wrong: "
+rm -r shared
+
+# They are chosen like any other, and shown in pictures.
+strokes 2 >in.ndjson
+run 0 "$feltline" replay in.ndjson -o own.ndjson --set sheet.material=my-paper --set pencil.material=my-chalk
+has own.ndjson '"my-chalk"'
+run 0 "$feltline" replay in.ndjson -o same.ndjson --set sheet.material=rough-paper --set pencil.material=chalk
+sed 's/my-chalk/chalk/' own.ndjson >renamed.ndjson
+same renamed.ndjson same.ndjson
+run 2 "$feltline" replay in.ndjson -o x.ndjson --set pencil.material=mud
+has err "it is one of pencil, pencil-hard"
+has err "my-chalk"
+run 2 "$feltline" replay in.ndjson -o x.ndjson --set pencil.material=eraser
+run 0 "$feltline" fit in.ndjson -o a.png --dpi 50 --surface my-paper
+run 0 "$feltline" fit in.ndjson -o b.png --dpi 50 --surface rough-paper
+same a.png b.png
+run 0 "$feltline" fit in.ndjson -o b.png --dpi 50 --surface "$XDG_DATA_HOME/feltline/materials/my-paper.toml"
+same a.png b.png
+run 2 "$feltline" fit in.ndjson -o b.png --surface my-chalk
+run 2 "$feltline" fit in.ndjson -o b.png --surface bad.toml
+has err "bad.toml:$wrong: "
+
+# A recording brings along what it names, so that it draws the same where nobody has it.
+run 0 "$feltline" replay in.ndjson -o run.felt --recording --set sheet.material=my-paper --set pencil.material=my-chalk
+run 0 env XDG_DATA_HOME="$work/nobody" "$feltline" replay run.felt -o there.ndjson --as-recorded
+has there.ndjson '"my-chalk"'
+
+# A script says so in its own words.
+{ printf '{"t_ms":0,"event":"material","text":"kind = \\"medium\\"\\nid = \\"told\\"\\n"}\n'
+  printf '{"t_ms":0,"event":"option","id":"pencil.material","value":"told"}\n'; cat in.ndjson; } >script.ndjson
+run 0 "$feltline" replay script.ndjson -o told.ndjson
+has told.ndjson '"told"'
+sed 's/told\\"/told\\"\\nfriction = 1/' script.ndjson >wrong.ndjson
+run 1 "$feltline" replay wrong.ndjson -o told.ndjson
+has err "material:3: friction is unknown"
+finish

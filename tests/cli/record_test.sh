@@ -1,0 +1,72 @@
+# 'record' and 'device-test' with a driver of a real device, before the fake of its maker's library
+# ($FELT_OPENHAPTICS_LIBRARY), which lives in real time.
+. "$(dirname "$0")/helpers.sh"
+export HOME=$work/home
+unset XDG_CONFIG_HOME
+mkdir home
+
+run 0 "$feltline" devices --json
+has out '"name":"openhaptics:'
+"$feltline" doctor openhaptics --json >out || true
+has out '"drivers":'
+
+run 0 "$feltline" record --device openhaptics -o sketch.ndjson --events events.ndjson \
+  --forces forces.csv --seconds 1 --yes
+[ "$(wc -l <events.ndjson)" -gt 50 ] || fail "hardly any event"
+has events.ndjson '"event":"device"'
+head -n 1 forces.csv | grep -q '^t_ms,x,y,z,' || fail "no forces"
+run 0 "$feltline" replay events.ndjson --as-recorded -o again.ndjson
+same sketch.ndjson again.ndjson
+
+# A hand behind the fake that draws circles: 3 s in the air, 3 s on the desk.
+FAKE_LIBHD_HAND=circles run 0 "$feltline" record --device openhaptics -o circle.ndjson \
+  --seconds 7 --forces-on --yes
+lines circle.ndjson 1
+has err "1 strokes in circle.ndjson"
+
+# Forces need a person who agrees.
+run 1 "$feltline" record --device openhaptics -o no.ndjson --forces-on --seconds 1 </dev/null
+has err "nobody agreed"
+[ ! -e no.ndjson ] || fail "an output without a drawing"
+
+# Ctrl-C ends and saves, also when it is told twice at once, as timeout(1) does.
+"$feltline" record --device openhaptics -o ended.ndjson 2>err &
+pid=$!
+sleep 1
+kill -INT $pid
+sleep 0.02
+kill -INT $pid 2>/dev/null || true
+wait $pid || fail "ended with $? after Ctrl-C: $(cat err)"
+[ -e ended.ndjson ] || fail "nothing saved after Ctrl-C"
+
+# Ctrl-Z stops it once no force is left, and it goes on; Ctrl-backslash ends and saves.
+"$feltline" record --device openhaptics -o quit.ndjson 2>err &
+pid=$!
+sleep 1
+kill -TSTP $pid
+for _ in $(seq 100); do
+  grep -q '^State:.T' /proc/$pid/status && break
+  sleep 0.1
+done
+grep -q '^State:.T' /proc/$pid/status || fail "not stopped by Ctrl-Z"
+kill -CONT $pid
+sleep 1
+has err "Forces are off"
+kill -QUIT $pid
+wait $pid || fail "ended with $? after Ctrl-backslash: $(cat err)"
+[ -e quit.ndjson ] || fail "nothing saved after Ctrl-backslash"
+for copy in *.unsaved-*; do [ ! -e "$copy" ] || fail "$copy was left"; done
+
+run 1 "$feltline" record --device nonsense -o x.ndjson
+has err "there is no device 'nonsense'"
+run 2 "$feltline" record -o x.ndjson
+run 2 "$feltline" record --device openhaptics -o x.docx
+run 2 "$feltline" record --device openhaptics -o x.ndjson --set pencil.nonsense=1
+run 1 "$feltline" record --device openhaptics -o /no/such/folder/x.ndjson
+[ ! -e x.ndjson ] || fail "a wrong command line made a file"
+
+# Opening, identity: what does not depend on how busy this machine is.
+run 0 "$feltline" device-test openhaptics --level 2 --yes --report report.txt
+has report.txt "opens and closes"
+has report.txt "FAKE-0001"
+finish

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <string>
+
+#include "felt/stroke/sketch.h"
+
+namespace felt {
+
+/// How far two drawings lie apart.
+struct InkDifference {
+  double ends_mm = 0.0;   ///< starts and ends of strokes
+  double curve_mm = 0.0;  ///< Hausdorff distance of the middle lines, both ways
+  double width_mm = 0.0;  ///< of the width at like shares of the length, ends (5 % each) apart
+  std::string other{};    ///< what is not a matter of millimetres: counts, closed, colours
+};
+
+/// Strokes in their order, like with like.
+InkDifference ink_difference(const Sketch& a, const Sketch& b);
+
+}  // namespace felt

@@ -1,0 +1,54 @@
+/// Any bytes as the text of a material: the reader never crashes, what it takes keeps to the ranges
+/// of its fields, and is the same after writing and reading.
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+#include "felt/base/check.h"
+#include "felt/material/material_fields.h"
+#include "felt/material/material_file.h"
+
+namespace felt {
+namespace {
+
+template <class Material, class Field>
+void check_figures(const Material& material, std::span<const Field> fields) {
+  for (const Field& field : fields) {
+    const double value = field.get(material);
+    FELT_CHECK(field.allows(value) || value == field.fallback());
+  }
+}
+
+void check(const SurfaceMaterial& sheet) {
+  check_figures(sheet, sheet_fields());
+  FELT_CHECK(!(sheet.grain_um > 0.0) || sheet.grain_mm > 0.0);
+}
+
+void check(const Medium& medium) {
+  check_figures(medium, medium_fields());
+  FELT_CHECK(medium.pairs.size() <= kMaxPairs && medium.line.min_mm <= medium.line.max_mm);
+  for (const PairFriction& pair : medium.pairs) {
+    FELT_CHECK(is_material_id(pair.surface));
+    FELT_CHECK(pair.coefficient >= 0.0 && pair.coefficient <= kMaxFriction);
+  }
+}
+
+}  // namespace
+}  // namespace felt
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  using namespace felt;
+  const std::string_view text(reinterpret_cast<const char*>(data), size);
+  const Result<AnyMaterial> material = read_material(text);
+  const std::vector<Error> problems = material_problems(text);
+  FELT_CHECK(material.has_value() == problems.empty());
+  for (const Error& error : problems) FELT_CHECK(error.message.starts_with("material:"));
+  if (!material) return 0;
+  FELT_CHECK(is_material_id(id_of(*material)) && !label_of(*material).empty());
+  std::visit([](const auto& one) { check(one); }, *material);
+  const Result<AnyMaterial> again = read_material(write_material(*material));
+  FELT_CHECK(again.has_value());
+  FELT_CHECK(*again == *material);
+  return 0;
+}
