@@ -61,6 +61,7 @@ function(felt_test_headers)
   add_executable(felt_test_headers ${CMAKE_BINARY_DIR}/felt_test_headers.cc)
   target_link_libraries(felt_test_headers PRIVATE felt_flags GTest::gmock GTest::gtest_main
     rapidcheck)
+  target_compile_options(felt_test_headers PRIVATE -O1)
   target_precompile_headers(felt_test_headers PRIVATE <gmock/gmock.h> <gtest/gtest.h>
     <rapidcheck.h> <algorithm> <array> <cmath> <functional> <map> <memory> <optional> <random>
     <span> <string> <string_view> <variant> <vector>)
@@ -76,9 +77,12 @@ function(felt_test name)
   target_link_libraries(${name} PRIVATE felt_flags ${ARG_LIBRARIES} GTest::gmock GTest::gtest_main
     rapidcheck)
   target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR})
-  if(FELT_PRECOMPILE AND NOT "felt_desktop_test_main" IN_LIST ARG_LIBRARIES)
-    felt_test_headers()
-    target_precompile_headers(${name} REUSE_FROM felt_test_headers)
+  if(FELT_QUICK_TESTS)
+    target_compile_options(${name} PRIVATE -O1)
+    if(NOT "felt_desktop_test_main" IN_LIST ARG_LIBRARIES)
+      felt_test_headers()
+      target_precompile_headers(${name} REUSE_FROM felt_test_headers)
+    endif()
   endif()
   gtest_discover_tests(${name} WORKING_DIRECTORY ${PROJECT_SOURCE_DIR} DISCOVERY_TIMEOUT 60
     PROPERTIES TIMEOUT 300)

@@ -3,9 +3,10 @@ option(FELT_TESTS "Build the tests" ${PROJECT_IS_TOP_LEVEL})
 option(FELT_BENCHMARKS "Build the benchmarks" OFF)
 option(FELT_FUZZERS "Build the libFuzzer targets (clang only)" OFF)
 option(FELT_WERROR "Warnings are errors" OFF)
-# For builds that start from nothing, as CI's do: tests take a quarter less to compile. Off
-# otherwise, since compiler caches like it less.
-option(FELT_PRECOMPILE "Precompile the headers of the test framework" OFF)
+# For builds that start from nothing, as CI's do: what tests include is compiled once, and tests
+# themselves (not what they test) are optimised less, which takes half as long. Off otherwise, since
+# compiler caches like it less.
+option(FELT_QUICK_TESTS "Tests that are built quickly" OFF)
 set(FELT_SANITIZE "" CACHE STRING "Sanitizers: [fuzzer-no-link,]address,undefined | thread | realtime | (empty)")
 
 set(CMAKE_CXX_STANDARD 20)

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "felt/render/wide_vectors.h"
+
 namespace felt {
 namespace {
 
@@ -39,6 +41,89 @@ Vec direction(Vec from, Vec to) noexcept {
 Vec on_grid(Vec px) noexcept {
   constexpr double kGrid = 1024.0;
   return {std::floor(kGrid * px.x + 0.5) / kGrid, std::floor(kGrid * px.y + 0.5) / kGrid};
+}
+
+/// What of a strip lies in the map, in single precision, and how to walk its rows.
+struct Walk {
+  float dx, dy, len, per_length, low, high;
+  float r0, dr, tone0, dtone, taper;  // taper: radius won on the way, per length
+  float rest_x, rest_y, widest2;
+  float edge_from;
+  int home_x, home_y;
+  double from, to, cut_x, per_row, reach;  // in x: of the strip; of its breadth at row 0
+  bool is_steep = false;
+  int y0, y1, x_end;
+  // The map: where it begins, and its pixel there.
+  int map_x0, map_y0;
+  std::size_t stride;
+  std::int32_t* values;
+};
+
+// Eight pixels at a time in plain numbers, so that a compiler makes vectors of it. Places are taken
+// from the strip's own begin: the same numbers wherever the picture begins.
+template <bool kTapers>
+[[gnu::always_inline]] inline void walk(const Walk& walk) noexcept {
+  const Walk w = walk;
+  const float edge_from = w.edge_from;
+  const float per_edge = edge_from < 1.0F ? 1.0F / (1.0F - edge_from) : 0.0F;
+  constexpr auto kLeast = static_cast<float>(PressureMap::kLeastPush);
+  constexpr float kPerPush = kMostKey / (1.0F - kLeast);
+  for (int y = w.y0; y < w.y1; ++y) {
+    double from = w.from, to = w.to;
+    if (w.is_steep) {  // what of the row lies within its breadth
+      const double middle = w.cut_x + w.per_row * y;
+      from = std::max(from, middle - w.reach);
+      to = std::min(to, middle + w.reach);
+    }
+    const int x0 = std::max(w.map_x0, static_cast<int>(std::floor(std::max(from, -1e6))));
+    const int x1 = std::min(w.x_end, static_cast<int>(std::ceil(std::min(to, 1e6))) + 1);
+    const float py = static_cast<float>(y - w.home_y) + w.rest_y;
+    std::int32_t* values = w.values + static_cast<std::size_t>(y - w.map_y0) * w.stride;
+    for (int x = x0; x < x1; x += kLanes) {
+      std::int32_t* lanes = values + (x - w.map_x0);
+      for (int k = 0; k < kLanes; ++k) {
+        const float px = static_cast<float>(x + k - w.home_x) + w.rest_x;
+        const float along = px * w.dx + py * w.dy;
+        const float across = px * w.dy - py * w.dx;
+        float at = clamped(along, 0.0F, w.len);
+        if constexpr (kTapers) {  // the dab that a place belongs to lies towards the broader end
+          at = along + w.taper * across * across / (w.r0 + w.taper * at);
+          at = clamped(at, 0.0F, w.len);
+        }
+        const float t = at * w.per_length;
+        const float past = along - at;
+        const float per_r = 1.0F / (w.r0 + t * w.dr);
+        const float rho2 = (across * across + past * past) * per_r * per_r;
+        const float rim = rho2 < 1.0F ? rho2 : 1.0F;
+        const float in_edge = (rim - edge_from) * per_edge;
+        const float at_edge = in_edge > 0.0F ? in_edge : 0.0F;
+        const float firm = (w.tone0 + t * w.dtone) * (1.0F - kLessAtEdge * rim);
+        const float push = firm + (kLeast - firm) * (at_edge * at_edge);
+        const float side = across * per_r;
+        const float place = clamped(side, -1.0F, 1.0F);
+        const auto key = static_cast<std::int32_t>((push - kLeast) * kPerPush);
+        const auto rim_key = static_cast<std::int32_t>(rim * kMostRim);
+        const auto across_key = static_cast<std::int32_t>((place + 1.0F) * (0.5F * kMostAcross));
+        const std::int32_t value =
+            (key << PressureMap::kPushShift) | (rim_key << PressureMap::kRimShift) | across_key;
+        const float reach = w.r0 + t * w.dr + kBesidePx;
+        const float reach2 = kTapers ? w.widest2 : reach * reach;
+        const float beside2 = across * across + past * past;
+        const std::int32_t is_in = static_cast<std::int32_t>(along >= w.low) &
+                                   static_cast<std::int32_t>(along <= w.high) &
+                                   static_cast<std::int32_t>(beside2 <= reach2);
+        const std::int32_t laid = -is_in & value;
+        lanes[k] = lanes[k] < laid ? laid : lanes[k];
+      }
+    }
+  }
+}
+
+FELT_WIDE_VECTORS void walk_even(const Walk& w) noexcept {
+  walk<false>(w);
+}
+FELT_WIDE_VECTORS void walk_tapering(const Walk& w) noexcept {
+  walk<true>(w);
 }
 
 }  // namespace
@@ -120,17 +205,6 @@ void PressureMap::lay_in_pieces(const Strip& strip) {
   }
 }
 
-/// What of a strip lies in the map, in single precision, and how to walk its rows.
-struct PressureMap::Walk {
-  float dx, dy, len, per_length, low, high;
-  float r0, dr, tone0, dtone, taper;  // taper: radius won on the way, per length
-  float rest_x, rest_y, widest2;
-  int home_x, home_y;
-  double from, to, cut_x, per_row, reach;  // in x: of the strip; of its breadth at row 0
-  bool is_steep = false;
-  int y0, y1;
-};
-
 void PressureMap::lay(const Strip& strip) {
   const TipAt &a = strip.a, &b = strip.b;
   const double widest = std::max(a.radius_px, b.radius_px) + kRimPx;
@@ -177,66 +251,13 @@ void PressureMap::lay(const Strip& strip) {
   }
   w.y0 = std::max(area_.y0, static_cast<int>(std::floor(std::max(low.y, -1e6))));
   w.y1 = std::min(area_.y1, static_cast<int>(std::ceil(std::min(high.y, 1e6))) + 1);
-  std::abs(b.radius_px - a.radius_px) > kTaper* length ? walk<true>(w) : walk<false>(w);
-}
-
-// Eight pixels at a time in plain numbers, so that a compiler makes vectors of it. Places are taken
-// from the strip's own begin: the same numbers wherever the picture begins.
-template <bool kTapers>
-void PressureMap::walk(const Walk& walk) {
-  const Walk w = walk;
-  const float edge_from = edge_from_;
-  const float per_edge = edge_from < 1.0F ? 1.0F / (1.0F - edge_from) : 0.0F;
-  constexpr auto kLeast = static_cast<float>(kLeastPush);
-  constexpr float kPerPush = kMostKey / (1.0F - kLeast);
-  for (int y = w.y0; y < w.y1; ++y) {
-    double from = w.from, to = w.to;
-    if (w.is_steep) {  // what of the row lies within its breadth
-      const double middle = w.cut_x + w.per_row * y;
-      from = std::max(from, middle - w.reach);
-      to = std::min(to, middle + w.reach);
-    }
-    const int x0 = std::max(area_.x0, static_cast<int>(std::floor(std::max(from, -1e6))));
-    const int x1 = std::min(area_.x1, static_cast<int>(std::ceil(std::min(to, 1e6))) + 1);
-    const float py = static_cast<float>(y - w.home_y) + w.rest_y;
-    std::int32_t* values = values_.data() + static_cast<std::size_t>(y - area_.y0) * stride_;
-    for (int x = x0; x < x1; x += kLanes) {
-      std::int32_t* lanes = values + (x - area_.x0);
-      for (int k = 0; k < kLanes; ++k) {
-        const float px = static_cast<float>(x + k - w.home_x) + w.rest_x;
-        const float along = px * w.dx + py * w.dy;
-        const float across = px * w.dy - py * w.dx;
-        float at = clamped(along, 0.0F, w.len);
-        if constexpr (kTapers) {  // the dab that a place belongs to lies towards the broader end
-          at = along + w.taper * across * across / (w.r0 + w.taper * at);
-          at = clamped(at, 0.0F, w.len);
-        }
-        const float t = at * w.per_length;
-        const float past = along - at;
-        const float per_r = 1.0F / (w.r0 + t * w.dr);
-        const float rho2 = (across * across + past * past) * per_r * per_r;
-        const float rim = rho2 < 1.0F ? rho2 : 1.0F;
-        const float in_edge = (rim - edge_from) * per_edge;
-        const float at_edge = in_edge > 0.0F ? in_edge : 0.0F;
-        const float firm = (w.tone0 + t * w.dtone) * (1.0F - kLessAtEdge * rim);
-        const float push = firm + (kLeast - firm) * (at_edge * at_edge);
-        const float side = across * per_r;
-        const float place = clamped(side, -1.0F, 1.0F);
-        const auto key = static_cast<std::int32_t>((push - kLeast) * kPerPush);
-        const auto rim_key = static_cast<std::int32_t>(rim * kMostRim);
-        const auto across_key = static_cast<std::int32_t>((place + 1.0F) * (0.5F * kMostAcross));
-        const std::int32_t value = (key << kPushShift) | (rim_key << kRimShift) | across_key;
-        const float reach = w.r0 + t * w.dr + kBesidePx;
-        const float reach2 = kTapers ? w.widest2 : reach * reach;
-        const float beside2 = across * across + past * past;
-        const std::int32_t is_in = static_cast<std::int32_t>(along >= w.low) &
-                                   static_cast<std::int32_t>(along <= w.high) &
-                                   static_cast<std::int32_t>(beside2 <= reach2);
-        const std::int32_t laid = -is_in & value;
-        lanes[k] = lanes[k] < laid ? laid : lanes[k];
-      }
-    }
-  }
+  w.edge_from = edge_from_;
+  w.x_end = area_.x1;
+  w.map_x0 = area_.x0;
+  w.map_y0 = area_.y0;
+  w.stride = stride_;
+  w.values = values_.data();
+  std::abs(b.radius_px - a.radius_px) > kTaper* length ? walk_tapering(w) : walk_even(w);
 }
 
 }  // namespace felt

@@ -43,7 +43,9 @@ class PressureMap {
   /// kLeastPush..1 for a pixel of the area; kLeastPush where the tip has not been.
   [[nodiscard]] double push_at(int x, int y) const noexcept;
 
-  // What a value of a row says.
+  // What a value of a row says: 12 bits of push above 10 of rho^2 above 9 of the place across, so
+  // that the larger number is the harder push.
+  static constexpr int kRimShift = 9, kPushShift = 19;
   static std::size_t row_of(std::int32_t value) noexcept {
     return static_cast<std::size_t>(value >> (kPushShift + 5));
   }
@@ -59,15 +61,9 @@ class PressureMap {
   }
 
  private:
-  // 12 bits of push above 10 of rho^2 above 9 of the place across: the larger number is the harder
-  // push.
-  static constexpr int kRimShift = 9, kPushShift = 19;
   struct Strip;
-  struct Walk;
   void lay(const Strip& strip);
   void lay_in_pieces(const Strip& strip);
-  template <bool kTapers>
-  void walk(const Walk& walk);
 
   PixelRect area_;
   float edge_from_ = 2.0F;  // rho^2 where the soft edge begins

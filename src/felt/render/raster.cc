@@ -8,8 +8,11 @@
 #include <agg2/agg_scanline_u.h>
 
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <cmath>
 #include <cstdint>
+#include <cstring>
 #include <string>
 #include <utility>
 #include <vector>
@@ -77,20 +80,35 @@ constexpr unsigned over_255(unsigned product) noexcept {  // rounded
   return (product + 128U + ((product + 128U) >> 8U)) >> 8U;
 }
 
-/// Ink with these alphas over premultiplied pixels.
+/// Four bytes with 16 bits of room each, and back.
+constexpr std::uint64_t spread(std::uint32_t bytes) noexcept {
+  std::uint64_t x = bytes;
+  x = (x | x << 16U) & 0x0000FFFF0000FFFFU;
+  return (x | x << 8U) & 0x00FF00FF00FF00FFU;
+}
+constexpr std::uint32_t gathered(std::uint64_t x) noexcept {
+  x = (x | x >> 8U) & 0x0000FFFF0000FFFFU;
+  return static_cast<std::uint32_t>(x | x >> 16U);
+}
+
+/// Ink with these alphas over premultiplied pixels. All channels of a pixel at once: alpha and what
+/// it leaves are 255 together, so no sum exceeds 255 * 255, and none carries into the next.
 void blend_row(std::uint8_t* pixel, PixelOrder order, Rgba color, const std::uint8_t* alphas,
                int count) noexcept {
   const bool rgba = order == PixelOrder::kRgba;
-  const unsigned first = rgba ? color.r : color.b, third = rgba ? color.b : color.r;
+  const std::array<std::uint8_t, 4> ink{rgba ? color.r : color.b, color.g, rgba ? color.b : color.r,
+                                        255};
+  const std::uint64_t channels = spread(std::bit_cast<std::uint32_t>(ink));
   const unsigned opacity = color.a;
   for (int x = 0; x < count; ++x, pixel += 4) {
     const unsigned alpha = opacity == 255U ? alphas[x] : over_255(opacity * alphas[x]);
-    if (alpha == 0U) continue;
-    const unsigned left = 255U - alpha;
-    pixel[0] = static_cast<std::uint8_t>(over_255(first * alpha + pixel[0] * left));
-    pixel[1] = static_cast<std::uint8_t>(over_255(color.g * alpha + pixel[1] * left));
-    pixel[2] = static_cast<std::uint8_t>(over_255(third * alpha + pixel[2] * left));
-    pixel[3] = static_cast<std::uint8_t>(over_255(255U * alpha + pixel[3] * left));
+    std::uint32_t under = 0;
+    std::memcpy(&under, pixel, 4);
+    // Each channel as over_255 has it.
+    std::uint64_t sum = channels * alpha + spread(under) * (255U - alpha) + 0x0080008000800080U;
+    sum += (sum >> 8U) & 0x00FF00FF00FF00FFU;
+    const std::uint32_t blended = gathered((sum >> 8U) & 0x00FF00FF00FF00FFU);
+    std::memcpy(pixel, &blended, 4);
   }
 }
 
