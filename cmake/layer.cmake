@@ -18,6 +18,7 @@ function(felt_layer name)
   if(ARG_SOURCES)
     add_library(${target} STATIC ${ARG_SOURCES})
     set(scope PUBLIC)
+    felt_quick_library(${target})
     target_link_libraries(${target} PRIVATE $<BUILD_INTERFACE:felt_flags> ${ARG_PRIVATE_LIBRARIES})
   else()
     add_library(${target} INTERFACE)
@@ -52,21 +53,6 @@ function(felt_room layer name)
   felt_layer(${layer}_${name} ${ARGN})
 endfunction()
 
-# What all tests include, compiled once. An executable, so that its flags are those of the tests.
-function(felt_test_headers)
-  if(TARGET felt_test_headers)
-    return()
-  endif()
-  file(WRITE ${CMAKE_BINARY_DIR}/felt_test_headers.cc "int main() { return 0; }\n")
-  add_executable(felt_test_headers ${CMAKE_BINARY_DIR}/felt_test_headers.cc)
-  target_link_libraries(felt_test_headers PRIVATE felt_flags GTest::gmock GTest::gtest_main
-    rapidcheck)
-  target_compile_options(felt_test_headers PRIVATE -O1)
-  target_precompile_headers(felt_test_headers PRIVATE <gmock/gmock.h> <gtest/gtest.h>
-    <rapidcheck.h> <algorithm> <array> <cmath> <functional> <map> <memory> <optional> <random>
-    <span> <string> <string_view> <variant> <vector>)
-endfunction()
-
 # felt_test(NAME SOURCES ... LIBRARIES ...): a GoogleTest program, each case its own CTest entry.
 function(felt_test name)
   cmake_parse_arguments(ARG "" "" "SOURCES;LIBRARIES" ${ARGN})
@@ -77,13 +63,11 @@ function(felt_test name)
   target_link_libraries(${name} PRIVATE felt_flags ${ARG_LIBRARIES} GTest::gmock GTest::gtest_main
     rapidcheck)
   target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR})
-  if(FELT_QUICK_TESTS)
-    target_compile_options(${name} PRIVATE -O1)
-    if(NOT "felt_desktop_test_main" IN_LIST ARG_LIBRARIES)
-      felt_test_headers()
-      target_precompile_headers(${name} REUSE_FROM felt_test_headers)
-    endif()
+  set(is_desktop FALSE)
+  if("felt_desktop_test_main" IN_LIST ARG_LIBRARIES)
+    set(is_desktop TRUE)
   endif()
+  felt_quick_test(${name} ${is_desktop})
   gtest_discover_tests(${name} WORKING_DIRECTORY ${PROJECT_SOURCE_DIR} DISCOVERY_TIMEOUT 60
     PROPERTIES TIMEOUT 300)
 endfunction()

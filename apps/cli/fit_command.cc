@@ -37,7 +37,7 @@ struct FitArguments {
 constexpr const char* kExamples =
     "feltline fit strokes.ndjson -o sketch.svg\n"
     "feltline fit scan.ndjson --mm-per-unit 0.01 --tolerance 0.1 -o sketch.ndjson\n"
-    "feltline fit strokes.ndjson --material charcoal -o sketch.png\n"
+    "feltline fit strokes.ndjson --medium charcoal -o sketch.png\n"
     "feltline fit strokes.ndjson --stats json\n"
     "cat strokes.ndjson | feltline fit - -o - | feltline render - -o page.png";
 
@@ -59,18 +59,18 @@ std::string check_medium(const std::string& id) {
 void add_width_options(CLI::App& command, FitArguments& args) {
   command
       .add_option(
-          "--material", args.material,
+          "--medium,--material", args.material,
           "What the lines are drawn with, by its widths, tone and answer to lean: " + media_names())
       ->check(CLI::Validator(check_medium, "ID"));
   command
       .add_option(
           "--min-width", args.min_width_mm,
-          fmt::format("Width in mm without pressure [{}, or the material's]", kPenWidths.min_mm))
+          fmt::format("Width in mm without pressure [{}, or the medium's]", kPenWidths.min_mm))
       ->check(number_between(kMinWidthMm, 1000.0));
   command
       .add_option(
           "--max-width", args.max_width_mm,
-          fmt::format("Width in mm at full pressure [{}, or the material's]", kPenWidths.max_mm))
+          fmt::format("Width in mm at full pressure [{}, or the medium's]", kPenWidths.max_mm))
       ->check(number_between(kMinWidthMm, 1000.0));
 }
 

@@ -51,7 +51,7 @@ std::string figures_of(const SurfaceMaterial& sheet) {
 std::string figures_of(const Medium& medium) {
   if (!medium.draws) return "rubs out";
   std::string text = fmt::format("{:g} to {:g} mm", medium.line.min_mm, medium.line.max_mm);
-  text += medium.look.grain > 0.0 ? ", dry" : ", wet";
+  if (medium.look.grain == 0.0) text += ", wet";
   if (medium.wear > 0.0) text += fmt::format(", wears {:g} % of the grain", 100.0 * medium.wear);
   return text;
 }

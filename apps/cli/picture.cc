@@ -7,6 +7,7 @@
 
 #include "commands.h"
 #include "felt/formats/drawing_grain.h"
+#include "felt/formats/own_materials.h"
 #include "felt/geometry/height_picture.h"
 #include "felt/haptics/drawing_feel.h"
 #include "felt/io/grain_mask.h"
@@ -72,8 +73,10 @@ void PictureArguments::add_to(CLI::App& command) {
           "--surface", surface,
           "Sheet whose grain shows in dry ink of a .png, the same that the hand feels:\n" +
               surface_names() +
-              "\n(smooth), or a grey NAME.png of your own: white is high, as wide as it says or\n"
-              "40 mm; without it, ink is solid. Felt-tip, which is wet, shows none")
+              "\n(smooth), one of your own, or a grey NAME.png: white is high, as wide as it says\n"
+              "or 40 mm; without it, ink is solid. Ink pen and felt-tip, which are wet, show "
+              "none.\n"
+              "In an .svg or .pdf it shows with --grain")
       ->group("Pictures (.svg, .pdf, .png)");
 }
 
@@ -157,7 +160,8 @@ Result<void> parse_surface(const std::string& text, PictureOptions& options) {
       return fail(surface.error().code, "--surface: " + surface.error().message +
                                             (is_file ? "" : ", nor a .png or .toml"));
     }
-    options.grain = Grain(surface_grain(*surface));
+    options.relief = surface_grain(*surface);
+    options.grain = Grain(options.relief);
     return {};
   }
   const Result<HeightPicture> picture = read_height_png(text);
@@ -167,12 +171,17 @@ Result<void> parse_surface(const std::string& text, PictureOptions& options) {
   Result<HeightField> field = height_field_of(*picture, spec);
   if (!field) return tl::unexpected(with_context(field.error(), "--surface: " + text));
   options.own_relief = std::make_shared<const HeightField>(*std::move(field));
-  options.grain = Grain(options.own_relief.get());
+  options.relief = options.own_relief.get();
+  options.grain = Grain(options.relief);
   return {};
 }
 
 Result<void> use_surface_of(const StoredDrawing& drawing, PictureOptions& options) {
-  if (!options.wants_grain || options.has_surface) return {};
+  if (options.has_surface) {
+    options.grain = Grain(options.relief, with_texts(drawing.materials));
+    return {};
+  }
+  if (!options.wants_grain) return {};
   const Result<Grain> grain = grain_of(drawing);
   if (!grain) {
     return fail(ErrorCode::kNotFound, "--grain: " + grain.error().message +

@@ -20,8 +20,9 @@ struct PictureOptions {
   std::optional<Rect> sheet;  ///< none: all ink and a margin, or the drawing's own page
   bool fit = false;           ///< --page fit: all ink and a margin, even where there is a page
   std::optional<Rgba> paper;  ///< none: white in a .png, nothing in an .svg
-  std::shared_ptr<const HeightField> own_relief{};  ///< a user's own, that grain looks at then
-  Grain grain;               ///< the relief of the sheet in the ink; smooth without
+  std::shared_ptr<const HeightField> own_relief{};  ///< a user's own picture, that relief is then
+  const HeightField* relief = nullptr;              ///< of --surface; null: smooth
+  Grain grain;               ///< the relief of the sheet in the ink; solid ink without
   bool has_surface = false;  ///< --surface says which relief
   bool wants_grain = false;  ///< --grain: in an .svg or .pdf too, and of the drawing's own sheet
   double grain_dpi = 200.0;  ///< in an .svg or .pdf
@@ -55,12 +56,13 @@ Result<Rgba> parse_paper(const std::string& text);
 
 /// The ids of surface_materials(): "paper, rough-paper, ... or glass".
 std::string surface_names();
-/// Sets the grain to the relief of one of surface_materials(), by id, or of a file NAME.png; "" is
-/// smooth.
+/// Sets the relief to that of one of surface_materials(), of a person's own, by id, or of a file
+/// NAME.png, and the grain to it with Feltline's media; "" is none.
 Result<void> parse_surface(const std::string& text, PictureOptions& options);
 
-/// Where grain was asked for and no surface: that of the drawing, or paper where it says none.
-/// Error: one that is not known here.
+/// The grain with the media that the drawing brings along; where grain was asked for and no
+/// surface, of the drawing's sheet, or of paper where it says none. Error: a sheet that is not
+/// known here.
 Result<void> use_surface_of(const StoredDrawing& drawing, PictureOptions& options);
 
 }  // namespace felt::cli

@@ -34,7 +34,7 @@ struct ReplayCommandArguments {
   std::string forces, plot, sound, stats;
   ReplayArguments pen;
   std::uint64_t seed = 0;
-  std::string material;
+  std::string sheet, medium;
   std::vector<std::string> options;
   double mm_per_unit = 1.0;
   std::optional<double> until_ms;
@@ -49,7 +49,7 @@ constexpr const char* kExamples =
     "feltline replay events.ndjson --on sketch.ndjson -o - | feltline info -\n"
     "feltline replay events.ndjson --until 2500 --overlay -o work.png\n"
     "feltline replay recording.ndjson --as-recorded -o sketch.svg\n"
-    "feltline replay strokes.ndjson --material canvas --sound rubbing.wav\n"
+    "feltline replay strokes.ndjson --sheet canvas --medium chalk --sound rubbing.wav\n"
     "feltline replay strokes.ndjson --recording -o sketch.felt\n"
     "feltline replay strokes.ndjson --device premium --hand light --set pencil.snap=off \\\n"
     "      --stats json";
@@ -78,7 +78,10 @@ void add_options(CLI::App& command, ReplayCommandArguments& args) {
   args.pen.add_loop_to(command);
   command.add_option("--seed", args.seed, "Number of a tremor for raw strokes; 0 = none")
       ->capture_default_str();
-  command.add_option("--material", args.material, "What is drawn on:\n" + surface_names());
+  command.add_option("--sheet,--material", args.sheet,
+                     "What is drawn on:\n" + surface_names() + ", or one of your own");
+  command.add_option("--medium", args.medium,
+                     "What is drawn with, in its own widths: an id of 'feltline materials'");
   command.add_option("--set", args.options, "TOOL.OPTION=VALUE before the first event")
       ->allow_extra_args(false);
   command
@@ -194,7 +197,14 @@ void set_options(const ReplayCommandArguments& args, ReplayMachine& machine) {
     const Result<void> done = machine.set_option(id, value);
     if (!done) throw UsageError(std::string(from) + ": " + done.error().message);
   };
-  if (!args.material.empty()) set("--material", "sheet.material", args.material);
+  if (!args.sheet.empty()) set("--sheet", "sheet.material", args.sheet);
+  if (!args.medium.empty()) {
+    set("--medium", "pencil.material", args.medium);
+    const MediumLine line = machine.session().materials().find_medium(args.medium)->line;
+    set("--medium", "pencil.min_width_mm", fmt::format("{}", line.min_mm));
+    set("--medium", "pencil.max_width_mm", fmt::format("{}", line.max_mm));
+    set("--medium", "pencil.gamma", fmt::format("{}", line.gamma));
+  }
   for (const std::string& option : args.options) {
     const std::size_t equals = option.find('=');
     if (equals == std::string::npos) {
@@ -294,9 +304,9 @@ ReplayMachine::Observer observer_of(const ReplayCommandArguments& args, ReplayOu
 
 /// What has no meaning where there is no device, hand and loop.
 void check_as_recorded(const ReplayCommandArguments& args, const CLI::App& command) {
-  for (const char* option :
-       {"--forces", "--plot", "--stats", "--device", "--hand", "--rate", "--delay", "--no-force",
-        "--seed", "--material", "--set", "--until", "--overlay", "--mm-per-unit", "--recording"}) {
+  for (const char* option : {"--forces", "--plot", "--stats", "--device", "--hand", "--rate",
+                             "--delay", "--no-force", "--seed", "--sheet", "--medium", "--set",
+                             "--until", "--overlay", "--mm-per-unit", "--recording"}) {
     if (command.count(option) == 0) continue;
     throw UsageError(std::string(option) +
                      " does not go with --as-recorded: a recording is drawn as it is, without "

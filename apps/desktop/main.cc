@@ -1,11 +1,13 @@
 #include <QApplication>
 #include <QIcon>
 #include <QStandardPaths>
+#include <QTemporaryDir>
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
 #include <memory>
+#include <optional>
 #include <span>
 
 #include "desktop/engine/driver_watch.h"
@@ -140,7 +142,12 @@ int main(int argc, char** argv) {
   const std::span arguments(argv, std::size_t(argc));
   const bool is_picture = has(arguments, {"--screenshot"});
   if (is_picture && !is_set("QT_QPA_PLATFORM")) qputenv("QT_QPA_PLATFORM", "offscreen");
-  if (is_picture) QStandardPaths::setTestModeEnabled(true);
+  // Nobody's settings, and not those of the picture before.
+  std::optional<QTemporaryDir> nobodys;
+  if (is_picture) {
+    if (nobodys.emplace().isValid()) qputenv("HOME", nobodys->path().toLocal8Bit());
+    QStandardPaths::setTestModeEnabled(true);
+  }
   if (!has_display(arguments)) {
     std::fputs(
         "feltline-desktop: there is no display: neither WAYLAND_DISPLAY nor DISPLAY is set. "

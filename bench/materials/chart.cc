@@ -66,6 +66,7 @@ void take(std::vector<Event>& events, double t_s, const Medium& medium, Rgba col
   add(events, t_s, SetOption{"sheet.color", OptionValue(color_to_text(color))});
   add(events, t_s, SetOption{"pencil.min_width_mm", OptionValue(medium.line.min_mm)});
   add(events, t_s, SetOption{"pencil.max_width_mm", OptionValue(medium.line.max_mm)});
+  add(events, t_s, SetOption{"pencil.gamma", OptionValue(medium.line.gamma)});
 }
 
 Result<Sketch> draw_row(const SurfaceMaterial& surface, std::span<const Medium* const> media,

@@ -83,6 +83,16 @@ run 2 "$feltline" fit in.ndjson -o b.png --surface my-chalk
 run 2 "$feltline" fit in.ndjson -o b.png --surface bad.toml
 has err "bad.toml:$wrong: "
 
+# On a sheet of one's choice, too, a medium that the drawing brings looks like itself.
+run 0 "$feltline" replay in.ndjson -o own.felt --recording --medium my-chalk
+run 0 "$feltline" replay in.ndjson -o built.felt --recording --medium chalk
+for pen in own built; do
+  run 0 env XDG_DATA_HOME="$work/nobody" "$feltline" render $pen.felt -o $pen.png --dpi 50 --surface canvas
+done
+same own.png built.png
+run 0 "$feltline" replay in.ndjson -o thin.felt --recording --set pencil.material=my-chalk
+cmp -s thin.felt own.felt && fail "--medium takes no widths"
+
 # A recording brings along what it names, so that it draws the same where nobody has it.
 run 0 "$feltline" replay in.ndjson -o run.felt --recording --set sheet.material=my-paper --set pencil.material=my-chalk
 run 0 env XDG_DATA_HOME="$work/nobody" "$feltline" replay run.felt -o there.ndjson --as-recorded

@@ -55,8 +55,10 @@ run 0 "$feltline" replay events.ndjson --on s1.ndjson -o on.ndjson
 lines on.ndjson 4
 run 0 "$feltline" replay events.ndjson events.ndjson -o twice.ndjson
 lines twice.ndjson 2
-run 0 "$feltline" replay events.ndjson -o glass.ndjson --material glass
+run 0 "$feltline" replay events.ndjson -o glass.ndjson --sheet glass
 cmp -s glass.ndjson e.ndjson && fail "the sheet changes nothing"
+run 0 "$feltline" replay events.ndjson -o chalk.ndjson --medium chalk
+has chalk.ndjson '"material":"chalk"'
 run 0 "$feltline" replay events.ndjson -o light.ndjson --hand light --device premium
 cmp -s light.ndjson e.ndjson && fail "hand and pen change nothing"
 run 0 "$feltline" replay events.ndjson -o fast.ndjson --rate 4000 --delay 2
@@ -144,6 +146,7 @@ run 2 "$feltline" replay events.ndjson -o x.ndjson --hand nonsense
 run 2 "$feltline" replay events.ndjson -o x.ndjson --rate 10
 run 2 "$feltline" replay events.ndjson -o x.ndjson --delay 9
 run 2 "$feltline" replay events.ndjson -o x.ndjson --material cheese
+run 2 "$feltline" replay events.ndjson -o x.ndjson --medium cheese
 run 2 "$feltline" replay events.ndjson -o x.ndjson --set pencil.snap
 run 2 "$feltline" replay events.ndjson -o x.ndjson --set pencil.nonsense=1
 run 2 "$feltline" replay events.ndjson -o x.ndjson --set pencil.max_width_mm=wide

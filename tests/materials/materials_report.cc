@@ -22,7 +22,7 @@ hand of a person, and no real sheet, was measured: frictions, stiffnesses and re
 
 One relief a sheet, made from a seed, is what the ink shows and what the hand feels (R47).
 
-![every sheet with four pens at three forces](images/surfaces.png)
+![every sheet with five dry media at three forces](images/surfaces.png)
 
 )";
 

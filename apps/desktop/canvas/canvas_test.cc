@@ -144,7 +144,17 @@ Apart jump_at_pen_up(Sitting& sitting, const std::vector<Point>& way) {
   return apart(as_seen(wet), as_seen(dry));
 }
 
+/// Ink without the grain of the sheet, for as long as it lives: its colours are those of the
+/// strokes.
+struct SolidInk {
+  SolidInk() { Settings::the().set(canvas_keys::kGrain, false); }
+  SolidInk(const SolidInk&) = delete;
+  SolidInk& operator=(const SolidInk&) = delete;
+  ~SolidInk() { Settings::the().set(canvas_keys::kGrain, canvas_keys::kGrainDefault); }
+};
+
 TEST(Canvas, WetInkIsTheInkThatDries) {
+  const SolidInk solid;
   std::vector<Point> loops;
   for (int i = 0; i <= 120; ++i) {
     loops.push_back({40.0 + 1.4 * i + 18 * std::cos(0.25 * i), 100 + 40 * std::sin(0.25 * i)});
@@ -214,6 +224,7 @@ QImage expect_no_jump(Sitting& sitting, const std::vector<Point>& way, int most 
 }
 
 TEST(Canvas, WetInkOfOneWidthDriesWhereItIs) {
+  const SolidInk solid;
   std::vector<Point> loops;
   for (int i = 0; i <= 120; ++i) {
     loops.push_back({40.0 + 1.4 * i + 18 * std::cos(0.25 * i), 100 + 40 * std::sin(0.25 * i)});
@@ -246,6 +257,7 @@ TEST(Canvas, R47_WetInkOfEveryMediumDriesAsItLooks) {
 
 /// What is drawn in a layer is seen below the ink of the layers above it from its first sample on.
 TEST(Canvas, WetInkLiesBelowTheLayersAboveIt) {
+  const SolidInk solid;
   Sitting sitting;
   draw_evenly(sitting, 12.0);
   const LayerId low = sitting.studio.session().layer();
@@ -286,6 +298,7 @@ TEST(Canvas, WetInkLiesBelowTheLayersAboveIt) {
 }
 
 TEST(Canvas, WetInkWithAlphaCoversEachPlaceOnce) {
+  const SolidInk solid;
   Sitting sitting;
   sitting.canvas.set_pen_visible(false);
   sitting.option("sheet.color", std::string("#00000080"));

@@ -50,7 +50,7 @@ Studio::Studio(StudioOptions options, QObject* parent)
   Result<std::unique_ptr<PenDevice>> device = open_pen_device(options_.device);
   if (!device) device = open_pen_device(QStringLiteral("tablet"));
   device_ = *std::move(device);
-  make_session(Document{});
+  make_session(Document{}, {});
   start_loop();
   connect(&timer_, &TickTimer::due, this, &Studio::turn);
   set_pace(true);
@@ -65,7 +65,7 @@ void Studio::listen(StudioListener listener) {
   if (listener_.loop && servo_) listener_.loop(servo_.get(), clock_start_ns_);
 }
 
-void Studio::make_session(Document document) {
+void Studio::make_session(Document document, std::span<const std::string> materials) {
   if (options_.on_session) options_.on_session(document);
   SessionOptions options;
   options.document = std::move(document);
@@ -80,19 +80,19 @@ void Studio::make_session(Document document) {
   };
   auto session = std::make_unique<Session>(make_tools(), std::move(options));
   // Said as events, so that whoever records them has all that the drawing depends on.
+  static_cast<void>(session->apply({event_time_ns(), UseDevice{device_->device().capabilities()}}));
+  const std::unique_ptr<Session> before = std::exchange(session_, std::move(session));
+  brought_.clear();
+  take_materials(materials);  // before the options, which may name one of them
   const std::int64_t now_ns = event_time_ns();
-  static_cast<void>(session->apply({now_ns, UseDevice{device_->device().capabilities()}}));
-  if (session_) {
-    copy_options(*session_, *session, now_ns);
+  if (before) {
+    copy_options(*before, *session_, now_ns);
   } else {
     static_cast<void>(
-        session->apply({now_ns, SetOption{kMousePressureId, OptionValue(kFirstMousePressure)}}));
+        session_->apply({now_ns, SetOption{kMousePressureId, OptionValue(kFirstMousePressure)}}));
   }
-  session_ = std::move(session);
   told_selection_ = session_->selection_count();
   told_layer_ = session_->layer();
-  brought_.clear();
-  gather_materials();
 }
 
 void Studio::start_loop() {
@@ -226,9 +226,10 @@ void Studio::open(Document document, const SheetPage& page,
   drain();
   static_cast<void>(session_->finish());
   edits_.clear();
-  make_session(std::move(document));
-  take_materials(materials);
-  const bool has_other_sheet = take_page(page);
+  const SurfaceMaterial sheet = session_->sheet().material();
+  make_session(std::move(document), materials);
+  take_page(page);
+  const bool has_other_sheet = session_->sheet().material() != sheet;
   publish();
   set_modified(false);
   Q_EMIT opened();

@@ -96,7 +96,8 @@ class Studio : public QObject {
   /// Another drawing takes the place of this one: history, selection and modification start anew;
   /// tool and options stay, and the surface where the page says none that is known.
   /// `materials`: texts of those that it brings along; one that cannot be read is left out, and
-  /// `refused` says why.
+  /// `refused` says why. They hold here, also where a person's own of that name have other figures:
+  /// `refused` names those.
   void open(Document document, const SheetPage& page, std::span<const std::string> materials = {});
   /// There is something that a file has not got.
   [[nodiscard]] bool is_modified() const noexcept { return is_modified_; }
@@ -110,6 +111,12 @@ class Studio : public QObject {
   void finish_gesture();
   /// Adds strokes as one step of undo. Likewise.
   bool import(const QString& path, std::span<const SketchStroke> strokes);
+  /// Before import(): of the media that these strokes are of, those that are not known here are
+  /// known from now on. `texts` are what the strokes' drawing brings along; one that cannot be read
+  /// is left out. A medium that is another one here stays as it is: the labels of these are
+  /// returned, each once.
+  std::vector<std::string> bring(std::span<const std::string> texts,
+                                 std::span<const SketchStroke> strokes);
   /// Another tool until give_back(): a key is held, the pen is turned over. Nested borrowing does
   /// nothing but count.
   void borrow_tool(const QString& id);
@@ -202,7 +209,7 @@ class Studio : public QObject {
   void ticked(const felt::TickReport& report);
 
  private:
-  void make_session(Document document);
+  void make_session(Document document, std::span<const std::string> materials);
   void take_materials(std::span<const std::string> texts);
   void gather_materials();
   void note_material(const std::string& text);

@@ -1,5 +1,7 @@
 // What a studio knows of sheets and media, and the page that is made of one.
 #include <algorithm>
+#include <set>
+#include <string_view>
 #include <utility>
 
 #include "desktop/engine/studio.h"
@@ -19,6 +21,11 @@ std::optional<AnyMaterial> find_in(const Materials& materials, const AnyMaterial
   }
   const Medium* medium = materials.find_medium(id_of(like));
   return medium ? std::optional<AnyMaterial>(*medium) : std::nullopt;
+}
+
+/// A person's, or an earlier one of the drawing: not as Feltline brings it.
+bool is_own(const std::optional<AnyMaterial>& material) {
+  return material && find_in(Materials::built_in(), *material) != material;
 }
 
 constexpr const char* kSheetMaterialId = "sheet.material";
@@ -66,17 +73,50 @@ void Studio::note_material(const std::string& text) {
 }
 
 void Studio::take_materials(std::span<const std::string> texts) {
+  QStringList others;
   for (const std::string& text : texts) {
     Result<AnyMaterial> material = read_material(text);
-    if (material && find_in(session_->materials(), *material) == *material) continue;
+    const std::optional<AnyMaterial> known =
+        material ? find_in(session_->materials(), *material) : std::nullopt;
+    if (known && known == *material) continue;
     const Result<void> done = session_->apply({event_time_ns(), UseMaterial{text}});
     if (!done) {
       Q_EMIT refused(QString::fromStdString(done.error().message));
-    } else {
-      brought_.push_back(*std::move(material));
+      continue;
     }
+    if (is_own(known)) others.push_back(QString::fromStdString(label_of(*known)));
+    brought_.push_back(*std::move(material));
   }
   gather_materials();
+  if (others.isEmpty()) return;
+  Q_EMIT refused(tr("This drawing has its own figures for: %1. Yours stay as they are.")
+                     .arg(others.join(QStringLiteral(", "))));
+}
+
+std::vector<std::string> Studio::bring(std::span<const std::string> texts,
+                                       std::span<const SketchStroke> strokes) {
+  std::set<std::string_view> named;
+  for (const SketchStroke& s : strokes) named.insert(s.stroke.material());
+  drain();
+  std::set<std::string> others;
+  bool is_news = false;
+  for (const std::string& text : texts) {
+    Result<AnyMaterial> material = read_material(text);
+    if (!material || !std::holds_alternative<Medium>(*material)) continue;
+    if (!named.contains(id_of(*material))) continue;
+    if (const std::optional<AnyMaterial> known = find_in(session_->materials(), *material)) {
+      if (known != *material) others.insert(label_of(*material));
+      continue;
+    }
+    if (!session_->apply({event_time_ns(), UseMaterial{text}})) continue;
+    brought_.push_back(*std::move(material));
+    is_news = true;
+  }
+  if (is_news) {
+    gather_materials();
+    Q_EMIT materials_changed();
+  }
+  return {others.begin(), others.end()};
 }
 
 void Studio::gather_materials() {

@@ -105,6 +105,26 @@ TEST(FrictionSound, ADeviceOf16BitsHearsTheSame) {
   }
 }
 
+// Headphones are plugged in: another device reads on, and hears the sheet that is drawn on.
+TEST(FrictionSound, AnotherDeviceHearsThePairThatIsInUse) {
+  Studio studio(still());
+  studio.apply(SetOption{"sheet.material", OptionValue(std::string("canvas"))});
+  RubbedFeed feed, also;
+  feed.volume = also.volume = 1.0F;
+  PenFeed pen(studio, feed), other(studio, also);
+  {
+    RubbedSamples before(feed, true);
+    static_cast<void>(read(before, 480));
+    draw(studio, 40);
+    static_cast<void>(read(before, 4800));
+  }
+  RubbedSamples after(feed, true), fresh(also, true);
+  RubbingSample lost;
+  while (also.samples.pop(lost)) continue;  // what the one before has heard
+  draw(studio, 100);
+  EXPECT_EQ(read(after, 4000), read(fresh, 4000));
+}
+
 TEST(FrictionSound, FollowsTheSheetAndAnotherDrawing) {
   Studio studio(still());
   RubbedFeed feed;

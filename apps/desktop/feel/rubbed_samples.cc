@@ -31,7 +31,9 @@ qint64 RubbedSamples::bytesAvailable() const {
 }
 
 void RubbedSamples::take_news() {
-  if (feed_.pair.update()) sound_.set_pair(feed_.pair.get());
+  // Whatever a reader before this one has taken already: another device begins with it.
+  static_cast<void>(feed_.pair.update());
+  sound_.set_pair(feed_.pair.get());
   std::array<RubbingSample, 64> batch;
   for (std::size_t n = 0; (n = feed_.samples.pop(batch)) > 0;) {
     for (const RubbingSample& sample : std::span(batch).first(n)) sound_.push(sample);

@@ -4,11 +4,13 @@
 #include <QClipboard>
 #include <QCryptographicHash>
 #include <QGuiApplication>
+#include <set>
 #include <utility>
 
+#include "desktop/files/added_strokes.h"
 #include "desktop/files/clipboard.h"
-#include "desktop/files/drawing_file.h"
 #include "felt/document/visible_strokes.h"
+#include "felt/formats/own_materials.h"
 
 namespace felt::desktop {
 namespace {
@@ -46,8 +48,10 @@ ClipboardActions::ClipboardActions(Studio& studio, Actions& actions, FileDialogs
   actions.add(QStringLiteral("edit.paste"), tr("&Paste"), {QKeySequence::Paste},
               tr("Add the strokes of the clipboard"), [this] { paste(); });
   actions.add(QStringLiteral("edit.copy_as_svg"), tr("Copy as &SVG"), {},
-              tr("Copy the selected strokes, or all, as an SVG drawing"),
-              [this] { put(svg_mime(chosen())); });
+              tr("Copy the selected strokes, or all, as an SVG drawing"), [this] {
+                const Sketch sketch = chosen();
+                put(svg_mime(sketch, materials_of(sketch)));
+              });
   actions.add(QStringLiteral("edit.copy_as_png"), tr("Copy as &picture"), {},
               tr("Copy the selected strokes, or all, as a picture"),
               [this] { put(png_mime(chosen())); });
@@ -73,8 +77,16 @@ Sketch ClipboardActions::chosen() const {
   return sketch;
 }
 
+/// As they are now: who pastes may do so when they have changed here, or in another program.
+std::vector<std::string> ClipboardActions::materials_of(const Sketch& sketch) const {
+  std::set<std::string> media;
+  for (const SketchStroke& s : sketch) media.insert(s.stroke.material());
+  const std::vector<std::string> ids(media.begin(), media.end());
+  return texts_of_used(Document(), {}, studio_.session().materials(), ids);
+}
+
 void ClipboardActions::remember_and_put(const Sketch& sketch) {
-  std::unique_ptr<QMimeData> data = strokes_mime(sketch);
+  std::unique_ptr<QMimeData> data = strokes_mime(sketch, materials_of(sketch));
   copied_ = fingerprint(*data);
   put(std::move(data));
 }
@@ -103,7 +115,7 @@ void ClipboardActions::cut() {
 
 void ClipboardActions::paste() {
   const QMimeData* data = QGuiApplication::clipboard()->mimeData();
-  const Result<PastedStrokes> pasted = data ? strokes_of(*data) : PastedStrokes();
+  Result<PastedStrokes> pasted = data ? strokes_of(*data) : PastedStrokes();
   if (!pasted) {
     dialogs_.show_error(window_, tr("The clipboard cannot be pasted"),
                         QString::fromStdString(pasted.error().message));
@@ -115,7 +127,8 @@ void ClipboardActions::paste() {
   }
   const bool is_ours = fingerprint(*data) == copied_;
   const int beside = is_ours ? ++pastes_ : 0;
-  studio_.import(QStringLiteral("clipboard"), moved(pasted->sketch, kBesideMm * beside));
+  add_strokes(studio_, QStringLiteral("clipboard"),
+              {moved(pasted->sketch, kBesideMm * beside), pasted->materials}, pasted->report);
   Q_EMIT taken(tr("the clipboard"), pasted->report);
 }
 

@@ -3,6 +3,8 @@
 #include <QByteArray>
 #include <QObject>
 #include <QWidget>
+#include <string>
+#include <vector>
 
 #include "desktop/engine/actions.h"
 #include "desktop/engine/studio.h"
@@ -14,7 +16,8 @@ namespace felt::desktop {
 
 /// Copy, cut and paste of strokes: "edit.copy", "edit.cut", "edit.paste", "edit.copy_as_svg",
 /// "edit.copy_as_png". What is copied is what is selected: whole strokes; without a selection, all
-/// that is visible. A paste is one step of undo; what was copied here comes a little beside.
+/// that is visible. Media that Feltline does not bring go along. A paste is one step of undo; what
+/// was copied here comes a little beside.
 class ClipboardActions : public QObject {
   Q_OBJECT
 
@@ -27,6 +30,7 @@ class ClipboardActions : public QObject {
 
  private:
   [[nodiscard]] Sketch chosen() const;
+  [[nodiscard]] std::vector<std::string> materials_of(const Sketch& sketch) const;
   void copy();
   void cut();
   void paste();

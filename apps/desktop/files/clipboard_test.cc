@@ -96,5 +96,70 @@ TEST(Clipboard, CutTakesWhatIsSelectedAndPasteGivesItBack) {
   EXPECT_EQ(strokes_in(visible_strokes(desk.document())), before);
 }
 
+void trigger(TestDesk& desk, const char* action) {
+  desk.actions.find(QString::fromLatin1(action))->trigger();
+}
+
+TEST(Clipboard, MediaGoAlongWithTheStrokes) {
+  const std::vector<std::string> chalk{write_material(soft_chalk(0.4))};
+  TestDesk desk;
+  desk.studio.apply(UseMaterial{chalk[0]});
+  desk.draw_with("soft-chalk");
+  for (const char* copy : {"edit.copy", "edit.copy_as_svg"}) {
+    trigger(desk, copy);
+    TestDesk other;
+    QSignalSpy taken(other.files, &FileActions::taken);
+    trigger(other, "edit.paste");
+    EXPECT_EQ(other.document().stroke_count(), 1u) << copy;
+    EXPECT_EQ(other.texts(), chalk) << copy;
+    ASSERT_EQ(taken.count(), 1);
+    EXPECT_TRUE(qvariant_cast<felt::ImportReport>(taken.at(0).at(1)).empty()) << copy;
+  }
+  // Where it is another one, it stays, and the person is told.
+  TestDesk other;
+  other.studio.apply(UseMaterial{write_material(soft_chalk(0.6))});
+  QSignalSpy taken(other.files, &FileActions::taken);
+  trigger(desk, "edit.copy");
+  trigger(other, "edit.paste");
+  EXPECT_EQ(other.texts(), std::vector<std::string>{write_material(soft_chalk(0.6))});
+  ASSERT_EQ(taken.count(), 1);
+  EXPECT_FALSE(qvariant_cast<felt::ImportReport>(taken.at(0).at(1)).empty());
+}
+
+TEST(Clipboard, TextsOfMaterialsThatNobodyVouchesFor) {
+  TestDesk desk;
+  desk.draw_with("soft-chalk");  // not known
+  const Sketch sketch = visible_strokes(desk.document());
+  EXPECT_FALSE(strokes_mime(sketch)->hasFormat(QString::fromLatin1(kMaterialsMime)));
+  const auto pasted = [&sketch](const QByteArray& materials) {
+    QMimeData data;
+    const QString own = QString::fromLatin1(kStrokesMime);
+    data.setData(own, strokes_mime(sketch)->data(own));
+    if (!materials.isNull()) data.setData(QString::fromLatin1(kMaterialsMime), materials);
+    const Result<PastedStrokes> read = strokes_of(data);
+    EXPECT_TRUE(read);
+    EXPECT_EQ(read.value().sketch.size(), 1u);
+    return read.value().materials;
+  };
+  EXPECT_TRUE(pasted({}).empty()) << "as an older Feltline copies";
+  for (const char* bad : {"", "nonsense", "{\"a\":1}", "[1,null,[\"x\"],\"\"]", "\"text\""}) {
+    EXPECT_TRUE(pasted(bad).empty()) << bad;
+  }
+  EXPECT_EQ(pasted("[7,\"hello\",\"hello\"]"), std::vector<std::string>{"hello"});
+  EXPECT_TRUE(pasted("[\"" + QByteArray(70'000, 'x') + "\"]").empty());
+  EXPECT_TRUE(pasted("[\"a\"" + QByteArray(16 << 20, ' ') + "]").empty());
+  QByteArray many = "[\"0\"";
+  for (int i = 1; i < 200; ++i) many += ",\"" + QByteArray::number(i) + "\"";
+  EXPECT_EQ(pasted(many + "]").size(), 64u);
+  // A text that says no material, and one beyond its ranges, leave the strokes as they are.
+  auto* data =
+      strokes_mime(sketch, {"hello", "kind = \"medium\"\nid = \"soft-chalk\"\nmu = 1e9"}).release();
+  QGuiApplication::clipboard()->setMimeData(data);
+  TestDesk other;
+  trigger(other, "edit.paste");
+  EXPECT_EQ(other.document().stroke_count(), 1u);
+  EXPECT_EQ(other.studio.materials().find_medium("soft-chalk"), nullptr);
+}
+
 }  // namespace
 }  // namespace felt::desktop

@@ -13,6 +13,7 @@
 #include <utility>
 
 #include "desktop/engine/settings.h"
+#include "desktop/files/added_strokes.h"
 #include "desktop/files/clipboard_actions.h"
 #include "desktop/files/format_texts.h"
 #include "desktop/files/output_actions.h"
@@ -76,6 +77,8 @@ FileActions::FileActions(Studio& studio, Actions& actions, QWidget* window,
   connect(&studio, &Studio::edited, this, [this] { ++revision_; });
   connect(&studio, &Studio::opened, this, &FileActions::hear_opened);
   connect(&studio, &Studio::page_changed, this, [this] { ++revision_; });
+  // The file has the figures of what is drawn with.
+  connect(&studio, &Studio::materials_changed, this, [this] { ++revision_; });
   connect(&studio, &Studio::option_changed, this, [this](const QString& id) {
     if (id.startsWith(QLatin1String("sheet."))) ++revision_;  // the file has it
   });
@@ -141,6 +144,8 @@ void FileActions::start_new() {
   fresh.page = studio_.page();
   fresh.page.surface = studio_.session().sheet().material().id;
   fresh.color = studio_.session().sheet().color();
+  // Sheet and pencil stay, also where only the drawing that goes has brought them.
+  fresh.materials = own_materials(studio_.session(), fresh);
   show(std::move(fresh), {}, {});
 }
 
@@ -251,7 +256,9 @@ bool FileActions::import(const QString& given) {
     return false;
   }
   Settings::the().set(files_keys::kLastFolder, QFileInfo(path).path());
-  if (!studio_.import(path, visible_strokes(opened->drawing.document))) return false;
+  const Drawing& drawing = opened->drawing;
+  const ForeignStrokes strokes{visible_strokes(drawing.document), drawing.materials};
+  if (!add_strokes(studio_, path, strokes, opened->report)) return false;
   Q_EMIT taken(QFileInfo(path).fileName(), opened->report);
   return true;
 }
@@ -336,7 +343,7 @@ void FileActions::end_save(const QString& path, std::uint64_t revision, const Re
   folder_ = QFileInfo(path).path();
   name_.clear();
   set_path(path);
-  // What was drawn while the file was being written is not in it.
+  // What was drawn or set while the file was being written is not in it.
   if (revision == revision_) studio_.set_modified(false);
   if (journal_) journal_->saved(display_name(), path_);
   if (!studio_.is_modified()) forget_rescued();

@@ -64,7 +64,7 @@ class FileActions : public QObject {
   /// Saves, throws away or stops, as the person says, and waits for what is being written. True:
   /// the drawing may go.
   bool may_close();
-  /// The strokes of another file are added, as one step.
+  /// The strokes of another file are added, as one step, with their media (added_strokes.h).
   bool import(const QString& path);
   /// Opens the first where this window is pristine, imports the others.
   void take_dropped(const QStringList& paths);

@@ -294,6 +294,102 @@ TEST(FileActions, WhatADamagedDrawingStillHoldsIsOfferedAndTheFileLeftAlone) {
   EXPECT_EQ(read_file(path.toStdString(), 1 << 24).value(), bytes);
 }
 
+using Texts = std::vector<std::string>;
+
+felt::ImportReport report_of(const QSignalSpy& taken) {
+  return qvariant_cast<felt::ImportReport>(taken.back().at(1));
+}
+
+TEST(FileActions, ImportedStrokesBringTheirMediaAlong) {
+  const Texts chalk{write_material(soft_chalk(0.4))};
+  TestDesk desk;
+  desk.studio.apply(UseMaterial{chalk[0]});
+  desk.draw_with("soft-chalk");
+  for (const char* name : {"a.felt", "a.svg"}) {
+    ASSERT_TRUE(write_drawing(desk.at(name), desk.files->drawing()));
+    TestDesk other;
+    other.draw(1);
+    QSignalSpy taken(other.files, &FileActions::taken);
+    ASSERT_TRUE(other.files->import(desk.at(name)));
+    ASSERT_EQ(taken.count(), 1);
+    EXPECT_TRUE(report_of(taken).empty());
+    EXPECT_NE(other.studio.materials().find_medium("soft-chalk"), nullptr);
+    other.person->next = other.at("b.felt");
+    ASSERT_TRUE(other.files->save());
+    other.files->finish_writing();
+    EXPECT_EQ(read_drawing(other.at("b.felt")).value().materials, chalk) << name;
+  }
+}
+
+TEST(FileActions, AMediumThatIsAnotherOneHereIsNamedInTheReportOfAnImport) {
+  TestDesk desk;
+  desk.studio.apply(UseMaterial{write_material(soft_chalk(0.4))});
+  desk.draw_with("soft-chalk");
+  ASSERT_TRUE(write_drawing(desk.at("a.felt"), desk.files->drawing()));
+  TestDesk other;
+  other.studio.apply(UseMaterial{write_material(soft_chalk(0.6))});
+  QSignalSpy taken(other.files, &FileActions::taken);
+  ASSERT_TRUE(other.files->import(desk.at("a.felt")));
+  EXPECT_EQ(other.document().stroke_count(), 1u);
+  EXPECT_EQ(other.texts(), Texts{write_material(soft_chalk(0.6))});
+  ASSERT_EQ(taken.count(), 1);
+  ASSERT_EQ(report_of(taken).notices().size(), 1u);
+  EXPECT_NE(report_of(taken).notices()[0].what.find("Soft chalk"), std::string::npos);
+}
+
+TEST(FileActions, ANewDrawingKeepsSheetAndPencilThatCameWithTheLast) {
+  SurfaceMaterial slate = *find_surface("blackboard");
+  slate.id = "slate";
+  slate.friction = 0.5;
+  const Texts texts{write_material(slate), write_material(soft_chalk(0.4))};
+  TestDesk desk;
+  SheetPage page;
+  page.surface = "slate";
+  desk.studio.open(Document{}, page, texts);
+  ASSERT_TRUE(desk.studio.apply(SetOption{"pencil.material", std::string("soft-chalk")}));
+  QSignalSpy refused(&desk.studio, &Studio::refused);
+  desk.actions.find(QStringLiteral("file.new"))->trigger();
+  EXPECT_EQ(refused.count(), 0);
+  EXPECT_TRUE(desk.files->is_pristine());
+  EXPECT_EQ(desk.studio.session().sheet().material(), slate);
+  EXPECT_EQ(desk.studio.session().option("pencil.material").value(),
+            OptionValue(std::string("soft-chalk")));
+  EXPECT_EQ(desk.texts(), texts);
+  desk.draw(1);
+  desk.person->next = desk.at("new.felt");
+  ASSERT_TRUE(desk.files->save());
+  desk.files->finish_writing();
+  TestDesk other;
+  QSignalSpy other_refused(&other.studio, &Studio::refused);
+  ASSERT_TRUE(other.files->open(desk.at("new.felt")));
+  EXPECT_EQ(other_refused.count(), 0);
+  EXPECT_EQ(other.studio.session().sheet().material(), slate);
+}
+
+TEST(FileActions, FiguresThatChangeDuringASaveStayUnsaved) {
+  Materials known = Materials::built_in();
+  known.put(soft_chalk(0.4));
+  TestDesk desk;
+  desk.studio.know(known);
+  EXPECT_TRUE(desk.files->is_pristine()) << "to know a medium changes nothing";
+  desk.draw_with("soft-chalk");
+  desk.person->next = desk.at("a.felt");
+  ASSERT_TRUE(desk.files->save());
+  known.put(soft_chalk(0.6));
+  desk.studio.know(known);
+  desk.files->finish_writing();
+  EXPECT_TRUE(desk.studio.is_modified());
+  EXPECT_EQ(read_drawing(desk.at("a.felt")).value().materials,
+            Texts{write_material(soft_chalk(0.4))});
+  ASSERT_TRUE(desk.files->save());
+  desk.files->finish_writing();
+  EXPECT_FALSE(desk.studio.is_modified());
+  EXPECT_EQ(read_drawing(desk.at("a.felt")).value().materials,
+            Texts{write_material(soft_chalk(0.6))});
+  ASSERT_TRUE(desk.files->open(desk.at("a.felt")));
+  EXPECT_FALSE(desk.studio.is_modified());
+}
+
 TEST(FileActions, RecentFilesAreRememberedWhileTheyAreThere) {
   Settings::the().set(files_keys::kRecent, QStringList());
   TestDesk desk;

@@ -4,8 +4,11 @@
 #include <QPointer>
 #include <QString>
 #include <QStringList>
+#include <QTimer>
 #include <functional>
 #include <memory>
+#include <set>
+#include <string>
 
 #include "desktop/engine/studio.h"
 #include "desktop/files/drawing_file.h"
@@ -20,9 +23,10 @@ QStringList recovery_roots();
 
 /// Keeps what a person draws from being lost when the program or the machine dies: tells a Saver
 /// what the studio does, and hands it the haptic loop's samples, so that ink is kept even while
-/// this thread hangs. Nothing here waits for a disk but the destructor and flush(). A drawing that
-/// is closed in order takes its store with it; one whose process is gone is offered at the next
-/// start (recovery_dialog.h).
+/// this thread hangs. Figures of a material that change, and the text of a medium that comes with
+/// strokes, are told within half a second. Nothing here waits for a disk but the destructor and
+/// flush(). A drawing that is closed in order takes its store with it; one whose process is gone is
+/// offered at the next start (recovery_dialog.h).
 class Journal : public QObject {
   Q_OBJECT
 
@@ -40,7 +44,7 @@ class Journal : public QObject {
   /// The person does not want it kept.
   void finish_clean() { is_clean_ = true; }
   /// All that was told so far is on the disk then, or known not to be.
-  void flush() { saver_->flush(); }
+  void flush();
 
   /// Where it is kept now; "" where it cannot be.
   [[nodiscard]] QString folder() const;
@@ -50,10 +54,17 @@ class Journal : public QObject {
   void status_changed(const felt::SaverStatus& status);
 
  private:
+  void keep_head();
+  void keep_head_soon();
+  void note_kept(const Drawing& head);
+  [[nodiscard]] bool lacks_medium_of(const Edit& edit) const;
+
   QPointer<Studio> studio_;  // a window may take it away first
   std::function<Drawing()> current_;
   std::unique_ptr<Saver> saver_;
   SaverFeed feed_;
+  QTimer head_soon_;
+  std::set<std::string> kept_media_;  // whose texts the saver has
   bool is_clean_ = false;
 };
 

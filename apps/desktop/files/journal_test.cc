@@ -8,6 +8,7 @@
 #include <QLabel>
 #include <QPushButton>
 #include <QStatusBar>
+#include <QTest>
 #include <cmath>
 
 #include "desktop/files/recovery_dialog.h"
@@ -88,6 +89,55 @@ TEST(Journal, TheDrawingThatWasOpenedIsItsBase) {
   EXPECT_TRUE(recovered.drawing.document == desk.document());
   EXPECT_EQ(recovered.drawing.page, desk.files->drawing().page);
   EXPECT_EQ(recovered.drawing, desk.files->drawing());
+}
+
+/// Without a person's doing: half a second later.
+bool keeps(const TestDesk& desk, const Medium& medium) {
+  const std::string folder = desk.files->journal()->folder().toStdString();
+  return QTest::qWaitFor(
+      [&] {
+        // A copy of a store that is being written may be read in part only.
+        const Result<RecoveredDrawing> recovered = recover_store(folder);
+        return recovered &&
+               recovered->drawing.materials == std::vector<std::string>{write_material(medium)};
+      },
+      10'000);
+}
+
+TEST(Journal, TheFiguresOfWhatIsDrawnWithAreKept) {
+  Materials known = Materials::built_in();
+  known.put(soft_chalk(0.4));
+  TestDesk desk;
+  desk.studio.know(known);
+  desk.files->keep_journal({desk.at("state")});
+  EXPECT_TRUE(crashed(desk).drawing.materials.empty());
+  desk.draw_with("soft-chalk");  // as a paste does, of a medium that is known
+  EXPECT_TRUE(keeps(desk, soft_chalk(0.4)));
+  known.put(soft_chalk(0.6));
+  desk.studio.know(known);
+  EXPECT_TRUE(keeps(desk, soft_chalk(0.6)));
+  known.put(soft_chalk(0.8));
+  desk.studio.know(known);
+  // The program is told to end: there is no half a second.
+  EXPECT_EQ(crashed(desk).drawing.materials,
+            std::vector<std::string>{write_material(soft_chalk(0.8))});
+}
+
+TEST(Journal, AMediumThatComesWithStrokesAndComesBackByUndoIsKept) {
+  const std::vector<std::string> chalk{write_material(soft_chalk(0.4))};
+  TestDesk desk;
+  desk.studio.apply(UseMaterial{chalk[0]});
+  desk.draw_with("soft-chalk");
+  ASSERT_TRUE(write_drawing(desk.at("a.felt"), desk.files->drawing()));
+  TestDesk other;
+  other.files->keep_journal({other.at("state")});
+  ASSERT_TRUE(other.files->import(desk.at("a.felt")));
+  EXPECT_EQ(crashed(other).drawing.materials, chalk);
+  other.studio.apply(UndoEvent{});
+  other.studio.set_page({100.0, 50.0, {9, 8, 7, 255}});  // what is kept is looked at anew
+  EXPECT_TRUE(crashed(other).drawing.materials.empty());
+  other.studio.apply(RedoEvent{});
+  EXPECT_EQ(crashed(other).drawing.materials, chalk);
 }
 
 TEST(Journal, ADrawingThatOthersOpenIsABaseToo) {

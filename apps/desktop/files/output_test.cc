@@ -9,6 +9,7 @@
 #include <QPainter>
 #include <QRadioButton>
 #include <QTest>
+#include <algorithm>
 
 #include "desktop/files/export_dialog.h"
 #include "desktop/files/format_texts.h"
@@ -63,6 +64,16 @@ TEST(Export, TheDialogSaysWhatComesOut) {
   combos[0]->setCurrentIndex(combos[0]->findData(QStringLiteral("pdf")));
   EXPECT_TRUE(shows(format_kept(FileFormat::kPdf)));
   EXPECT_FALSE(shows(QStringLiteral("pixels")));
+  // What is seen comes out, unless one does not want it; its picture has so many dots per inch.
+  const auto boxes = dialog.findChildren<QCheckBox*>();
+  const auto grain = std::find_if(boxes.begin(), boxes.end(), [](const QCheckBox* box) {
+    return box->text().contains(QStringLiteral("Grain"));
+  });
+  ASSERT_NE(grain, boxes.end());
+  EXPECT_TRUE((*grain)->isChecked());
+  EXPECT_TRUE(dialog.findChild<QDoubleSpinBox*>()->isEnabled());
+  (*grain)->setChecked(false);
+  EXPECT_FALSE(dialog.options().grain);
   EXPECT_FALSE(dialog.findChild<QDoubleSpinBox*>()->isEnabled());
   dialog.findChild<QCheckBox*>()->setChecked(false);
   EXPECT_FALSE(dialog.options().background);

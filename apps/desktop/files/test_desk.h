@@ -4,15 +4,27 @@
 #include <QTemporaryDir>
 #include <QWidget>
 #include <memory>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include "desktop/engine/actions.h"
 #include "desktop/engine/studio.h"
 #include "desktop/files/file_actions.h"
 #include "desktop/files/scripted_dialogs.h"
+#include "felt/material/material_file.h"
 #include "felt/stroke/random_stroke.h"
 
 namespace felt::desktop {
+
+/// A medium that Feltline does not bring.
+inline Medium soft_chalk(double friction) {
+  Medium medium = *find_medium("charcoal");
+  medium.id = "soft-chalk";
+  medium.label = "Soft chalk";
+  medium.friction = friction;
+  return medium;
+}
 
 /// A window with a studio on a virtual clock and a person who answers by script, for tests.
 struct TestDesk {
@@ -32,6 +44,14 @@ struct TestDesk {
     }
     studio.import(QStringLiteral("test"), sketch);
   }
+  /// One stroke of that medium, which need not be known.
+  void draw_with(const std::string& medium) {
+    StrokeData data = felt::testing::straight_stroke({10, 10}, {90, 40}, 2.0, 3.0).data();
+    data.material = medium;
+    studio.import(QStringLiteral("test"), Sketch{{"s", Stroke::create(std::move(data)).value()}});
+  }
+  /// The texts of materials that a file of the drawing would have now.
+  [[nodiscard]] std::vector<std::string> texts() const { return files->drawing().materials; }
   [[nodiscard]] QString at(const char* name) const {
     return folder.filePath(QString::fromUtf8(name));
   }

@@ -82,19 +82,20 @@ class MaterialDesk::Step final : public QUndoCommand {
     field_ = field;
     run_ = run;
   }
-  /// It takes a material away, which had a file.
-  void set_had_file() { had_file_ = true; }
+  /// It takes a material away, with its file.
+  void set_deletes() { fate_ = FileFate::kGoes; }
 
   [[nodiscard]] int id() const override { return 1; }
-  void redo() override { desk_.go(before_.material, after_, had_file_); }
-  void undo() override { desk_.go(after_.material, before_, had_file_); }
+  void redo() override { desk_.go(before_, after_, fate_); }
+  void undo() override { desk_.go(after_, before_, FileFate::kStays); }
 
   bool mergeWith(const QUndoCommand* later) override {
     const auto* next = static_cast<const Step*>(later);
     if (run_ == 0 || next->run_ != run_ || next->field_ != field_) return false;
     if (next->after_.selected != after_.selected) return false;
+    if (next->after_.compared.chosen != after_.compared.chosen) return false;
     after_ = next->after_;
-    setObsolete(before_.material && after_.material && *before_.material == *after_.material);
+    setObsolete(before_.material && before_ == after_);
     return true;
   }
 
@@ -103,12 +104,16 @@ class MaterialDesk::Step final : public QUndoCommand {
   State before_, after_;
   std::string field_;
   std::uint64_t run_ = 0;
-  bool had_file_ = false;
+  FileFate fate_ = FileFate::kStays;
 };
 
 MaterialDesk::MaterialDesk(Studio& studio, OwnMaterials& own, QObject* parent)
     : QObject(parent), studio_(studio), own_(own) {
   key_.id = studio_.session().sheet().material().id;
+  for (const OwnMaterials::Entry* entry : own_.all()) {
+    const std::optional<AnyMaterial> here = find_in(studio_.materials(), key_of(entry->now));
+    if (here == entry->now) felt::put(told_, entry->now);
+  }
   tell_.setSingleShot(true);
   tell_.setInterval(kTellMs);
   connect(&tell_, &QTimer::timeout, this, &MaterialDesk::tell_now);
@@ -116,33 +121,75 @@ MaterialDesk::MaterialDesk(Studio& studio, OwnMaterials& own, QObject* parent)
     if (!tell_.isActive()) tell_.start();
     if (key == key_) Q_EMIT changed();
   });
+  connect(&studio_, &Studio::opened, this, &MaterialDesk::follow_drawing);
 }
 
 void MaterialDesk::tell_now() {
   tell_.stop();
   const Medium* before = studio_.materials().find_medium(medium_in_hand(studio_));
   const MediumLine line = before ? before->line : MediumLine{};
-  studio_.know(own_.known());
+  Materials known = Materials::built_in();
+  is_withheld_ = false;
+  for (const OwnMaterials::Entry* entry : own_.all()) {
+    const MaterialKey key = key_of(entry->now);
+    if (own_of(key)) {
+      felt::put(known, entry->now);
+      continue;
+    }
+    // A change would go before what the drawing brought: it hears nothing new.
+    is_withheld_ = true;
+    if (std::optional<AnyMaterial> old = find_in(told_, key)) felt::put(known, *std::move(old));
+  }
+  told_ = known;
+  studio_.know(known);
   // The pencil took over the widths of its medium when that was taken in hand; so it does now.
   const Medium* after = studio_.materials().find_medium(medium_in_hand(studio_));
   if (before && after && after->line != line) take_medium(studio_, after->id);
 }
 
+/// Another drawing is open: what it brought, and what the last one did, decides what is whose.
+void MaterialDesk::follow_drawing() {
+  if (is_withheld_) tell_now();
+  if (!own_of(key_) && !find_in(studio_.materials(), key_)) {
+    key_ = {true, studio_.session().sheet().material().id};
+    Q_EMIT selected();
+  }
+  Q_EMIT changed();
+}
+
+const OwnMaterials::Entry* MaterialDesk::own_of(const MaterialKey& key) const {
+  const OwnMaterials::Entry* entry = own_.find(key);
+  if (!entry) return nullptr;
+  const std::optional<AnyMaterial> here = find_in(studio_.materials(), key);
+  // What was told is one's own, even if it has been changed since.
+  const bool is_of_drawing = here && *here != entry->now && here != find_in(told_, key);
+  return is_of_drawing ? nullptr : entry;
+}
+
 /// From one state of one material to another, which is selected then.
-void MaterialDesk::go(const std::optional<AnyMaterial>& from, const State& to, bool with_file) {
-  if (slot_ != to.slot && is_own()) others_.insert_or_assign(key_, now());
-  slot_ = to.slot;
+void MaterialDesk::go(const State& from, const State& to, FileFate fate) {
   if (to.material) {
-    own_.put(*to.material);
-    if (with_file) tell_error(own_.save(key_of(*to.material)));
-  } else if (from) {
-    const MaterialKey key = key_of(*from);
+    bring_back(to);
+  } else if (from.material) {
+    const MaterialKey key = key_of(*from.material);
     const OwnMaterials::Entry* entry = own_.find(key);
     // A copy that was saved since stays: undoing its making takes no file away.
-    if (entry && (with_file || !entry->saved)) tell_error(own_.remove(key));
+    if (entry && (fate == FileFate::kGoes || !entry->saved)) tell_error(own_.remove(key));
+    if (!own_.find(key)) compared_.erase(key);
   }
   select(to.selected);
   Q_EMIT changed();
+}
+
+void MaterialDesk::bring_back(const State& to) {
+  const MaterialKey key = key_of(*to.material);
+  compared_.insert_or_assign(key, to.compared);
+  if (to.saved && !own_.find(key)) {
+    // Its file gets what it had, and what was not saved is not saved again.
+    own_.put(*to.saved);
+    tell_error(own_.save(key));
+  }
+  own_.put(*to.material);
 }
 
 void MaterialDesk::tell_error(const Result<void>& done) {
@@ -150,13 +197,13 @@ void MaterialDesk::tell_error(const Result<void>& done) {
 }
 
 AnyMaterial MaterialDesk::now() const {
-  if (const OwnMaterials::Entry* entry = own_.find(key_)) return entry->now;
+  if (const OwnMaterials::Entry* entry = own_of(key_)) return entry->now;
   if (std::optional<AnyMaterial> known = find_in(studio_.materials(), key_)) return *known;
   return key_.is_sheet ? AnyMaterial(surface_materials().front()) : AnyMaterial(media().front());
 }
 
 AnyMaterial MaterialDesk::origin() const {
-  const OwnMaterials::Entry* entry = own_.find(key_);
+  const OwnMaterials::Entry* entry = own_of(key_);
   if (!entry) return now();
   if (entry->saved) return *entry->saved;
   const auto at = origins_.find(key_);
@@ -164,7 +211,7 @@ AnyMaterial MaterialDesk::origin() const {
 }
 
 bool MaterialDesk::is_changed() const {
-  const OwnMaterials::Entry* entry = own_.find(key_);
+  const OwnMaterials::Entry* entry = own_of(key_);
   return entry && entry->is_changed();
 }
 
@@ -229,6 +276,37 @@ void MaterialDesk::revert() {
   if (was != now()) change(was, tr("Revert"));
 }
 
+/// The one that is worked on, which is one's own.
+MaterialDesk::State MaterialDesk::state() const {
+  return {now(), std::nullopt, {slot(), other()}, key_};
+}
+
+/// One that a step makes, and selects.
+MaterialDesk::State MaterialDesk::made_as(AnyMaterial material) const {
+  const MaterialKey key = key_of(material);
+  return {std::move(material), std::nullopt, {}, key};
+}
+
+/// Another one with this id would change what somebody has drawn with it: of those that Feltline
+/// brings, of one's own, of the drawing, and of all that its strokes may name.
+bool MaterialDesk::is_taken(const std::string& id) const {
+  const auto has = [&id](const Materials& known) {
+    return known.find_surface(id) != nullptr || known.find_medium(id) != nullptr;
+  };
+  return own_.is_taken(id) || has(studio_.materials()) || has(studio_.session().materials());
+}
+
+std::string MaterialDesk::free_id(const QString& name) const {
+  return id_for(name, key_.is_sheet ? "sheet" : "medium",
+                [this](const std::string& id) { return is_taken(id); });
+}
+
+/// What a copy of the one that is worked on is called that nobody has named.
+QString MaterialDesk::copy_name() const {
+  const QString name = name_of(now());
+  return is_built_in(key_) ? tr("%1, my own").arg(name) : tr("Copy of %1").arg(name);
+}
+
 void MaterialDesk::change(AnyMaterial to, const QString& words, std::string_view field,
                           std::uint64_t run) {
   if (is_own()) {
@@ -236,13 +314,12 @@ void MaterialDesk::change(AnyMaterial to, const QString& words, std::string_view
     return;
   }
   const AnyMaterial from = now();
-  const QString name = tr("%1, my own").arg(name_of(from));
-  const std::string id = id_for(name, key_.is_sheet ? "sheet" : "medium",
-                                [this](const std::string& taken) { return own_.is_taken(taken); });
-  const AnyMaterial made = renamed(std::move(to), id, name);
-  origins_.insert_or_assign(key_of(made), from);
-  others_.insert_or_assign(key_of(made), renamed(from, id, name));
-  push({std::nullopt, key_, slot_}, {made, key_of(made), slot_}, words, field, run);
+  const QString name = copy_name();
+  const std::string id = free_id(name);
+  State after = made_as(renamed(std::move(to), id, name));
+  after.compared.hidden = renamed(from, id, name);
+  origins_.insert_or_assign(after.selected, from);
+  push({std::nullopt, std::nullopt, {}, key_}, std::move(after), words, field, run);
 }
 
 void MaterialDesk::push(State before, State after, const QString& words, std::string_view field,
@@ -254,45 +331,50 @@ void MaterialDesk::push(State before, State after, const QString& words, std::st
 
 void MaterialDesk::change_own(AnyMaterial to, const QString& words, std::string_view field,
                               std::uint64_t run) {
-  const AnyMaterial from = now();
-  if (to == from) return;
-  others_.try_emplace(key_, origin());
-  push({from, key_, slot_}, {std::move(to), key_, slot_}, words, field, run);
+  const State before = state();
+  if (to == *before.material) return;
+  State after = before;
+  after.material = std::move(to);
+  push(before, std::move(after), words, field, run);
 }
 
 Result<void> MaterialDesk::save() {
-  if (!is_own()) return save_as(tr("%1, my own").arg(name_of(now())));
+  if (!is_own()) return save_as(copy_name());
   if (Result<void> saved = own_.save(key_); !saved) return saved;
   origins_.erase(key_);
   return {};
 }
 
 Result<void> MaterialDesk::save_as(const QString& name) {
-  const AnyMaterial from = now();
-  const std::string id = id_for(name, key_.is_sheet ? "sheet" : "medium",
-                                [this](const std::string& taken) { return own_.is_taken(taken); });
-  const AnyMaterial made = renamed(from, id, name);
-  push({std::nullopt, key_, slot_}, {made, key_of(made), slot_}, tr("Save as %1").arg(name));
+  const AnyMaterial made = renamed(now(), free_id(name), name);
+  push({std::nullopt, std::nullopt, {}, key_}, made_as(made), tr("Save as %1").arg(name));
   return own_.save(key_);
 }
 
 void MaterialDesk::rename(const QString& name) {
-  if (!is_own() || name.simplified().isEmpty()) return;
+  if (!is_own() || label_for(name).isEmpty()) return;
+  const AnyMaterial to = renamed(now(), key_.id, name);
+  if (name_of(to) == name_of(now())) return;
   const bool was_saved = !is_changed();
-  change_own(renamed(now(), key_.id, name), tr("Rename"), {}, 0);
+  change_own(to, tr("Rename"), {}, 0);
   // Nothing else waits to be saved: the name is no more than a name.
-  if (was_saved) static_cast<void>(own_.save(key_));
+  if (was_saved) tell_error(own_.save(key_));
 }
 
-void MaterialDesk::remove() {
-  const OwnMaterials::Entry* entry = own_.find(key_);
-  if (!entry) return;
+Result<void> MaterialDesk::remove() {
+  const OwnMaterials::Entry* entry = own_of(key_);
+  if (!entry) return {};
+  State before = state();
+  before.saved = entry->saved;
   const MaterialKey next{key_.is_sheet, key_.is_sheet ? "paper" : "pencil"};
-  auto step =
-      std::make_unique<Step>(*this, tr("Delete %1").arg(name_of(entry->now)),
-                             State{entry->now, key_, slot_}, State{std::nullopt, next, slot_});
-  if (entry->saved) step->set_had_file();
+  const QString words = tr("Delete %1").arg(name_of(entry->now));
+  // First, for there is nothing to undo where it fails.
+  if (Result<void> gone = own_.remove(key_); !gone) return gone;
+  auto step = std::make_unique<Step>(*this, words, std::move(before),
+                                     State{std::nullopt, std::nullopt, {}, next});
+  step->set_deletes();
   steps_.push(step.release());
+  return {};
 }
 
 Result<void> MaterialDesk::import_file(const QString& path) {
@@ -300,10 +382,9 @@ Result<void> MaterialDesk::import_file(const QString& path) {
   if (!read) return tl::unexpected(read.error());
   AnyMaterial made = *std::move(read);
   const QString name = name_of(made);
-  const std::string id = id_for(QString::fromStdString(id_of(made)), id_of(made),
-                                [this](const std::string& taken) { return own_.is_taken(taken); });
+  const std::string id = free_id(QString::fromStdString(id_of(made)));
   made = renamed(std::move(made), id, name);
-  push({std::nullopt, key_, slot_}, {made, key_of(made), slot_}, tr("Import %1").arg(name));
+  push({std::nullopt, std::nullopt, {}, key_}, made_as(made), tr("Import %1").arg(name));
   return {};
 }
 
@@ -311,9 +392,14 @@ Result<void> MaterialDesk::export_file(const QString& path) const {
   return save_file(path.toStdString(), write_material(now()));
 }
 
+MaterialDesk::Compared MaterialDesk::compared_of(const MaterialKey& key) const {
+  const auto at = compared_.find(key);
+  return at == compared_.end() ? Compared{} : at->second;
+}
+
 AnyMaterial MaterialDesk::other() const {
-  const auto at = others_.find(key_);
-  return at == others_.end() ? origin() : with_names_of(at->second, now());
+  const Compared both = compared_of(key_);
+  return both.hidden ? with_names_of(*both.hidden, now()) : origin();
 }
 
 bool MaterialDesk::slots_are_alike() const {
@@ -322,19 +408,21 @@ bool MaterialDesk::slots_are_alike() const {
 
 /// No step of undo: nothing that a person made is lost by it.
 void MaterialDesk::flip() {
-  slot_ = slot_ == 'A' ? 'B' : 'A';
-  if (is_own()) {
-    const AnyMaterial shown = now(), hidden = other();
-    others_.insert_or_assign(key_, shown);
-    own_.put(hidden);
-    tell_now();
-  }
+  if (!is_own()) return;
+  const AnyMaterial hidden = other();
+  compared_.insert_or_assign(key_, Compared{slot() == 'A' ? 'B' : 'A', now()});
+  own_.put(hidden);
+  tell_now();
   Q_EMIT changed();
 }
 
 void MaterialDesk::copy_to_other() {
-  others_.insert_or_assign(key_, now());
-  Q_EMIT changed();
+  if (!is_own() || slots_are_alike()) return;
+  const State before = state();
+  State after = before;
+  after.compared.hidden = before.material;
+  const QChar from = QLatin1Char(slot()), to = QLatin1Char(slot() == 'A' ? 'B' : 'A');
+  push(before, std::move(after), tr("Copy %1 to %2").arg(from).arg(to));
 }
 
 }  // namespace felt::desktop

@@ -5,12 +5,16 @@
 #include <QFile>
 #include <QTemporaryDir>
 #include <cmath>
+#include <optional>
+#include <string>
 #include <vector>
 
 #include "desktop/engine/settings.h"
 #include "desktop/materials/media_picker.h"
 #include "desktop/materials/settings_keys.h"
+#include "felt/base/atomic_file.h"
 #include "felt/material/material_fields.h"
+#include "felt/material/material_library.h"
 #include "felt/material/relief.h"
 
 namespace felt::desktop {
@@ -150,6 +154,174 @@ TEST(MaterialDesk, OneKeyFlipsBetweenAAndB) {
   EXPECT_TRUE(bench.desk.slots_are_alike());
 }
 
+TEST(MaterialDesk, UndoingAStepOfOneMaterialLeavesAAndBOfOthersAlone) {
+  Bench bench;
+  const double of_paper = find_surface("paper")->friction;
+  bench.desk.set("feel.friction", 0.5);
+  const MaterialKey first = bench.desk.key();
+  bench.desk.select({true, "glass"});
+  bench.desk.set("feel.friction", 0.3);
+  bench.desk.set("feel.friction", 0.4);
+  const MaterialKey second = bench.desk.key();
+  bench.desk.select(first);
+  EXPECT_EQ(bench.desk.slot(), 'A') << "each has its own";
+  bench.desk.flip();
+  EXPECT_EQ(bench.sheet().friction, of_paper);
+  bench.desk.steps().undo();
+  EXPECT_EQ(bench.desk.key(), second);
+  EXPECT_EQ(bench.sheet().friction, 0.3);
+  EXPECT_EQ(bench.desk.slot(), 'A');
+  bench.desk.select(first);
+  EXPECT_EQ(bench.desk.slot(), 'B');
+  EXPECT_EQ(bench.sheet().friction, of_paper);
+  bench.desk.flip();
+  EXPECT_EQ(bench.sheet().friction, 0.5);
+}
+
+TEST(MaterialDesk, CopyingToTheOtherSlotIsAStep) {
+  Bench bench;
+  bench.desk.set("feel.friction", 0.5);
+  bench.desk.flip();
+  bench.desk.set("feel.friction", 0.9);
+  bench.desk.flip();
+  const int steps = bench.desk.steps().count();
+  bench.desk.copy_to_other();
+  EXPECT_TRUE(bench.desk.slots_are_alike());
+  EXPECT_EQ(bench.desk.steps().count(), steps + 1);
+  bench.desk.copy_to_other();
+  EXPECT_EQ(bench.desk.steps().count(), steps + 1) << "they are alike already";
+  bench.desk.steps().undo();
+  EXPECT_EQ(bench.desk.slot(), 'A');
+  EXPECT_EQ(bench.sheet().friction, 0.5);
+  bench.desk.flip();
+  EXPECT_EQ(bench.sheet().friction, 0.9) << "what was tuned in B is there again";
+  bench.desk.steps().redo();
+  EXPECT_EQ(bench.sheet().friction, 0.5);
+  EXPECT_TRUE(bench.desk.slots_are_alike());
+}
+
+/// What somebody else has made of the chalk: their drawing brings it along.
+AnyMaterial chalk_of_another_person() {
+  Bench theirs;
+  theirs.desk.select({false, "chalk"});
+  theirs.desk.set("feel.wear", 0.5);
+  return theirs.desk.now();
+}
+
+TEST(MaterialDesk, NoCopyTakesTheIdOfWhatTheDrawingBrought) {
+  const AnyMaterial theirs = chalk_of_another_person();
+  Bench bench;
+  const auto still_theirs = [&] {
+    bench.desk.tell_now();
+    const std::optional<AnyMaterial> known = find_in(bench.studio.materials(), key_of(theirs));
+    const Medium* in_session = bench.studio.session().materials().find_medium(id_of(theirs));
+    return known == theirs && in_session && AnyMaterial(*in_session) == theirs;
+  };
+  const std::vector<std::string> texts{write_material(theirs)};
+  bench.studio.open(Document{}, SheetPage{}, texts);
+  bench.desk.select({false, "chalk"});
+  bench.desk.set("feel.wear", 0.9);
+  EXPECT_EQ(name_of(bench.desk.now()), name_of(theirs));
+  EXPECT_NE(bench.desk.key(), key_of(theirs));
+  EXPECT_TRUE(still_theirs());
+  ASSERT_TRUE(bench.desk.save());
+  EXPECT_TRUE(still_theirs());
+  bench.desk.select({false, "chalk"});
+  ASSERT_TRUE(bench.desk.save_as(name_of(theirs)));
+  EXPECT_NE(bench.desk.key(), key_of(theirs));
+  EXPECT_TRUE(still_theirs());
+  const QString file = bench.home.filePath(QStringLiteral("theirs.txt"));
+  AnyMaterial other = theirs;
+  std::get<Medium>(other).wear = 0.1;
+  ASSERT_TRUE(save_file(file.toStdString(), write_material(other)));
+  ASSERT_TRUE(bench.desk.import_file(file));
+  EXPECT_NE(bench.desk.key(), key_of(theirs));
+  EXPECT_TRUE(still_theirs());
+}
+
+TEST(MaterialDesk, AnIdThatStrokesMayNameIsNotGivenAgain) {
+  Bench bench;
+  ASSERT_TRUE(bench.desk.save_as(QStringLiteral("Mine")));
+  const MaterialKey key = bench.desk.key();
+  ASSERT_TRUE(bench.desk.remove());
+  ASSERT_TRUE(bench.desk.save_as(QStringLiteral("Mine")));
+  EXPECT_NE(bench.desk.key(), key);
+}
+
+/// A drawing that has a sheet of the id of one's own, which is other.
+struct OtherSheetOfThatId : Bench {
+  OtherSheetOfThatId() {
+    desk.set("feel.friction", 0.5);
+    EXPECT_TRUE(desk.save());
+    key = desk.key();
+    mine = sheet();
+    theirs = mine;
+    theirs.friction = 0.9;
+    SheetPage page;
+    page.surface = key.id;
+    const std::vector<std::string> texts{write_material(theirs)};
+    studio.open(Document{}, page, texts);
+    desk.select(key);
+  }
+  [[nodiscard]] std::optional<AnyMaterial> of_drawing() const {
+    return find_in(studio.materials(), key);
+  }
+
+  MaterialKey key;
+  SurfaceMaterial mine, theirs;
+};
+
+TEST(MaterialDesk, WhatTheDrawingBroughtGoesBeforeOnesOwnOfThatId) {
+  OtherSheetOfThatId bench;
+  EXPECT_FALSE(bench.desk.is_own());
+  EXPECT_FALSE(bench.desk.is_changed());
+  EXPECT_EQ(bench.desk.now(), AnyMaterial(bench.theirs));
+  EXPECT_EQ(bench.studio.session().sheet().material(), bench.theirs);
+  bench.desk.set("feel.friction", 0.7);
+  EXPECT_NE(bench.desk.key(), bench.key) << "a copy";
+  EXPECT_TRUE(bench.desk.is_own());
+  EXPECT_EQ(bench.sheet().friction, 0.7);
+  bench.desk.tell_now();
+  EXPECT_EQ(bench.of_drawing(), AnyMaterial(bench.theirs));
+  EXPECT_EQ(bench.own.find(bench.key)->now, AnyMaterial(bench.mine));
+  bench.desk.steps().undo();
+  EXPECT_EQ(bench.desk.key(), bench.key);
+  EXPECT_EQ(bench.desk.now(), AnyMaterial(bench.theirs));
+  bench.studio.open(Document{}, SheetPage{});
+  EXPECT_TRUE(bench.desk.is_own()) << "that drawing is gone";
+  EXPECT_EQ(bench.desk.now(), AnyMaterial(bench.mine));
+}
+
+TEST(MaterialDesk, AChangeInAnotherWindowLeavesTheDrawingsOwnAlone) {
+  OtherSheetOfThatId bench;
+  Studio studio({.device = QStringLiteral("simulated:touch"), .live = false});
+  MaterialDesk elsewhere(studio, bench.own);
+  elsewhere.select(bench.key);
+  EXPECT_TRUE(elsewhere.is_own());
+  elsewhere.set("feel.friction", 0.6);
+  elsewhere.tell_now();
+  EXPECT_EQ(studio.session().sheet().material().friction, 0.6);
+  bench.desk.tell_now();
+  EXPECT_EQ(bench.of_drawing(), AnyMaterial(bench.theirs));
+  EXPECT_FALSE(bench.desk.is_own());
+  bench.studio.open(Document{}, SheetPage{});
+  EXPECT_TRUE(bench.desk.is_own());
+  EXPECT_EQ(std::get<SurfaceMaterial>(bench.of_drawing().value()).friction, 0.6)
+      << "what was withheld";
+}
+
+TEST(MaterialDesk, AnotherDrawingTakesWhatTheLastOneBroughtFromTheDesk) {
+  const AnyMaterial theirs = chalk_of_another_person();
+  Bench bench;
+  const std::vector<std::string> texts{write_material(theirs)};
+  bench.studio.open(Document{}, SheetPage{}, texts);
+  bench.desk.select(key_of(theirs));
+  EXPECT_EQ(bench.desk.now(), theirs);
+  EXPECT_FALSE(bench.desk.is_own());
+  bench.studio.open(Document{}, SheetPage{});
+  EXPECT_EQ(bench.desk.key(), (MaterialKey{true, bench.felt_on()}));
+}
+
 TEST(MaterialDesk, SavingRenamingAndDeletingCanBeUndone) {
   Bench bench;
   bench.desk.set("feel.friction", 0.5);
@@ -163,7 +335,7 @@ TEST(MaterialDesk, SavingRenamingAndDeletingCanBeUndone) {
   EXPECT_EQ(name_of(bench.desk.now()), QStringLiteral("Sandpaper"));
   EXPECT_EQ(bench.desk.key(), key) << "drawings go on naming it so";
   EXPECT_FALSE(bench.desk.is_changed());
-  bench.desk.remove();
+  ASSERT_TRUE(bench.desk.remove());
   EXPECT_FALSE(QFile::exists(file));
   EXPECT_EQ(bench.felt_on(), "paper");
   bench.desk.steps().undo();
@@ -174,6 +346,57 @@ TEST(MaterialDesk, SavingRenamingAndDeletingCanBeUndone) {
   // Undoing that it was made takes no file away.
   while (bench.desk.steps().canUndo()) bench.desk.steps().undo();
   EXPECT_TRUE(QFile::exists(file));
+}
+
+TEST(MaterialDesk, UndoingADeletionBringsBackTheFileAsItWasAndWhatWasNotSaved) {
+  Bench bench;
+  ASSERT_TRUE(bench.desk.save_as(QStringLiteral("Mine")));
+  const MaterialKey key = bench.desk.key();
+  const AnyMaterial saved = bench.desk.now();
+  const std::string file = bench.home.filePath(QStringLiteral("mine.toml")).toStdString();
+  bench.desk.set("feel.friction", 0.9);
+  const AnyMaterial changed = bench.desk.now();
+  ASSERT_TRUE(bench.desk.remove());
+  EXPECT_FALSE(bench.own.find(key));
+  for (int i = 0; i < 2; ++i) {
+    bench.desk.steps().undo();
+    EXPECT_EQ(bench.desk.key(), key);
+    EXPECT_EQ(bench.desk.now(), changed);
+    EXPECT_TRUE(bench.desk.is_changed());
+    const Result<AnyMaterial> there = read_material_file(file);
+    ASSERT_TRUE(there) << there.error().message;
+    EXPECT_EQ(*there, saved);
+    bench.desk.steps().redo();
+    EXPECT_FALSE(bench.own.find(key));
+    EXPECT_FALSE(read_material_file(file));
+  }
+}
+
+TEST(MaterialDesk, ADeletionThatFailsIsNoStep) {
+  Bench bench;
+  ASSERT_TRUE(bench.desk.save_as(QStringLiteral("Mine")));
+  const MaterialKey key = bench.desk.key();
+  const int steps = bench.desk.steps().count();
+  const std::string file = bench.home.filePath(QStringLiteral("mine.toml")).toStdString();
+  ASSERT_TRUE(save_file(file, "kind = \"sheet\"\nid = \"mine\"\n"));  // another program's
+  const Result<void> removed = bench.desk.remove();
+  ASSERT_FALSE(removed);
+  EXPECT_NE(removed.error().message.find(file), std::string::npos);
+  EXPECT_EQ(bench.desk.steps().count(), steps);
+  EXPECT_EQ(bench.desk.key(), key);
+  EXPECT_TRUE(bench.own.find(key));
+}
+
+TEST(MaterialDesk, TheSameNameIsNoStep) {
+  Bench bench;
+  ASSERT_TRUE(bench.desk.save_as(QStringLiteral("Mine")));
+  const int steps = bench.desk.steps().count();
+  for (const char* name : {"Mine", "  Mine ", "Mine\x07", "\x07", ""}) {
+    bench.desk.rename(QString::fromLatin1(name));
+    EXPECT_EQ(bench.desk.steps().count(), steps) << name;
+  }
+  bench.desk.rename(QStringLiteral("Yours"));
+  EXPECT_EQ(bench.desk.steps().count(), steps + 1);
 }
 
 TEST(MaterialDesk, RevertBringsBackWhatTheFileHas) {

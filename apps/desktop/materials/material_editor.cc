@@ -191,7 +191,7 @@ QWidget* MaterialEditor::make_looks() {
 }
 
 void MaterialEditor::follow_list() {
-  list_->show_materials(studio_.materials(), desk_.own());
+  list_->show_materials(studio_.materials(), desk_);
   list_->show_chosen(desk_.key());
   fill_presets();
 }
@@ -227,9 +227,7 @@ void MaterialEditor::follow_desk() {
 
 void MaterialEditor::tell_names() {
   name_->setText(name_of(desk_.now()));
-  state_->setText(!desk_.is_own() ? tr("Comes with Feltline. A change makes a copy of your own.")
-                  : desk_.is_changed() ? tr("Your own, not saved. It is kept all the same.")
-                                       : tr("Your own, saved."));
+  state_->setText(state_words());
   QUndoStack& steps = desk_.steps();
   action("undo")->setEnabled(steps.canUndo());
   action("redo")->setEnabled(steps.canRedo());
@@ -238,8 +236,22 @@ void MaterialEditor::tell_names() {
   action("revert")->setEnabled(desk_.now() != desk_.origin());
   action("save")->setEnabled(desk_.is_changed());
   action("rename")->setEnabled(desk_.is_own());
-  action("delete")->setEnabled(desk_.is_own());
+  const QString kept = desk_.own().kept_because(desk_.key());
+  action("delete")->setEnabled(desk_.is_own() && kept.isEmpty());
+  action("delete")->setToolTip(desk_.is_own() && !kept.isEmpty()
+                                   ? kept
+                                   : tr("Takes it away, and its file; undo brings it back"));
   tell_slots();
+}
+
+QString MaterialEditor::state_words() const {
+  if (desk_.is_own()) {
+    return desk_.is_changed() ? tr("Your own, not saved. It is kept all the same.")
+                              : tr("Your own, saved.");
+  }
+  return is_built_in(desk_.key())
+             ? tr("Comes with Feltline. A change makes a copy of your own.")
+             : tr("Comes with this drawing. A change makes a copy of your own.");
 }
 
 void MaterialEditor::tell_slots() {

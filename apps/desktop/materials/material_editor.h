@@ -62,6 +62,7 @@ class MaterialEditor : public QWidget {
   void follow_desk();
   void tell_names();
   void tell_slots();
+  [[nodiscard]] QString state_words() const;
   void fill_presets();
   void ask_probe();
   void take_tick(const TickReport& tick);

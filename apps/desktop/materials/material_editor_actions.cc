@@ -67,8 +67,7 @@ void MaterialEditor::make_actions() {
   add_action("delete", tr("Delete"), tr("Takes it away, and its file; undo brings it back"), {},
              "delete", [this] {
                const QString name = name_of(desk_.now());
-               desk_.remove();
-               tell(tr("%1 is deleted. Undo brings it back.").arg(name));
+               tell(desk_.remove(), tr("%1 is deleted. Undo brings it back.").arg(name));
              });
   add_action("import", tr("Import\u2026"), tr("Take up a material of a file"), {}, "import",
              [this] { ask_import(); });
@@ -99,6 +98,7 @@ QToolBar* MaterialEditor::make_bar() {
   more->setPopupMode(QToolButton::InstantPopup);
   more->setFocusPolicy(Qt::TabFocus);
   auto* menu = new QMenu(more);
+  menu->setToolTipsVisible(true);  // what cannot be chosen says why
   for (const char* name : {"save_as", "rename", "delete"}) menu->addAction(action(name));
   menu->addSeparator();
   for (const char* name : {"import", "export"}) menu->addAction(action(name));

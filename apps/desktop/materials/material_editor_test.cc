@@ -166,6 +166,53 @@ TEST(MaterialEditor, SaysWhatCouldNotBeWritten) {
   in_the_way.remove();
 }
 
+TEST(MaterialEditor, ADeletionThatFailsSaysOnlyThat) {
+  Shown shown;
+  ASSERT_TRUE(shown.desk.save_as(QStringLiteral("Mine")));
+  QFile file(shown.home.filePath(QStringLiteral("mine.toml")));
+  ASSERT_TRUE(file.open(QIODevice::WriteOnly | QIODevice::Truncate));
+  file.write("kind = \"sheet\"\nid = \"mine\"\n");  // another program's
+  file.close();
+  QAction* remove = shown.editor.action("delete");
+  ASSERT_TRUE(remove->isEnabled());
+  remove->trigger();
+  EXPECT_TRUE(shown.editor.notice().contains(file.fileName()))
+      << shown.editor.notice().toStdString();
+  EXPECT_FALSE(shown.editor.notice().contains(QStringLiteral("Undo")));
+  EXPECT_TRUE(shown.desk.is_own());
+  ASSERT_TRUE(file.remove());
+  remove->trigger();
+  EXPECT_TRUE(shown.editor.notice().contains(QStringLiteral("Undo")))
+      << shown.editor.notice().toStdString();
+}
+
+TEST(MaterialEditor, WhatIsForAllUsersCannotBeDeletedAndSaysWhy) {
+  const Clean clean;
+  const QTemporaryDir home, all_users;
+  SurfaceMaterial slate = *find_surface("blackboard");
+  slate.id = "slate";
+  slate.label = "Slate";
+  QFile file(all_users.filePath(QStringLiteral("slate.toml")));
+  ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+  file.write(QByteArray::fromStdString(write_material(slate)));
+  file.close();
+  OwnMaterials own({home.path().toStdString(), all_users.path().toStdString()});
+  Studio studio({.device = QStringLiteral("simulated:touch"), .live = false});
+  MaterialDesk desk(studio, own);
+  MaterialEditor editor(studio, desk, nullptr);
+  QAction* remove = editor.action("delete");
+  desk.select({true, "slate"});
+  EXPECT_TRUE(desk.is_own());
+  EXPECT_FALSE(remove->isEnabled());
+  EXPECT_TRUE(remove->toolTip().contains(file.fileName())) << remove->toolTip().toStdString();
+  desk.set("feel.friction", 0.4);
+  ASSERT_TRUE(desk.save());
+  EXPECT_TRUE(remove->isEnabled()) << "the person's now";
+  EXPECT_FALSE(remove->toolTip().contains(file.fileName()));
+  desk.select({true, "paper"});
+  EXPECT_FALSE(remove->isEnabled());
+}
+
 TEST(MaterialEditor, EveryControlHasAName) {
   Shown shown;
   EXPECT_EQ(nameless_controls(shown.editor).join(QStringLiteral(", ")).toStdString(), "");

@@ -4,6 +4,8 @@
 #include <QSignalBlocker>
 #include <algorithm>
 
+#include "desktop/materials/material_desk.h"
+
 namespace felt::desktop {
 namespace {
 
@@ -27,11 +29,11 @@ MaterialList::MaterialList(QWidget* parent) : QTreeWidget(parent) {
   });
 }
 
-void MaterialList::show_materials(const Materials& known, const OwnMaterials& own) {
+void MaterialList::show_materials(const Materials& known, const MaterialDesk& desk) {
   std::vector<Row> rows;
   const auto add = [&](const AnyMaterial& material) {
     const MaterialKey key = key_of(material);
-    const OwnMaterials::Entry* entry = own.find(key);
+    const OwnMaterials::Entry* entry = desk.own_of(key);
     rows.push_back({key, name_of(entry ? entry->now : material),
                     words_of(entry ? entry->now : material), !is_built_in(key),
                     entry && entry->is_changed()});
@@ -39,7 +41,7 @@ void MaterialList::show_materials(const Materials& known, const OwnMaterials& ow
   for (const SurfaceMaterial& sheet : known.surfaces()) add(sheet);
   // The eraser that Feltline brings is a tool, and no medium to draw with.
   for (const Medium& medium : known.media()) {
-    if (medium.draws || own.find({false, medium.id})) add(medium);
+    if (medium.draws || desk.own_of({false, medium.id})) add(medium);
   }
   if (rows == rows_) return;
   rows_ = std::move(rows);

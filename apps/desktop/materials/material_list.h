@@ -1,10 +1,13 @@
 #pragma once
 
 #include <QTreeWidget>
+#include <vector>
 
-#include "desktop/materials/own_materials.h"
+#include "desktop/materials/material_names.h"
 
 namespace felt::desktop {
+
+class MaterialDesk;
 
 /// Sheets and media, those that Feltline brings and one's own, in four groups. One's own that are
 /// not saved have a dot and say so. Says which one is chosen, by mouse or keys.
@@ -14,8 +17,8 @@ class MaterialList : public QTreeWidget {
  public:
   explicit MaterialList(QWidget* parent = nullptr);
 
-  /// `known`: what a session has; `own`: a person's.
-  void show_materials(const Materials& known, const OwnMaterials& own);
+  /// `known`: what may be chosen; `desk` knows which of them are a person's own, and how they are.
+  void show_materials(const Materials& known, const MaterialDesk& desk);
   void show_chosen(const MaterialKey& key);
   /// Of the rows, in their order.
   [[nodiscard]] std::vector<MaterialKey> keys() const;

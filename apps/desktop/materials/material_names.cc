@@ -64,13 +64,21 @@ std::string id_for(const QString& name, const std::string& fallback,
   return free;
 }
 
-AnyMaterial renamed(AnyMaterial material, const std::string& id, const QString& name) {
+QString label_for(const QString& name) {
+  // Tabs and line ends part words; other control characters part nothing.
   QString label = name.simplified();
+  label.removeIf([](QChar c) { return c.category() == QChar::Other_Control; });
+  label = label.simplified();
   while (label.toUtf8().size() > qsizetype(kMaxMaterialLabelBytes)) label.chop(1);
+  return label;
+}
+
+AnyMaterial renamed(AnyMaterial material, const std::string& id, const QString& name) {
+  const QString label = label_for(name);
   std::visit(
       [&](auto& of) {
         of.id = id;
-        of.label = label.toStdString();
+        of.label = label.isEmpty() ? label_of_id(id) : label.toStdString();
       },
       material);
   return material;

@@ -3,6 +3,7 @@
 #include <QString>
 #include <compare>
 #include <functional>
+#include <optional>
 #include <string>
 
 #include "felt/material/material_file.h"
@@ -36,7 +37,11 @@ QString words_of(const AnyMaterial& material);
 std::string id_for(const QString& name, const std::string& fallback,
                    const std::function<bool(const std::string&)>& is_taken);
 
-/// The same material with another id and name.
+/// A name as a material may have it: without control characters and needless spaces, and no longer
+/// than kMaxMaterialLabelBytes; "" where nothing is left.
+QString label_for(const QString& name);
+
+/// The same material with another id and name (label_for, else what people call that id).
 AnyMaterial renamed(AnyMaterial material, const std::string& id, const QString& name);
 
 }  // namespace felt::desktop

@@ -1,6 +1,8 @@
 #include "desktop/materials/own_materials.h"
 
 #include <QCoreApplication>
+#include <filesystem>
+#include <system_error>
 #include <utility>
 
 #include "desktop/engine/settings.h"
@@ -15,6 +17,17 @@ constexpr int kKeepMs = 500;
 
 QString text_of(const std::string& text) {
   return QString::fromUtf8(text.data(), qsizetype(text.size()));
+}
+
+/// Replacing or deleting this file loses nothing that is not known here.
+bool is_known(const std::string& path, const OwnMaterials::Entry& entry) {
+  const Result<AnyMaterial> there = read_material_file(path, read_height_png);
+  return there && (*there == entry.now || *there == entry.saved);
+}
+
+bool is_gone(const std::string& path) {
+  std::error_code error;
+  return !std::filesystem::exists(path, error) && !error;
 }
 
 }  // namespace
@@ -32,7 +45,7 @@ OwnMaterials::OwnMaterials(std::vector<std::string> folders, QObject* parent)
   connect(&keep_, &QTimer::timeout, this, &OwnMaterials::keep_changes);
   const MaterialLibrary library = load_materials(folders_, read_height_png);
   for (const MaterialEntry& own : library.own) {
-    entries_[key_of(own.material)] = {own.material, own.material};
+    entries_[key_of(own.material)] = {own.material, own.material, own.path};
   }
   for (const std::string& problem : library.problems) problems_ << text_of(problem);
   read_changes();
@@ -46,9 +59,16 @@ void OwnMaterials::read_changes() {
   const QStringList texts =
       Settings::the().value(QString::fromLatin1(material_keys::kUnsaved)).toStringList();
   for (const QString& text : texts) {
-    const Result<AnyMaterial> read = read_material(text.toStdString());
-    if (!read || is_built_in(key_of(*read))) continue;
-    entries_[key_of(*read)].now = *read;
+    MaterialSource source;
+    source.name = tr("not saved").toStdString();
+    const Result<AnyMaterial> read = read_material(text.toStdString(), source);
+    const std::string wrong = read ? own_id_error(id_of(*read)) : read.error().message;
+    if (wrong.empty()) {
+      entries_[key_of(*read)].now = *read;
+    } else {
+      problems_ << text_of(wrong);
+      unread_ << text;
+    }
   }
 }
 
@@ -81,7 +101,7 @@ bool OwnMaterials::is_taken(const std::string& id) const {
 void OwnMaterials::put(const AnyMaterial& now) {
   const MaterialKey key = key_of(now);
   if (is_built_in(key)) return;
-  const auto [at, is_new] = entries_.try_emplace(key, Entry{now, std::nullopt});
+  const auto [at, is_new] = entries_.try_emplace(key, Entry{now, std::nullopt, {}});
   if (!is_new && at->second.now == now) return;
   at->second.now = now;
   keep_.start();
@@ -104,22 +124,57 @@ Result<void> OwnMaterials::save(const MaterialKey& key) {
   const auto at = entries_.find(key);
   if (at == entries_.end()) return {};
   Entry& entry = at->second;
-  const std::string folder = folders_.empty() ? std::string() : folders_.front();
-  if (Result<std::string> saved = save_material(folder, entry.now); !saved) {
-    return tl::unexpected(saved.error());
+  const std::string old = material_path(own_folder(), entry.now);
+  if (!old.empty() && !is_known(old, entry)) {
+    return fail(ErrorCode::kInvalidData,
+                tr("%1 was changed by another program, and stays as it is. Save yours under "
+                   "another name; the file can be imported.")
+                    .arg(text_of(old))
+                    .toStdString());
   }
+  Result<std::string> path = save_material(own_folder(), entry.now);
+  if (!path) return tl::unexpected(path.error());
   entry.saved = entry.now;
+  entry.path = *std::move(path);
   keep_changes();
   Q_EMIT changed(key);
   return {};
+}
+
+QString OwnMaterials::kept_because(const MaterialKey& key) const {
+  const Entry* entry = find(key);
+  if (!entry || entry->path.empty()) return {};
+  const std::string folder = own_folder();
+  if (!folder.empty() && entry->path.starts_with(folder + "/")) return {};
+  return tr("It is for all users of this computer, and cannot be deleted here: %1")
+      .arg(text_of(entry->path));
+}
+
+Result<void> OwnMaterials::remove_file(const Entry& entry) const {
+  if (const QString why = kept_because(key_of(entry.now)); !why.isEmpty()) {
+    return fail(ErrorCode::kInvalidArgument, why.toStdString());
+  }
+  const std::string path = material_path(own_folder(), entry.now);
+  if (path.empty() && is_gone(entry.path)) return {};
+  if (!path.empty() && !is_known(path, entry)) {
+    return fail(ErrorCode::kInvalidData,
+                tr("%1 was changed by another program, and stays as it is. To lose it, delete "
+                   "the file.")
+                    .arg(text_of(path))
+                    .toStdString());
+  }
+  return delete_material(own_folder(), entry.now);
+}
+
+std::string OwnMaterials::own_folder() const {
+  return folders_.empty() ? std::string() : folders_.front();
 }
 
 Result<void> OwnMaterials::remove(const MaterialKey& key) {
   const auto at = entries_.find(key);
   if (at == entries_.end()) return {};
   if (at->second.saved) {
-    const std::string folder = folders_.empty() ? std::string() : folders_.front();
-    if (Result<void> gone = delete_material(folder, key.id); !gone) return gone;
+    if (Result<void> gone = remove_file(at->second); !gone) return gone;
   }
   entries_.erase(at);
   keep_changes();
@@ -129,7 +184,7 @@ Result<void> OwnMaterials::remove(const MaterialKey& key) {
 
 void OwnMaterials::keep_changes() {
   keep_.stop();
-  QStringList texts;
+  QStringList texts = unread_;
   for (const auto& [key, entry] : entries_) {
     if (entry.is_changed()) texts << text_of(write_material(entry.now));
   }

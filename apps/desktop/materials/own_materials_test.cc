@@ -9,6 +9,7 @@
 
 #include "desktop/engine/settings.h"
 #include "desktop/materials/settings_keys.h"
+#include "felt/material/material_library.h"
 
 namespace felt::desktop {
 namespace {
@@ -18,6 +19,12 @@ SurfaceMaterial slate() {
   sheet.id = "slate";
   sheet.label = "Slate";
   sheet.stiffness_n_per_m = 950.0;
+  return sheet;
+}
+
+SurfaceMaterial harder_slate() {
+  SurfaceMaterial sheet = slate();
+  sheet.stiffness_n_per_m = 1500.0;
   return sheet;
 }
 
@@ -136,6 +143,119 @@ TEST(OwnMaterials, AFolderThatCannotBeWrittenSaysSoAndNothingIsLost) {
   EXPECT_NE(saved.error().message.find("file/materials"), std::string::npos);
   EXPECT_TRUE(own.find({true, "slate"})->is_changed());
   forget_unsaved();
+}
+
+TEST(OwnMaterials, AFileThatAnotherProgramChangedIsNeitherReplacedNorDeleted) {
+  forget_unsaved();
+  const QTemporaryDir home;
+  const MaterialKey key{true, "slate"};
+  const QString file = home.filePath(QStringLiteral("slate.toml"));
+  OwnMaterials own({home.path().toStdString()});
+  own.put(slate());
+  ASSERT_TRUE(own.save(key));
+  SurfaceMaterial theirs = slate();
+  theirs.friction = 0.77;
+  write(file, QByteArray::fromStdString(write_material(theirs)));
+  own.put(harder_slate());
+  const Result<void> saved = own.save(key), removed = own.remove(key);
+  ASSERT_FALSE(saved);
+  EXPECT_NE(saved.error().message.find(file.toStdString()), std::string::npos);
+  ASSERT_FALSE(removed);
+  EXPECT_NE(removed.error().message.find(file.toStdString()), std::string::npos);
+  EXPECT_EQ(read_material_file(file.toStdString()).value(), AnyMaterial(theirs));
+  ASSERT_TRUE(own.find(key));
+  EXPECT_EQ(own.find(key)->now, AnyMaterial(harder_slate()));
+  EXPECT_TRUE(own.find(key)->is_changed());
+  // Where it is gone, there is nothing to lose.
+  ASSERT_TRUE(QFile::remove(file));
+  ASSERT_TRUE(own.save(key));
+  EXPECT_EQ(read_material_file(file.toStdString()).value(), AnyMaterial(harder_slate()));
+  ASSERT_TRUE(QFile::remove(file));
+  EXPECT_TRUE(own.remove(key));
+  EXPECT_FALSE(own.find(key));
+  forget_unsaved();
+}
+
+TEST(OwnMaterials, AFileThatWasNeverReadIsNotReplaced) {
+  forget_unsaved();
+  const QTemporaryDir home;
+  OwnMaterials own({home.path().toStdString()});
+  own.put(slate());
+  Medium medium = *find_medium("chalk");
+  medium.id = "x";
+  own.put(medium);
+  // Somebody puts these into the folder while the program runs.
+  SurfaceMaterial theirs = slate();
+  theirs.friction = 0.77;
+  write(home.filePath(QStringLiteral("slate.toml")),
+        QByteArray::fromStdString(write_material(theirs)));
+  const QString sheet = home.filePath(QStringLiteral("x.toml"));
+  write(sheet, "kind = \"sheet\"\nid = \"x\"\n");
+  EXPECT_FALSE(own.save({true, "slate"}));
+  const Result<void> saved = own.save({false, "x"});
+  ASSERT_FALSE(saved);
+  EXPECT_NE(saved.error().message.find(sheet.toStdString() + " is a sheet"), std::string::npos)
+      << saved.error().message;
+  const Result<AnyMaterial> there = read_material_file(sheet.toStdString());
+  ASSERT_TRUE(there);
+  EXPECT_TRUE(std::holds_alternative<SurfaceMaterial>(*there));
+  forget_unsaved();
+}
+
+TEST(OwnMaterials, WhatIsForAllUsersIsNotDeleted) {
+  forget_unsaved();
+  const QTemporaryDir home, all_users;
+  const MaterialKey key{true, "slate"};
+  const QString file = all_users.filePath(QStringLiteral("slate.toml"));
+  write(file, QByteArray::fromStdString(write_material(slate())));
+  OwnMaterials own({home.path().toStdString(), all_users.path().toStdString()});
+  ASSERT_TRUE(own.find(key));
+  EXPECT_TRUE(own.kept_because(key).contains(file)) << own.kept_because(key).toStdString();
+  EXPECT_FALSE(own.remove(key));
+  EXPECT_TRUE(own.find(key));
+  // Changed and saved, it is the person's.
+  own.put(harder_slate());
+  ASSERT_TRUE(own.save(key));
+  EXPECT_TRUE(QFile::exists(home.filePath(QStringLiteral("slate.toml"))));
+  EXPECT_TRUE(own.kept_because(key).isEmpty());
+  EXPECT_TRUE(own.remove(key));
+  EXPECT_FALSE(QFile::exists(home.filePath(QStringLiteral("slate.toml"))));
+  EXPECT_TRUE(QFile::exists(file));
+}
+
+TEST(OwnMaterials, WhatWasKeptAndCannotBeReadIsToldAndKeptOn) {
+  const QTemporaryDir home;
+  const QString kept = QString::fromLatin1(material_keys::kUnsaved);
+  const auto odd = QStringLiteral("kind = \"sheet\"\nid = \"odd\"\n[feel]\nsmell = 1\n");
+  const auto taken = QStringLiteral("kind = \"sheet\"\nid = \"paper\"\n");
+  const QString good = QString::fromStdString(write_material(slate()));
+  Settings::the().set(kept, QStringList{odd, good, taken});
+  {
+    OwnMaterials own({home.path().toStdString()});
+    const QStringList problems = own.take_problems();
+    ASSERT_EQ(problems.size(), 2) << problems.join(QLatin1Char('\n')).toStdString();
+    EXPECT_TRUE(problems[0].contains(QStringLiteral("smell"))) << problems[0].toStdString();
+    EXPECT_TRUE(problems[1].contains(QStringLiteral("paper"))) << problems[1].toStdString();
+    EXPECT_EQ(own.all().size(), 1u);
+    own.put(harder_slate());
+    own.keep_changes();
+    const QStringList now = Settings::the().value(kept).toStringList();
+    EXPECT_EQ(now.size(), 3);
+    EXPECT_TRUE(now.contains(odd));
+    EXPECT_TRUE(now.contains(taken));
+    own.revert({true, "slate"});
+  }
+  EXPECT_EQ(Settings::the().value(kept).toStringList(), (QStringList{odd, taken}));
+  forget_unsaved();
+}
+
+TEST(MaterialNames, ANameHasNoControlCharacters) {
+  const auto label = [](const char* name) {
+    return label_of(renamed(slate(), "my-slate", QString::fromUtf8(name)));
+  };
+  EXPECT_EQ(label(" A\x01 soft\tone \x1b\x7f "), "A soft one");
+  EXPECT_EQ(label("\x01\x02"), "My slate") << "what people call that id";
+  EXPECT_EQ(material_error(renamed(slate(), "my-slate", QStringLiteral("\x01"))), "");
 }
 
 TEST(MaterialNames, ANameBecomesAnId) {

@@ -1,8 +1,10 @@
 #include "desktop/materials/pair_table.h"
 
+#include <QDoubleSpinBox>
 #include <QHeaderView>
 #include <QLabel>
 #include <QSignalBlocker>
+#include <QStyledItemDelegate>
 #include <QVBoxLayout>
 #include <algorithm>
 #include <cmath>
@@ -23,9 +25,44 @@ bool has_own(const Medium& medium, const std::string& sheet) {
 }
 
 /// Three digits are more than a hand can tell.
+constexpr int kDecimals = 3;
 double rounded(double friction) {
   return std::round(1000.0 * friction) / 1000.0;
 }
+
+/// A number of as many digits as the table shows. Looking at it is no change: only another number
+/// becomes the pair's own.
+class FrictionDelegate final : public QStyledItemDelegate {
+ public:
+  using QStyledItemDelegate::QStyledItemDelegate;
+
+  QWidget* createEditor(QWidget* parent, const QStyleOptionViewItem&,
+                        const QModelIndex&) const override {
+    auto* spin = new QDoubleSpinBox(parent);
+    spin->setFrame(false);
+    spin->setDecimals(kDecimals);
+    spin->setRange(0.0, kMaxFriction);
+    spin->setSingleStep(0.01);
+    spin->setAccessibleName(PairTable::tr("Friction"));
+    return spin;
+  }
+  void setEditorData(QWidget* editor, const QModelIndex& index) const override {
+    auto* spin = qobject_cast<QDoubleSpinBox*>(editor);
+    spin->setValue(index.data(Qt::EditRole).toDouble());
+    // Not what the table has: it need not be a number of so few digits.
+    spin->setProperty(kBegunWith, spin->value());
+  }
+  void setModelData(QWidget* editor, QAbstractItemModel* model,
+                    const QModelIndex& index) const override {
+    auto* spin = qobject_cast<QDoubleSpinBox*>(editor);
+    spin->interpretText();
+    if (spin->value() == spin->property(kBegunWith).toDouble()) return;
+    model->setData(index, spin->value(), Qt::EditRole);
+  }
+
+ private:
+  static constexpr auto kBegunWith = "begun_with";
+};
 
 }  // namespace
 
@@ -50,6 +87,7 @@ PairTable::PairTable(QWidget* parent)
   table_->setSelectionMode(QAbstractItemView::SingleSelection);
   table_->setTabKeyNavigation(false);
   table_->setShowGrid(false);
+  table_->setItemDelegateForColumn(kFriction, new FrictionDelegate(table_));
   rule_->setText(tr("By the rule"));
   rule_->setToolTip(tr("Friction of the medium times that of the sheet, again"));
   rule_->setFocusPolicy(Qt::StrongFocus);

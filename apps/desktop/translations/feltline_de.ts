@@ -2,6 +2,13 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="de_DE" sourcelanguage="en">
 <context>
+    <name>AddedStrokes</name>
+    <message>
+        <source>“%1” is another medium here than there: its strokes look as they do here</source>
+        <translation>„%1“ ist hier ein anderes Zeichenmittel als dort: seine Linien sehen aus wie hier</translation>
+    </message>
+</context>
+<context>
     <name>Arguments</name>
     <message>
         <source>Open a window of its own, with a fresh sheet.</source>
@@ -3193,6 +3200,14 @@ Doppelklick benennt um, Ziehen verschiebt</translation>
         <translation>%1, eigenes</translation>
     </message>
     <message>
+        <source>Copy of %1</source>
+        <translation>Kopie von %1</translation>
+    </message>
+    <message>
+        <source>Copy %1 to %2</source>
+        <translation>%1 nach %2 kopieren</translation>
+    </message>
+    <message>
         <source>Save as %1</source>
         <translation>Speichern als %1</translation>
     </message>
@@ -3423,6 +3438,10 @@ Doppelklick benennt um, Ziehen verschiebt</translation>
         <source>%1 is written.</source>
         <translation>%1 ist geschrieben.</translation>
     </message>
+    <message>
+        <source>Comes with this drawing. A change makes a copy of your own.</source>
+        <translation>Gehört zu dieser Zeichnung. Eine Änderung macht eine eigene Kopie.</translation>
+    </message>
 </context>
 <context>
     <name>felt::desktop::MaterialFieldsView</name>
@@ -3611,6 +3630,25 @@ Doppelklick benennt um, Ziehen verschiebt</translation>
     <message>
         <source>Write the drawing as SVG, PDF, PNG or ink for other programs</source>
         <translation>Die Zeichnung als SVG, PDF, PNG oder Tinte für andere Programme schreiben</translation>
+    </message>
+</context>
+<context>
+    <name>felt::desktop::OwnMaterials</name>
+    <message>
+        <source>not saved</source>
+        <translation>nicht gespeichert</translation>
+    </message>
+    <message>
+        <source>%1 was changed by another program, and stays as it is. Save yours under another name; the file can be imported.</source>
+        <translation>%1 wurde von einem anderen Programm geändert und bleibt, wie es ist. Speichern Sie Ihres unter einem anderen Namen; die Datei lässt sich importieren.</translation>
+    </message>
+    <message>
+        <source>It is for all users of this computer, and cannot be deleted here: %1</source>
+        <translation>Es ist für alle Benutzer dieses Computers und lässt sich hier nicht löschen: %1</translation>
+    </message>
+    <message>
+        <source>%1 was changed by another program, and stays as it is. To lose it, delete the file.</source>
+        <translation>%1 wurde von einem anderen Programm geändert und bleibt, wie es ist. Wer es nicht behalten will, löscht die Datei.</translation>
     </message>
 </context>
 <context>
@@ -4231,6 +4269,10 @@ Doppelklick benennt um, Ziehen verschiebt</translation>
     <message>
         <source>%1 hangs in its maker&apos;s software and was given up. The drawing is kept. Start Feltline anew to use it again.</source>
         <translation>%1 hängt in der Software des Herstellers und wurde aufgegeben. Die Zeichnung ist erhalten. Starten Sie Feltline neu, um es wieder zu benutzen.</translation>
+    </message>
+    <message>
+        <source>This drawing has its own figures for: %1. Yours stay as they are.</source>
+        <translation>Diese Zeichnung hat eigene Werte für: %1. Die Ihren bleiben, wie sie sind.</translation>
     </message>
     <message>
         <source>The sheet “%1” is not known here: it feels as the one before.</source>

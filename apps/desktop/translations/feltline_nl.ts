@@ -2,6 +2,13 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="nl_NL" sourcelanguage="en">
 <context>
+    <name>AddedStrokes</name>
+    <message>
+        <source>“%1” is another medium here than there: its strokes look as they do here</source>
+        <translation>‘%1’ is hier een ander tekenmiddel dan daar: de lijnen ervan zien eruit zoals hier</translation>
+    </message>
+</context>
+<context>
     <name>Arguments</name>
     <message>
         <source>Open a window of its own, with a fresh sheet.</source>
@@ -3193,6 +3200,14 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen</translation>
         <translation>%1, eigen</translation>
     </message>
     <message>
+        <source>Copy of %1</source>
+        <translation>Kopie van %1</translation>
+    </message>
+    <message>
+        <source>Copy %1 to %2</source>
+        <translation>%1 naar %2 kopiëren</translation>
+    </message>
+    <message>
         <source>Save as %1</source>
         <translation>Opslaan als %1</translation>
     </message>
@@ -3423,6 +3438,10 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen</translation>
         <source>%1 is written.</source>
         <translation>%1 is geschreven.</translation>
     </message>
+    <message>
+        <source>Comes with this drawing. A change makes a copy of your own.</source>
+        <translation>Hoort bij deze tekening. Een verandering maakt een eigen kopie.</translation>
+    </message>
 </context>
 <context>
     <name>felt::desktop::MaterialFieldsView</name>
@@ -3611,6 +3630,25 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen</translation>
     <message>
         <source>Write the drawing as SVG, PDF, PNG or ink for other programs</source>
         <translation>De tekening als SVG, PDF, PNG of inkt voor andere programma’s schrijven</translation>
+    </message>
+</context>
+<context>
+    <name>felt::desktop::OwnMaterials</name>
+    <message>
+        <source>not saved</source>
+        <translation>niet opgeslagen</translation>
+    </message>
+    <message>
+        <source>%1 was changed by another program, and stays as it is. Save yours under another name; the file can be imported.</source>
+        <translation>%1 is door een ander programma veranderd en blijft zoals het is. Sla het uwe onder een andere naam op; het bestand is te importeren.</translation>
+    </message>
+    <message>
+        <source>It is for all users of this computer, and cannot be deleted here: %1</source>
+        <translation>Het is voor alle gebruikers van deze computer en is hier niet te verwijderen: %1</translation>
+    </message>
+    <message>
+        <source>%1 was changed by another program, and stays as it is. To lose it, delete the file.</source>
+        <translation>%1 is door een ander programma veranderd en blijft zoals het is. Wie het niet wil houden, verwijdert het bestand.</translation>
     </message>
 </context>
 <context>
@@ -4231,6 +4269,10 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen</translation>
     <message>
         <source>%1 hangs in its maker&apos;s software and was given up. The drawing is kept. Start Feltline anew to use it again.</source>
         <translation>%1 hangt in de software van de maker en is opgegeven. De tekening is behouden. Start Feltline opnieuw om het weer te gebruiken.</translation>
+    </message>
+    <message>
+        <source>This drawing has its own figures for: %1. Yours stay as they are.</source>
+        <translation>Deze tekening heeft eigen waarden voor: %1. Die van jou blijven zoals ze zijn.</translation>
     </message>
     <message>
         <source>The sheet “%1” is not known here: it feels as the one before.</source>

@@ -75,18 +75,24 @@ double firm_push_n(const Capabilities& device) noexcept {
   return std::clamp(kShareOfContinuous * device.continuous_force_n, kLeastN, kMostN);
 }
 
+TextureOptions texture_for(const Medium& tool, const SurfaceMaterial& surface,
+                           const Capabilities& device, TextureLaw law) noexcept {
+  const FrictionOptions friction = friction_for(tool, surface, device);
+  return {.law = law,
+          .strength = tool.grain,
+          .wear = tool.wear,
+          .firm_push_n = firm_push_n(device),
+          .friction = friction.coefficient,
+          .bristle_n_per_m = friction.stiffness_n_per_m,
+          .period_s = period_s(device)};
+}
+
 SheetForce make_sheet_force(const SurfaceMaterial& surface, const Medium& tool,
                             const Capabilities& device, const HeightField* grain,
                             TextureLaw law) noexcept {
-  const FrictionOptions friction = friction_for(tool, surface, device);
-  const TextureOptions texture{.law = law,
-                               .strength = tool.grain,
-                               .wear = tool.wear,
-                               .firm_push_n = firm_push_n(device),
-                               .friction = friction.coefficient,
-                               .bristle_n_per_m = friction.stiffness_n_per_m,
-                               .period_s = period_s(device)};
-  return SheetForce(Plane(plane_for(surface, device)), Texture(grain, texture), Friction(friction));
+  return SheetForce(Plane(plane_for(surface, device)),
+                    Texture(grain, texture_for(tool, surface, device, law)),
+                    Friction(friction_for(tool, surface, device)));
 }
 
 }  // namespace felt

@@ -39,6 +39,11 @@ FrictionOptions friction_for(const Medium& tool, const SurfaceMaterial& surface,
 /// the motors for it, and 0.2 N at least.
 double firm_push_n(const Capabilities& device) noexcept;
 
+/// The grain of a surface under a tool, on a device.
+TextureOptions texture_for(const Medium& tool, const SurfaceMaterial& surface,
+                           const Capabilities& device,
+                           TextureLaw law = TextureLaw::kFriction) noexcept;
+
 /// The feel of a tool on a surface. `grain` is usually surface_grain(surface) and must outlive the
 /// haptic loop; null is smooth.
 SheetForce make_sheet_force(const SurfaceMaterial& surface, const Medium& tool,

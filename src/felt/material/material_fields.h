@@ -63,8 +63,6 @@ std::string allowed_text(const MediumField& field);
 inline constexpr std::array<std::string_view, 6> kGrainCharacters = {"grain",  "rough", "weave",
                                                                      "fibres", "wood",  "picture"};
 
-/// Coefficients of friction, those of pairs too.
-inline constexpr double kMaxFriction = 1.5;
 inline constexpr std::size_t kMaxPairs = 64;
 
 template <class Material>

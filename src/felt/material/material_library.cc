@@ -151,6 +151,11 @@ Result<std::string> save_material(const std::string& folder, const AnyMaterial& 
   if (error) return fail(ErrorCode::kIo, folder + ": cannot be made: " + error.message());
   const MaterialLibrary there = library_of(folder);
   const MaterialEntry* old = find_own(there, id);
+  if (old && old->material.index() != material.index()) {
+    const std::string other(kind_of(old->material)), kind(kind_of(material));
+    return refuse(old->path + " is a " + other + " of the id " + id + "; give the " + kind +
+                  " another name");
+  }
   const std::string path = old ? old->path : folder + "/" + id + ".toml";
   if (!old && fs::exists(path, error)) {
     return refuse(path + " is another material, or none that can be read");
@@ -161,16 +166,21 @@ Result<std::string> save_material(const std::string& folder, const AnyMaterial& 
   return path;
 }
 
-Result<void> delete_material(const std::string& folder, std::string_view id) {
+std::string material_path(const std::string& folder, const AnyMaterial& material) {
   const MaterialLibrary there = library_of(folder);
-  const MaterialEntry* entry = folder.empty() ? nullptr : find_own(there, id);
-  if (!entry) {
-    return fail(ErrorCode::kNotFound,
-                "there is no material \"" + std::string(id) + "\" of your own in " + folder);
+  const MaterialEntry* entry = find_own(there, id_of(material));
+  return entry && entry->material.index() == material.index() ? entry->path : "";
+}
+
+Result<void> delete_material(const std::string& folder, const AnyMaterial& material) {
+  const std::string path = material_path(folder, material);
+  if (path.empty()) {
+    return fail(ErrorCode::kNotFound, "there is no " + std::string(kind_of(material)) + " \"" +
+                                          id_of(material) + "\" of your own in " + folder);
   }
   std::error_code error;
-  if (fs::remove(entry->path, error)) return {};
-  return fail(ErrorCode::kIo, entry->path + ": cannot be deleted: " + error.message());
+  if (fs::remove(path, error)) return {};
+  return fail(ErrorCode::kIo, path + ": cannot be deleted: " + error.message());
 }
 
 std::string own_id_error(std::string_view id) {

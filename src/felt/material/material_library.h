@@ -51,13 +51,19 @@ Result<AnyMaterial> read_material_file(const std::string& path,
 /// For the text of a file: its name, and pictures beside it.
 MaterialSource material_source(const std::string& path, const LoadPicture& load_picture = {});
 
-/// Writes a person's own into a folder, which is made: over the file that has its id, else as
-/// ID.toml. The old file or the new one, whole. Returns its path. Error: the id of a built-in one,
-/// what material_error says, another material in ID.toml, or the disk.
+/// The file of a folder that has a material of this one's kind and id, whatever its figures; ""
+/// where none has, that can be read.
+std::string material_path(const std::string& folder, const AnyMaterial& material);
+
+/// Writes a person's own into a folder, which is made: over the file that has its kind and id, else
+/// as ID.toml. The old file or the new one, whole. Returns its path. Error: the id of a built-in
+/// one, what material_error says, a file that has its id and is of the other kind, another material
+/// in ID.toml, or the disk.
 Result<std::string> save_material(const std::string& folder, const AnyMaterial& material);
 
-/// Error: no file of this folder has that id, or the disk.
-Result<void> delete_material(const std::string& folder, std::string_view id);
+/// Deletes the file that has this one's kind and id. Error: no file of this folder has them, or the
+/// disk.
+Result<void> delete_material(const std::string& folder, const AnyMaterial& material);
 
 /// "" for an id that a material of one's own may have; else why it may not.
 std::string own_id_error(std::string_view id);

@@ -146,11 +146,27 @@ TEST(MaterialLibrary, SavesOverTheFileOfThatIdAndDeletesIt) {
   EXPECT_EQ(own.text_of("bad.toml"), "kind = 3");
   EXPECT_EQ(own.files(), 3u) << "nothing half-written stays";
 
-  EXPECT_TRUE(delete_material(own.path(), "mine"));
+  sheet.id = "mine";
+  EXPECT_EQ(material_path(own.path(), sheet), own.path() + "/other-name.toml");
+  EXPECT_TRUE(delete_material(own.path(), sheet));
   EXPECT_EQ(own.text_of("other-name.toml"), "");
-  EXPECT_THAT(delete_material(own.path(), "mine").error().message,
-              HasSubstr("no material \"mine\""));
-  EXPECT_FALSE(delete_material(own.path(), "paper"));
+  EXPECT_EQ(material_path(own.path(), sheet), "");
+  EXPECT_THAT(delete_material(own.path(), sheet).error().message, HasSubstr("no sheet \"mine\""));
+  EXPECT_FALSE(delete_material(own.path(), *find_surface("paper")));
+  EXPECT_FALSE(delete_material("", sheet));
+}
+
+TEST(MaterialLibrary, AFileOfTheOtherKindIsNeitherReplacedNorDeleted) {
+  const Folder own("kinds");
+  own.put("mine.toml", sheet_text("mine"));
+  Medium medium = *find_medium("chalk");
+  medium.id = "mine";
+  const Result<std::string> saved = save_material(own.path(), medium);
+  ASSERT_FALSE(saved);
+  EXPECT_THAT(saved.error().message, HasSubstr(own.path() + "/mine.toml is a sheet"));
+  EXPECT_EQ(material_path(own.path(), medium), "");
+  EXPECT_FALSE(delete_material(own.path(), medium));
+  EXPECT_EQ(own.text_of("mine.toml"), sheet_text("mine"));
 }
 
 TEST(MaterialLibrary, SavesNothingThatItWouldNotRead) {

@@ -61,7 +61,8 @@ double friction_of(const Medium& medium, const SurfaceMaterial& surface) noexcep
   for (const PairFriction& pair : medium.pairs) {
     if (pair.surface == surface.id) return pair.coefficient;
   }
-  return medium.friction * surface.friction / surface_materials().front().friction;
+  return std::min(medium.friction * surface.friction / surface_materials().front().friction,
+                  kMaxFriction);
 }
 
 }  // namespace felt

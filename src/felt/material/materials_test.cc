@@ -53,6 +53,16 @@ TEST(Materials, APairsOwnFrictionGoesBeforeTheProduct) {
   EXPECT_DOUBLE_EQ(friction_of(chalk, board), 0.55);
 }
 
+TEST(Materials, TheRuleForPairsKeepsToWhatATextMaySay) {
+  Medium glue = *find_medium("eraser");
+  SurfaceMaterial rubber = *find_surface("rough-paper");
+  glue.pairs.clear();
+  glue.friction = rubber.friction = kMaxFriction;
+  EXPECT_DOUBLE_EQ(friction_of(glue, rubber), kMaxFriction);
+  glue.friction = 0.0;
+  EXPECT_EQ(friction_of(glue, rubber), 0.0);
+}
+
 TEST(Materials, OnlyWhatLeansFartherThanAHandAtRestCounts) {
   EXPECT_EQ(lean_share(0.0), 0.0);
   EXPECT_EQ(lean_share(kFreeLeanDeg), 0.0);

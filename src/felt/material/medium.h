@@ -9,6 +9,10 @@
 
 namespace felt {
 
+/// The largest coefficient of friction, of pairs too: what a text may say, and what the rule for
+/// pairs that nobody spoke of may come to. Rubber on rubber is about 1.
+inline constexpr double kMaxFriction = 1.5;
+
 /// How a line answers the hand. Lean is a share of 0..1 here (`lean_share`, geometry/lean.h).
 ///
 ///   width = (min + (max - min) p^gamma) (1 + (lean_width - 1) lean)

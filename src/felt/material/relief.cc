@@ -3,6 +3,7 @@
 #include <map>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <tuple>
 #include <utility>
 
@@ -13,33 +14,44 @@ namespace {
 using Shape = std::tuple<HeightCharacter, std::uint32_t, const HeightField*>;
 
 /// All reliefs that were asked for. Nothing is taken away again: force models point at them, and a
-/// view of a tile is a hundred bytes.
+/// view of a tile is a hundred bytes. A tile is made outside the lock: whoever wants another
+/// relief, or one that is there, does not wait for it.
 class Reliefs {
  public:
   const HeightField* of(const SurfaceMaterial& surface) {
     const bool is_picture = surface.grain_character == HeightCharacter::kPicture && surface.picture;
     const Shape shape{surface.grain_character, is_picture ? 0u : surface.grain_seed,
                       is_picture ? surface.picture.get() : nullptr};
-    const std::lock_guard lock(mutex_);
-    auto& view = views_[{shape, surface.grain_mm, surface.grain_um}];
-    if (view) return view.get();
-    if (is_picture) pictures_[surface.picture.get()] = surface.picture;
-    auto tile = tiles_.find(shape);
-    if (tile == tiles_.end()) {
-      tile =
-          tiles_.emplace(shape, is_picture ? *surface.picture : HeightField(surface.grain())).first;
+    const View view{shape, surface.grain_mm, surface.grain_um};
+    Tile* tile = nullptr;
+    {
+      const std::lock_guard lock(mutex_);
+      if (const auto known = views_.find(view); known != views_.end()) return known->second.get();
+      auto& slot = tiles_[shape];
+      if (!slot) slot = std::make_unique<Tile>();
+      tile = slot.get();
     }
-    view = std::make_unique<const HeightField>(
-        tile->second.scaled(surface.grain_mm, surface.grain_um));
-    return view.get();
+    std::call_once(tile->once, [&] {
+      if (is_picture) tile->picture = surface.picture;
+      tile->field.emplace(is_picture ? *surface.picture : HeightField(surface.grain()));
+    });
+    auto scaled = std::make_unique<const HeightField>(
+        tile->field->scaled(surface.grain_mm, surface.grain_um));
+    const std::lock_guard lock(mutex_);
+    return views_.try_emplace(view, std::move(scaled)).first->second.get();
   }
 
  private:
+  using View = std::tuple<Shape, double, double>;
+  struct Tile {
+    std::once_flag once;
+    std::optional<HeightField> field;
+    std::shared_ptr<const HeightField> picture;  // its name, an address, is kept
+  };
+
   std::mutex mutex_;
-  std::map<Shape, HeightField> tiles_;
-  std::map<std::tuple<Shape, double, double>, std::unique_ptr<const HeightField>> views_;
-  std::map<const HeightField*, std::shared_ptr<const HeightField>>
-      pictures_;  // their names are kept
+  std::map<Shape, std::unique_ptr<Tile>> tiles_;
+  std::map<View, std::unique_ptr<const HeightField>> views_;
 };
 
 }  // namespace

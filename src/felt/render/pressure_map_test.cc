@@ -15,7 +15,9 @@ namespace {
 /// From the generator's own numbers: a distribution's differ from library to library.
 class Chance {
  public:
-  double between(double low, double high) { return low + (high - low) * (next_() * 0x1p-32); }
+  double between(double low, double high) {
+    return low + (high - low) * (static_cast<double>(next_()) * 0x1p-32);
+  }
   int whole(double low, double high) { return static_cast<int>(between(low, high)); }
 
  private:

@@ -15,15 +15,16 @@ namespace {
 std::size_t allocations = 0;  // of this program, which has one thread
 }  // namespace
 
-void* operator new(std::size_t size) {
+// Not inline: g++ would see a malloc that is deleted.
+[[gnu::noinline]] void* operator new(std::size_t size) {
   ++allocations;
   if (void* memory = std::malloc(size)) return memory;
   std::abort();
 }
-void operator delete(void* memory) noexcept {
+[[gnu::noinline]] void operator delete(void* memory) noexcept {
   std::free(memory);
 }
-void operator delete(void* memory, std::size_t) noexcept {
+[[gnu::noinline]] void operator delete(void* memory, std::size_t) noexcept {
   std::free(memory);
 }
 

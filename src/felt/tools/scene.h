@@ -30,4 +30,13 @@ inline const Medium& medium_of(const Scene& scene, std::string_view id) noexcept
   return medium ? *medium : scene.materials.media().front();
 }
 
+/// A medium that drags so many times as much, on every sheet, and shows so much more of the grain
+/// to the hand: a tool's strength, and how it glides.
+inline Medium felt_with(Medium medium, double friction, double grain) {
+  medium.friction *= friction;
+  medium.grain *= grain;
+  for (PairFriction& pair : medium.pairs) pair.coefficient *= friction;
+  return medium;
+}
+
 }  // namespace felt

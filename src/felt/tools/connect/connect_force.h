@@ -38,9 +38,8 @@ inline WellShape connect_well(const SnapOptions& snap, double strength) noexcept
 /// where it was taken (R43): 1 N at most beside the friction.
 inline ForceModel make_connect_force(const ConnectSettings& settings, const Scene& scene,
                                      const ConnectFeel& feel) {
-  Medium material = medium_of(scene, "pencil");
-  material.friction *= settings.strength;
-  material.grain *= settings.strength;
+  const Medium material =
+      felt_with(medium_of(scene, "pencil"), settings.strength, settings.strength);
   const SheetForce sheet =
       make_sheet_force(scene.surface, material, scene.device, surface_grain(scene.surface));
   const WellShape shape = connect_well(settings.snap, settings.strength);

@@ -11,9 +11,8 @@ namespace felt {
 /// as a pencil by the same law (R41) and does not creep (R42). The same in every mode, in the air
 /// and on the sheet.
 inline ForceModel make_eraser_force(const EraserSettings& settings, const Scene& scene) {
-  Medium material = medium_of(scene, "eraser");
-  material.friction *= settings.strength;
-  material.grain *= settings.strength;
+  const Medium material =
+      felt_with(medium_of(scene, "eraser"), settings.strength, settings.strength);
   ForceModel model(
       make_sheet_force(scene.surface, material, scene.device, surface_grain(scene.surface)));
   model.set_fade_id(FeelId("eraser")

@@ -13,9 +13,8 @@ inline constexpr double kLassoGlide = 0.4;
 /// What the hand feels with a lasso: the sheet, more slippery than under a pencil, and nothing
 /// else, since pointing must not be pulled. The same before and during the gesture.
 inline ForceModel make_lasso_force(const LassoSettings& settings, const Scene& scene) {
-  Medium material = medium_of(scene, "pencil");
-  material.friction *= kLassoGlide * settings.strength;
-  material.grain *= kLassoGlide * settings.strength;
+  const Medium material = felt_with(medium_of(scene, "pencil"), kLassoGlide * settings.strength,
+                                    kLassoGlide * settings.strength);
   ForceModel model(
       make_sheet_force(scene.surface, material, scene.device, surface_grain(scene.surface)));
   model.set_fade_id(FeelId("lasso")

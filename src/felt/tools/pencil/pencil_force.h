@@ -40,9 +40,8 @@ class FeltInertia {
 /// changes at the moment of touching; every part knows by itself when the pen is down.
 inline ForceModel make_pencil_force(const PencilSettings& settings, const Scene& scene,
                                     const std::optional<SnapTarget>& target) {
-  Medium material = medium_of(scene, settings.material);
-  material.friction *= settings.strength;
-  material.grain *= settings.strength;
+  const Medium material =
+      felt_with(medium_of(scene, settings.material), settings.strength, settings.strength);
   const SheetForce sheet =
       make_sheet_force(scene.surface, material, scene.device, surface_grain(scene.surface));
 

@@ -16,9 +16,8 @@ namespace felt {
 /// cross-faded in between.
 inline ForceModel make_pull_force(const PullSettings& settings, const Scene& scene,
                                   const PullFeel& feel) {
-  Medium material = medium_of(scene, "pencil");
-  material.friction *= settings.strength;
-  material.grain *= settings.strength;
+  const Medium material =
+      felt_with(medium_of(scene, "pencil"), settings.strength, settings.strength);
   const SheetForce sheet =
       make_sheet_force(scene.surface, material, scene.device, surface_grain(scene.surface));
   EditOptions edit;

@@ -47,15 +47,9 @@ class RoughFeel {
 
 /// What the hand feels: the sheet and the roughness of the ink under the iron.
 inline ForceModel make_smooth_force(const Scene& scene, double roughness_mm, double strength) {
-  Medium material = medium_of(scene, "pencil");
-  material.friction *= strength;
-  material.grain *= strength;
+  const Medium material = felt_with(medium_of(scene, "pencil"), strength, strength);
   const FrictionOptions friction = friction_for(material, scene.surface, scene.device);
-  const TextureOptions texture{.law = TextureLaw::kFriction,
-                               .strength = material.grain,
-                               .friction = friction.coefficient,
-                               .bristle_n_per_m = friction.stiffness_n_per_m,
-                               .period_s = 1e-9 * static_cast<double>(scene.device.period_ns)};
+  const TextureOptions texture = texture_for(material, scene.surface, scene.device);
   ForceModel model(Compose(
       Plane(plane_for(scene.surface, scene.device)), Texture(surface_grain(scene.surface), texture),
       RoughFeel(roughness_mm, friction.coefficient, strength), Friction(friction)));

@@ -77,9 +77,8 @@ struct TransformHold {
 /// The sheet, with little friction; and, while a selection is held, its tethers.
 inline ForceModel make_transform_force(const Scene& scene, double strength,
                                        const TransformHold* hold) {
-  Medium material = medium_of(scene, "pencil");
-  material.friction *= kTransformGlide * strength;
-  material.grain *= kTransformGlide * strength;
+  const Medium material =
+      felt_with(medium_of(scene, "pencil"), kTransformGlide * strength, kTransformGlide * strength);
   const SheetForce sheet =
       make_sheet_force(scene.surface, material, scene.device, surface_grain(scene.surface));
   FeelId id("transform");

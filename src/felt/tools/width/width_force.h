@@ -108,10 +108,9 @@ struct WidthFeel {
 /// is scaled the pull back to where that began. The stops change smoothly, the feel stays the same.
 inline ForceModel make_width_force(const WidthSettings& settings, const Scene& scene,
                                    const WidthFeel& feel) {
-  Medium material = medium_of(scene, "pencil");
   const double near = std::max(feel.stops.harder, feel.stops.lighter);
-  material.friction *= settings.strength * (1.0 + near);
-  material.grain *= settings.strength;
+  const Medium material =
+      felt_with(medium_of(scene, "pencil"), settings.strength * (1.0 + near), settings.strength);
   const SheetForce sheet =
       make_sheet_force(scene.surface, material, scene.device, surface_grain(scene.surface));
 

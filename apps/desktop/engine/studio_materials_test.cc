@@ -1,0 +1,147 @@
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+#include "desktop/engine/studio.h"
+#include "felt/material/material_file.h"
+#include "felt/stroke/random_stroke.h"
+#include "felt/tools/tool.h"
+
+namespace felt::desktop {
+namespace {
+
+using Texts = std::vector<std::string>;
+
+Medium soft_chalk(double friction) {
+  Medium medium = *find_medium("charcoal");
+  medium.id = "soft-chalk";
+  medium.label = "Soft chalk";
+  medium.friction = friction;
+  return medium;
+}
+
+SurfaceMaterial slate(double friction) {
+  SurfaceMaterial sheet = *find_surface("blackboard");
+  sheet.id = "slate";
+  sheet.label = "Slate";
+  sheet.friction = friction;
+  return sheet;
+}
+
+SheetPage page_of(const std::string& surface) {
+  SheetPage page;
+  page.surface = surface;
+  return page;
+}
+
+Sketch line_of(const std::string& medium) {
+  StrokeData data = felt::testing::straight_stroke({10, 10}, {90, 40}, 2.0, 3.0).data();
+  data.material = medium;
+  return {{"s1", Stroke::create(data).value()}};
+}
+
+/// What a studio says, and how often.
+struct Ear {
+  explicit Ear(Studio& studio) {
+    QObject::connect(&studio, &Studio::refused,
+                     [this](const QString& why) { refused.push_back(why); });
+    QObject::connect(&studio, &Studio::materials_changed, [this] { ++changes; });
+    QObject::connect(&studio, &Studio::option_changed,
+                     [this](const QString& id) { options.push_back(id); });
+  }
+  QStringList refused, options;
+  int changes = 0;
+};
+
+TEST(StudioMaterials, StrokesBringTheMediaThatTheyAreOf) {
+  Studio studio({.live = false});
+  Ear ear(studio);
+  Medium unused = soft_chalk(0.4);
+  unused.id = "unused";
+  const Texts texts{write_material(slate(0.5)), "nonsense", write_material(unused),
+                    write_material(soft_chalk(0.4))};
+  EXPECT_TRUE(studio.bring(texts, line_of("soft-chalk")).empty());
+  ASSERT_NE(studio.session().materials().find_medium("soft-chalk"), nullptr);
+  EXPECT_EQ(*studio.session().materials().find_medium("soft-chalk"), soft_chalk(0.4));
+  EXPECT_NE(studio.materials().find_medium("soft-chalk"), nullptr) << "it may be chosen";
+  EXPECT_EQ(studio.materials().find_medium("unused"), nullptr);
+  EXPECT_EQ(studio.materials().find_surface("slate"), nullptr);
+  EXPECT_EQ(ear.changes, 1);
+  EXPECT_FALSE(studio.is_modified()) << "the strokes are what changes the drawing";
+  EXPECT_TRUE(studio.bring(texts, line_of("soft-chalk")).empty());
+  EXPECT_EQ(ear.changes, 1) << "it is known";
+  EXPECT_TRUE(ear.refused.isEmpty());
+}
+
+TEST(StudioMaterials, AMediumThatIsAnotherOneHereStaysAndIsNamed) {
+  Materials known = Materials::built_in();
+  known.put(soft_chalk(0.4));
+  Studio studio({.live = false, .materials = known});
+  Medium pencil = *find_medium("pencil");
+  pencil.friction = 0.7;
+  const Texts texts{write_material(soft_chalk(0.6)), write_material(soft_chalk(0.8)),
+                    write_material(pencil)};
+  EXPECT_EQ(studio.bring(texts, line_of("soft-chalk")), Texts{"Soft chalk"});
+  EXPECT_EQ(studio.bring(texts, line_of("pencil")), Texts{pencil.label});
+  EXPECT_EQ(*studio.session().materials().find_medium("soft-chalk"), soft_chalk(0.4));
+  EXPECT_EQ(*studio.session().materials().find_medium("pencil"), *find_medium("pencil"));
+}
+
+// The tool's options stay, also the medium that came with the last drawing and with this one.
+TEST(StudioMaterials, OptionsMayNameWhatTheNextDrawingBrings) {
+  std::vector<Event> events;
+  std::size_t begin = 0;
+  Studio studio({.live = false,
+                 .on_event = [&](const Event& event) { events.push_back(event); },
+                 .on_session = [&](const Document&) { begin = events.size(); }});
+  const Texts texts{write_material(slate(0.5)), write_material(soft_chalk(0.4))};
+  studio.open(Document{}, page_of("slate"), texts);
+  ASSERT_TRUE(studio.apply(SetOption{"pencil.material", std::string("soft-chalk")}));
+  studio.open(Document{}, page_of("slate"), texts);
+  EXPECT_EQ(studio.session().option("pencil.material").value(),
+            OptionValue(std::string("soft-chalk")));
+  EXPECT_EQ(studio.session().sheet().material(), slate(0.5));
+  // A recording of the second session has all that it names.
+  Session replayed(make_tools(), {});
+  for (std::size_t i = begin; i < events.size(); ++i) {
+    EXPECT_TRUE(replayed.apply(events[i])) << i;
+    EXPECT_TRUE(i == begin || events[i].time_ns >= events[i - 1].time_ns) << i;
+  }
+  EXPECT_EQ(replayed.option("pencil.material").value(), OptionValue(std::string("soft-chalk")));
+  EXPECT_EQ(replayed.sheet().material(), slate(0.5));
+  // A drawing that does not bring it: the pencil is what it was at first.
+  studio.open(Document{}, SheetPage{});
+  EXPECT_EQ(studio.session().option("pencil.material").value(), OptionValue(std::string("pencil")));
+}
+
+TEST(StudioMaterials, ASheetThatGoesWithItsDrawingIsTold) {
+  Studio studio({.live = false});
+  studio.open(Document{}, page_of("slate"), Texts{write_material(slate(0.5))});
+  Ear ear(studio);
+  studio.open(Document{}, page_of("slate"), Texts{write_material(slate(0.7))});
+  EXPECT_EQ(ear.options, QStringList(QStringLiteral("sheet.material")));
+  studio.open(Document{}, SheetPage{});
+  EXPECT_EQ(studio.session().sheet().material().id, "paper");
+  EXPECT_EQ(ear.options.size(), 2);
+  EXPECT_FALSE(studio.is_modified());
+}
+
+TEST(StudioMaterials, ADrawingWithOtherFiguresThanAPersonsOwnSaysSo) {
+  Materials known = Materials::built_in();
+  known.put(slate(0.5));
+  Studio studio({.live = false, .materials = known});
+  Ear ear(studio);
+  studio.open(Document{}, page_of("slate"), Texts{write_material(slate(0.5))});
+  EXPECT_TRUE(ear.refused.isEmpty()) << "it is the same";
+  studio.open(Document{}, page_of("slate"), Texts{write_material(slate(0.7))});
+  EXPECT_EQ(studio.session().sheet().material(), slate(0.7));
+  ASSERT_EQ(ear.refused.size(), 1);
+  EXPECT_TRUE(ear.refused[0].contains(QStringLiteral("Slate")));
+  studio.open(Document{}, page_of("slate"));
+  EXPECT_EQ(studio.session().sheet().material(), slate(0.5)) << "nothing is lost of one's own";
+  EXPECT_EQ(ear.refused.size(), 1);
+}
+
+}  // namespace
+}  // namespace felt::desktop

@@ -1,0 +1,75 @@
+# FELT_QUICK_BUILD, for builds that start from nothing, as CI's do: what nearly every file includes
+# is compiled once a kind of target, and test code (not what it tests) is optimised less. Nothing
+# else changes; whatever is forgotten to be included shows in the builds without it, of people and
+# of the release in CI.
+set(felt_std_headers <algorithm> <array> <chrono> <cmath> <cstdint> <functional> <limits> <map>
+  <memory> <mutex> <optional> <random> <set> <span> <string> <string_view> <utility> <variant>
+  <vector> <tl/expected.hpp>)
+set(felt_test_headers <gmock/gmock.h> <gtest/gtest.h> <rapidcheck.h>)
+set(felt_qt_headers <QAction> <QApplication> <QByteArray> <QDialog> <QDir> <QFile> <QImage> <QLabel>
+  <QMainWindow> <QMenu> <QMouseEvent> <QObject> <QPainter> <QSettings> <QSignalBlocker> <QString>
+  <QTimer> <QToolButton> <QVariant> <QVBoxLayout> <QWidget>)
+
+# felt_quick_headers(NAME TYPE HEADERS ... [LIBRARIES ...] [DEFINITIONS ...]): a target that others
+# take their precompiled headers from; TYPE as theirs, so that the flags are the same.
+function(felt_quick_headers name type)
+  if(TARGET ${name})
+    return()
+  endif()
+  cmake_parse_arguments(ARG "" "" "HEADERS;LIBRARIES;DEFINITIONS;OPTIONS" ${ARGN})
+  set(source ${CMAKE_BINARY_DIR}/${name}.cc)
+  if(type STREQUAL "EXECUTABLE")
+    file(CONFIGURE OUTPUT ${source} CONTENT "int main() { return 0; }\n")
+    add_executable(${name} ${source})
+  else()
+    file(CONFIGURE OUTPUT ${source} CONTENT "// Its precompiled headers are what counts.\n")
+    add_library(${name} STATIC ${source})
+  endif()
+  target_link_libraries(${name} PRIVATE felt_flags ${ARG_LIBRARIES})
+  target_compile_definitions(${name} PRIVATE ${ARG_DEFINITIONS})
+  target_compile_options(${name} PRIVATE ${ARG_OPTIONS})
+  target_precompile_headers(${name} PRIVATE ${ARG_HEADERS})
+endfunction()
+
+# felt_quick_library(TARGET): of a layer or of what programs share.
+function(felt_quick_library target)
+  if(FELT_QUICK_BUILD)
+    felt_quick_headers(felt_quick_library STATIC HEADERS ${felt_std_headers})
+    target_precompile_headers(${target} REUSE_FROM felt_quick_library)
+  endif()
+endfunction()
+
+# felt_quick_program(TARGET HEADERS...): of many files, most of which include HEADERS.
+function(felt_quick_program target)
+  if(FELT_QUICK_BUILD)
+    target_precompile_headers(${target} PRIVATE ${felt_std_headers} ${ARGN})
+  endif()
+endfunction()
+
+# felt_quick_room(TARGET): of the desktop.
+function(felt_quick_room target)
+  if(FELT_QUICK_BUILD)
+    felt_quick_headers(felt_quick_room STATIC HEADERS ${felt_std_headers} ${felt_qt_headers}
+      LIBRARIES Qt6::Widgets DEFINITIONS QT_NO_KEYWORDS QT_NO_CAST_FROM_BYTEARRAY)
+    target_precompile_headers(${target} REUSE_FROM felt_quick_room)
+  endif()
+endfunction()
+
+# felt_quick_test(TARGET): a GoogleTest program, of the desktop or not.
+function(felt_quick_test target is_desktop)
+  if(NOT FELT_QUICK_BUILD)
+    return()
+  endif()
+  target_compile_options(${target} PRIVATE -O1)
+  if(is_desktop)
+    felt_quick_headers(felt_quick_desktop_test EXECUTABLE
+      HEADERS ${felt_std_headers} ${felt_test_headers} ${felt_qt_headers}
+      LIBRARIES Qt6::Widgets GTest::gmock GTest::gtest_main rapidcheck
+      DEFINITIONS QT_NO_KEYWORDS QT_NO_CAST_FROM_BYTEARRAY OPTIONS -O1)
+    target_precompile_headers(${target} REUSE_FROM felt_quick_desktop_test)
+  else()
+    felt_quick_headers(felt_quick_test EXECUTABLE HEADERS ${felt_std_headers} ${felt_test_headers}
+      LIBRARIES GTest::gmock GTest::gtest_main rapidcheck OPTIONS -O1)
+    target_precompile_headers(${target} REUSE_FROM felt_quick_test)
+  endif()
+endfunction()
