@@ -10,6 +10,13 @@ set(felt_qt_headers <QAction> <QApplication> <QByteArray> <QDialog> <QDir> <QFil
   <QMainWindow> <QMenu> <QMouseEvent> <QObject> <QPainter> <QSettings> <QSignalBlocker> <QString>
   <QTimer> <QToolButton> <QVariant> <QVBoxLayout> <QWidget>)
 
+# What test code is compiled with: it needs no speed, and under sanitizers, which watch it too, an
+# optimised one takes longer to compile than all the rest.
+set(felt_quick_test_options -O1)
+if(FELT_SANITIZE AND CMAKE_CXX_COMPILER_ID STREQUAL "Clang")
+  set(felt_quick_test_options -O0)
+endif()
+
 # felt_quick_headers(NAME TYPE HEADERS ... [LIBRARIES ...] [DEFINITIONS ...]): a target that others
 # take their precompiled headers from; TYPE as theirs, so that the flags are the same.
 function(felt_quick_headers name type)
@@ -60,16 +67,16 @@ function(felt_quick_test target is_desktop)
   if(NOT FELT_QUICK_BUILD)
     return()
   endif()
-  target_compile_options(${target} PRIVATE -O1)
+  target_compile_options(${target} PRIVATE ${felt_quick_test_options})
   if(is_desktop)
     felt_quick_headers(felt_quick_desktop_test EXECUTABLE
       HEADERS ${felt_std_headers} ${felt_test_headers} ${felt_qt_headers}
       LIBRARIES Qt6::Widgets GTest::gmock GTest::gtest_main rapidcheck
-      DEFINITIONS QT_NO_KEYWORDS QT_NO_CAST_FROM_BYTEARRAY OPTIONS -O1)
+      DEFINITIONS QT_NO_KEYWORDS QT_NO_CAST_FROM_BYTEARRAY OPTIONS ${felt_quick_test_options})
     target_precompile_headers(${target} REUSE_FROM felt_quick_desktop_test)
   else()
     felt_quick_headers(felt_quick_test EXECUTABLE HEADERS ${felt_std_headers} ${felt_test_headers}
-      LIBRARIES GTest::gmock GTest::gtest_main rapidcheck OPTIONS -O1)
+      LIBRARIES GTest::gmock GTest::gtest_main rapidcheck OPTIONS ${felt_quick_test_options})
     target_precompile_headers(${target} REUSE_FROM felt_quick_test)
   endif()
 endfunction()

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # docs/images/make.sh [FELTLINE]: makes the pictures of README.md again, from the project's own
 # sample strokes. FELTLINE is the program, by default that of `./dev build --preset release`.
-# detail.png needs python3 and rsvg-convert.
+# detail.png and media.png need rsvg-convert, detail.png python3.
 set -euo pipefail
 here=$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")
 feltline=$(readlink -f "${1:-$here/../../build/release/bin/feltline}")
@@ -17,3 +17,23 @@ rsvg-convert --width 1000 "$scratch/detail.svg" -o "$here/detail.png"
 "$feltline" demo -o "$scratch/demo"
 cp "$scratch/demo/sketch.png" "$here/demo.png"
 cp "$scratch/demo/forces.png" "$here/forces.png"
+
+# cat_with N SHEET MEDIUM COLOUR PAPER: the cat as a hand draws it with that, its grain seen.
+cat_with() {
+  "$feltline" --quiet replay "$samples/cat.ndjson" --sheet "$2" --medium "$3" --set sheet.color="$4" \
+    -o "$scratch/cat$1.felt" --recording
+  "$feltline" render "$scratch/cat$1.felt" --grain --paper "$5" --page fit --dpi 120 -o "$scratch/cat$1.png"
+}
+cat_with 1 paper pencil-soft '#232427' '#fbfaf6'
+cat_with 2 rough-paper charcoal '#1d1b1a' '#f6f2e8'
+cat_with 3 blackboard chalk '#eeeae0' '#2b352f'
+{
+  echo '<svg xmlns="http://www.w3.org/2000/svg" width="1290" height="500" viewBox="0 0 1290 500">'
+  for n in 1 2 3; do
+    paper=$(sed -n "s/^cat_with $n .*'\(#[0-9a-f]*\)'$/\1/p" "$0")
+    printf '<rect x="%d" width="420" height="500" fill="%s"/>' $((435 * n - 435)) "$paper"
+    printf '<image href="cat%d.png" x="%d" y="10" width="400" height="480"/>\n' "$n" $((435 * n - 425))
+  done
+  echo '</svg>'
+} >"$scratch/media.svg"
+rsvg-convert "$scratch/media.svg" -o "$here/media.png"
