@@ -55,17 +55,27 @@ awk '
 ! "$work/inflate/inflate" "$work/missing.ndjson" >"$work/none.obj" 2>"$work/why"
 grep -q 'missing.ndjson: cannot be opened' "$work/why"
 
-echo "every installed header compiles by itself:"
-count=0
-while IFS= read -r header; do
-  printf '#include "%s"\n#include "%s"\n' "$header" "$header" >"$work/one.cc"
+# compiles: the text on stdin, with what is installed and nothing else.
+compiles() {
+  cat >"$work/one.cc"
   # shellcheck disable=SC2046
-  quietly "$export_cxx" -std=c++20 -Wall -Wextra -Werror -fsyntax-only $(pkg-config --cflags feltline) \
-    "$work/one.cc"
-  count=$((count + 1))
-done < <(cd "$prefix/include" && find felt -name '*.h' | LC_ALL=C sort)
-[ "$count" -gt 5 ]
-echo "  $count headers"
+  quietly "$export_cxx" -std=c++20 -Wall -Wextra -Werror -fsyntax-only \
+    $(pkg-config --cflags feltline) "$work/one.cc"
+}
+
+echo "every installed header compiles:"
+mapfile -t headers < <(cd "$prefix/include" && find felt -name '*.h' | LC_ALL=C sort)
+[ ${#headers[@]} -gt 5 ]
+printf '#include "%s"\n' "${headers[@]}" "${headers[@]}" | compiles  # what they include is there, too
+alone=0
+for header in "${headers[@]}"; do
+  # The build has done so already with those that a source includes first.
+  ! grep -m 1 '^#include' "$source_dir/src/${header%.h}.cc" 2>/dev/null | grep -qF "\"$header\"" ||
+    continue
+  printf '#include "%s"\n' "$header" | compiles
+  alone=$((alone + 1))
+done
+echo "  ${#headers[@]} headers, $alone of them alone, too"
 
 if [ -e "$build_dir/bin/feltline" ]; then
   echo "program:"

@@ -30,7 +30,7 @@ class LowPass {
 };
 
 /// What is too low to be heard goes.
-class HighPass {
+class LowCut {
  public:
   void set(double corner_hz, double rate_hz) noexcept {
     share_ = 1.0 - plain::exp(-2.0 * plain::kPi * corner_hz / rate_hz);

@@ -70,7 +70,7 @@ class RubVoice {
   double tap_gain_ = 0.0;
   // Bodies.
   LowPass low_pass_;
-  HighPass high_pass_, hiss_pass_;
+  LowCut high_pass_, hiss_pass_;
   std::array<Resonator, 3> bodies_{};
   int until_look_ = 0;
 };

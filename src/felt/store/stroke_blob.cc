@@ -183,7 +183,7 @@ Result<void> read_shape(ByteReader& in, bool toned, StrokeData& d) {
   d.closed = (flags & kClosed) != 0;
   for (std::uint8_t* c : {&d.color.r, &d.color.g, &d.color.b, &d.color.a}) *c = in.u8();
   const std::uint64_t name_bytes = in.count();
-  if (name_bytes > kMaxMaterialBytes) return damaged("names no material");
+  if (name_bytes > kMaxMaterialNameBytes) return damaged("names no material");
   d.material = std::string(in.bytes(name_bytes));
   if (!in.ok() || !is_utf8(d.material)) return damaged("names no material");
   if (auto ok = read_sizes(in, d); !ok) return ok;
@@ -207,7 +207,7 @@ Result<void> read_shape(ByteReader& in, bool toned, StrokeData& d) {
 Result<void> append_stroke_blob(std::string& out, const Stroke& stroke) {
   const StrokeData& d = stroke.data();
   if (d.points.size() > 3 * kMaxStrokeSegments + 1 || d.widths.size() > kMaxStrokeKnots ||
-      d.material.size() > kMaxMaterialBytes) {
+      d.material.size() > kMaxMaterialNameBytes) {
     return fail(ErrorCode::kLimitExceeded, "the stroke is too large for a file");
   }
   if (!is_utf8(d.material)) {

@@ -13,7 +13,7 @@ namespace felt {
 inline constexpr std::size_t kMaxStrokeSegments = 1'000'000;
 inline constexpr std::size_t kMaxStrokeKnots = 1'000'000;
 /// Longest name of a material, in bytes of UTF-8.
-inline constexpr std::size_t kMaxMaterialBytes = 4096;
+inline constexpr std::size_t kMaxMaterialNameBytes = 4096;
 /// No stroke has more bytes as a blob.
 inline constexpr std::size_t kMaxStrokeBlobBytes =
     17 * (3 * kMaxStrokeSegments + 1) + 26 * kMaxStrokeKnots + kMaxStrokeSegments / 8 + 8192;

@@ -105,12 +105,13 @@ TEST(StrokeBlob, LimitsAreKeptExactly) {
   EXPECT_THAT(read(0, 2).message, HasSubstr("no segment"));
   EXPECT_THAT(read(1, 1).message, HasSubstr("no width"));
   StrokeData data = felt::testing::random_stroke(1).data();
-  for (const std::size_t size : {kMaxMaterialBytes - 1, kMaxMaterialBytes, kMaxMaterialBytes + 1}) {
+  for (const std::size_t size :
+       {kMaxMaterialNameBytes - 1, kMaxMaterialNameBytes, kMaxMaterialNameBytes + 1}) {
     data.material = std::string(size, 'm');
     const Stroke stroke = Stroke::create(data).value();
     std::string bytes;
-    EXPECT_EQ(append_stroke_blob(bytes, stroke).has_value(), size <= kMaxMaterialBytes);
-    if (size <= kMaxMaterialBytes) {
+    EXPECT_EQ(append_stroke_blob(bytes, stroke).has_value(), size <= kMaxMaterialNameBytes);
+    if (size <= kMaxMaterialNameBytes) {
       EXPECT_TRUE(read_stroke_blob(bytes).value() == stroke);
     }
   }
