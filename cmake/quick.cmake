@@ -6,7 +6,8 @@ set(felt_std_headers <algorithm> <array> <chrono> <cmath> <cstdint> <functional>
   <memory> <mutex> <optional> <random> <set> <span> <string> <string_view> <utility> <variant>
   <vector> <tl/expected.hpp>)
 set(felt_test_headers <gmock/gmock.h> <gtest/gtest.h> <rapidcheck.h>)
-set(felt_qt_headers <QAction> <QApplication> <QByteArray> <QDialog> <QDir> <QFile> <QImage> <QLabel>
+# Not <QApplication>: which class qApp is depends on it.
+set(felt_qt_headers <QAction> <QByteArray> <QDialog> <QDir> <QFile> <QImage> <QLabel>
   <QMainWindow> <QMenu> <QMouseEvent> <QObject> <QPainter> <QSettings> <QSignalBlocker> <QString>
   <QTimer> <QToolButton> <QVariant> <QVBoxLayout> <QWidget>)
 
@@ -16,6 +17,9 @@ set(felt_quick_test_options -O1)
 if(FELT_SANITIZE AND CMAKE_CXX_COMPILER_ID STREQUAL "Clang")
   set(felt_quick_test_options -O0)
 endif()
+# Those that sample so densely that they would run for a minute like that.
+set(felt_busy_tests brush_pull_test height_field_test intersect_test outline_path_test outline_test
+  plane_test)
 
 # felt_quick_headers(NAME TYPE HEADERS ... [LIBRARIES ...] [DEFINITIONS ...]): a target that others
 # take their precompiled headers from; TYPE as theirs, so that the flags are the same.
@@ -68,6 +72,14 @@ function(felt_quick_test target is_desktop)
     return()
   endif()
   target_compile_options(${target} PRIVATE ${felt_quick_test_options})
+  get_target_property(sources ${target} SOURCES)
+  foreach(source ${sources})
+    get_filename_component(name ${source} NAME_WE)
+    if(name IN_LIST felt_busy_tests AND NOT felt_quick_test_options STREQUAL "-O1")
+      set_source_files_properties(${source} PROPERTIES COMPILE_OPTIONS -O1
+        SKIP_PRECOMPILE_HEADERS ON)
+    endif()
+  endforeach()
   if(is_desktop)
     felt_quick_headers(felt_quick_desktop_test EXECUTABLE
       HEADERS ${felt_std_headers} ${felt_test_headers} ${felt_qt_headers}

@@ -21,7 +21,7 @@ QString system_language() {
 }
 
 void load(const QString& file, const QString& folder) {
-  auto* translator = new QTranslator(qApp);
+  auto* translator = new QTranslator(QCoreApplication::instance());
   if (translator->load(file, folder)) QCoreApplication::installTranslator(translator);
 }
 
