@@ -11,17 +11,11 @@ set(felt_qt_headers <QAction> <QByteArray> <QDialog> <QDir> <QFile> <QImage> <QL
   <QMainWindow> <QMenu> <QMouseEvent> <QObject> <QPainter> <QSettings> <QSignalBlocker> <QString>
   <QTimer> <QToolButton> <QVariant> <QVBoxLayout> <QWidget>)
 
-# What test code is compiled with: it needs no speed, and under sanitizers, which watch it too, an
-# optimised one takes longer to compile than all the rest.
+# What test code is compiled with: it needs no speed. Not less: the linker takes inline functions of
+# ours from whichever object has them, and at -O0 they make the whole program slow.
 set(felt_quick_test_options -O1)
-if(FELT_SANITIZE AND CMAKE_CXX_COMPILER_ID STREQUAL "Clang")
-  set(felt_quick_test_options -O0)
-endif()
-# Those that sample so densely that they would run for a minute like that.
-set(felt_busy_tests brush_pull_test height_field_test intersect_test outline_path_test outline_test
-  plane_test)
 
-# felt_quick_headers(NAME TYPE HEADERS ... [LIBRARIES ...] [DEFINITIONS ...]): a target that others
+# felt_quick_headers(NAME TYPE HEADERS ... [LIBRARIES|DEFINITIONS|OPTIONS ...]): a target that others
 # take their precompiled headers from; TYPE as theirs, so that the flags are the same.
 function(felt_quick_headers name type)
   if(TARGET ${name})
@@ -72,14 +66,6 @@ function(felt_quick_test target is_desktop)
     return()
   endif()
   target_compile_options(${target} PRIVATE ${felt_quick_test_options})
-  get_target_property(sources ${target} SOURCES)
-  foreach(source ${sources})
-    get_filename_component(name ${source} NAME_WE)
-    if(name IN_LIST felt_busy_tests AND NOT felt_quick_test_options STREQUAL "-O1")
-      set_source_files_properties(${source} PROPERTIES COMPILE_OPTIONS -O1
-        SKIP_PRECOMPILE_HEADERS ON)
-    endif()
-  endforeach()
   if(is_desktop)
     felt_quick_headers(felt_quick_desktop_test EXECUTABLE
       HEADERS ${felt_std_headers} ${felt_test_headers} ${felt_qt_headers}
