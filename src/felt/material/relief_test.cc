@@ -2,6 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdint>
+#include <thread>
+#include <vector>
+
 #include <memory>
 
 #include "felt/material/materials.h"
@@ -16,6 +20,20 @@ TEST(Relief, R47_OneSurfaceHasOneReliefForAll) {
     EXPECT_EQ(relief, surface_grain(surface)) << surface.id;
     const SurfaceMaterial copy = surface;
     EXPECT_EQ(relief, surface_grain(copy)) << surface.id;
+  }
+}
+
+// Made outside the lock: whoever asks at the same time gets the same object all the same.
+TEST(Relief, R47_ThreadsThatAskAtOnceGetOneObject) {
+  SurfaceMaterial surface = *find_surface("rough-paper");
+  for (std::uint32_t seed = 901; seed < 904; ++seed) {
+    surface.grain_seed = seed;  // nobody has asked for it yet
+    std::vector<const HeightField*> got(6, nullptr);
+    std::vector<std::thread> threads;
+    for (auto& one : got) threads.emplace_back([&one, &surface] { one = surface_grain(surface); });
+    for (std::thread& thread : threads) thread.join();
+    ASSERT_NE(got.front(), nullptr);
+    for (const HeightField* one : got) EXPECT_EQ(one, got.front());
   }
 }
 
