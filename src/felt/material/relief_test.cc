@@ -29,6 +29,7 @@ TEST(Relief, R47_ThreadsThatAskAtOnceGetOneObject) {
     surface.grain_seed = seed;  // nobody has asked for it yet
     std::vector<const HeightField*> got(6, nullptr);
     std::vector<std::thread> threads;
+    threads.reserve(got.size());
     for (auto& one : got) threads.emplace_back([&one, &surface] { one = surface_grain(surface); });
     for (std::thread& thread : threads) thread.join();
     ASSERT_NE(got.front(), nullptr);
