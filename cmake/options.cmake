@@ -20,8 +20,7 @@ endif()
 # -O3 in release: the fitter's inner loops are written to be vectorised.
 set(CMAKE_CXX_FLAGS_RELEASE "-O3 -DNDEBUG")
 set(FELT_DEBUG_INFO "-g" CACHE STRING "Debug information of RelWithDebInfo: -g or -g1")
-set(FELT_OPTIMISATION "-O2" CACHE STRING "Optimisation of RelWithDebInfo")
-set(CMAKE_CXX_FLAGS_RELWITHDEBINFO "${FELT_OPTIMISATION} ${FELT_DEBUG_INFO}")
+set(CMAKE_CXX_FLAGS_RELWITHDEBINFO "-O2 ${FELT_DEBUG_INFO}")
 
 find_program(FELT_CCACHE ccache)
 if(FELT_CCACHE AND PROJECT_IS_TOP_LEVEL)

@@ -27,7 +27,7 @@ struct DeviceTestArguments {
   bool json = false;
 };
 
-constexpr const char* kExamples =
+constexpr const char* kDeviceTestExamples =
     "feltline device-test openhaptics:default --level 4\n"
     "feltline device-test forcedimension:2 --report test.txt\n"
     "feltline device-test touch\n"
@@ -147,7 +147,7 @@ void add_device_test_command(CLI::App& app, Console& console) {
       "From level 5 on the device pushes, with at most 0.3 N, and only after you agreed.\n"
       "Ctrl-C takes the force away and reports what was done.\n"
       "Exit code: 0 nothing failed, 1 something did, or it was interrupted.\n" +
-      examples(kExamples));
+      examples(kDeviceTestExamples));
   command->callback([args, &console] { run_device_test(*args, console); });
 }
 

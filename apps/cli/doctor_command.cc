@@ -21,7 +21,7 @@ struct DoctorArguments {
   std::string prefix;
 };
 
-constexpr const char* kExamples =
+constexpr const char* kDoctorExamples =
     "feltline doctor\n"
     "feltline doctor openhaptics\n"
     "feltline doctor --fix --dry-run\n"
@@ -126,7 +126,7 @@ void add_doctor_command(CLI::App& app, Console& console) {
   command->add_flag("--yes", args->yes, "With --fix: do not ask");
   command->add_option("--prefix", args->prefix,
                       "With --fix: write below this folder instead, for whoever makes packages");
-  command->footer("Exit code: 0 nothing hinders, 1 something does.\n" + examples(kExamples));
+  command->footer("Exit code: 0 nothing hinders, 1 something does.\n" + examples(kDoctorExamples));
   command->callback([args, &console] { run_doctor(*args, console); });
 }
 

@@ -34,7 +34,7 @@ struct FitArguments {
   PictureArguments picture;
 };
 
-constexpr const char* kExamples =
+constexpr const char* kFitExamples =
     "feltline fit strokes.ndjson -o sketch.svg\n"
     "feltline fit scan.ndjson --mm-per-unit 0.01 --tolerance 0.1 -o sketch.ndjson\n"
     "feltline fit strokes.ndjson --medium charcoal -o sketch.png\n"
@@ -209,7 +209,7 @@ void add_fit_command(CLI::App& app, Console& console) {
   CLI::App* command = app.add_subcommand("fit", "Turn raw pen strokes into a sketch");
   const auto args = std::make_shared<FitArguments>();
   add_options(*command, *args);
-  command->footer(examples(kExamples));
+  command->footer(examples(kFitExamples));
   command->callback([args, &console] { run_fit(*args, console); });
 }
 

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <memory>
 #include <optional>
 #include <string>
@@ -11,6 +10,10 @@
 #include "felt/render/grain.h"
 #include "felt/store/felt_file.h"
 #include "felt/stroke/stroke.h"
+
+namespace CLI {
+class App;
+}
 
 namespace felt::cli {
 

@@ -38,7 +38,7 @@ constexpr const char* kConsent =
     "The device will push against the pen. Hold it loosely, and keep face and things away. Enter "
     "switches forces off and on, Ctrl-C ends.";
 
-constexpr const char* kExamples =
+constexpr const char* kRecordExamples =
     "feltline record --device openhaptics:default -o sketch.felt\n"
     "feltline record --device haply:049D -o sketch.svg --forces-on --limit 1\n"
     "feltline record --device forcedimension:2 -o sketch.ndjson --events events.ndjson \\\n"
@@ -224,7 +224,7 @@ void add_record_command(CLI::App& app, Console& console) {
       "is lost, the ink so far is kept, and drawing goes on when it is connected again, without\n"
       "forces until Enter allows them again. Every few seconds a copy goes into\n"
       "OUTPUT.unsaved-NUMBER.ndjson; only a crash leaves it there.\n" +
-      examples(kExamples));
+      examples(kRecordExamples));
   command->callback([args, &console] { run_record(*args, console); });
 }
 

@@ -1,5 +1,6 @@
 #include "replay_arguments.h"
 
+#include <CLI/CLI.hpp>
 #include <vector>
 
 #include "commands.h"

@@ -1,10 +1,13 @@
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <optional>
 #include <string>
 
 #include "replay_settings.h"
+
+namespace CLI {
+class App;
+}
 
 namespace felt::cli {
 

@@ -44,7 +44,7 @@ struct ReplayCommandArguments {
   PictureArguments picture;
 };
 
-constexpr const char* kExamples =
+constexpr const char* kReplayExamples =
     "feltline replay strokes.ndjson -o sketch.svg --forces forces.csv --plot forces.png\n"
     "feltline replay events.ndjson --on sketch.ndjson -o - | feltline info -\n"
     "feltline replay events.ndjson --until 2500 --overlay -o work.png\n"
@@ -390,7 +390,7 @@ void add_replay_command(CLI::App& app, Console& console) {
       app.add_subcommand("replay", "Play events or pen strokes through a simulated pen");
   const auto args = std::make_shared<ReplayCommandArguments>();
   add_options(*command, *args);
-  command->footer(examples(kExamples));
+  command->footer(examples(kReplayExamples));
   command->callback([args, command, &console] {
     if (args->as_recorded) {
       check_as_recorded(*args, *command);

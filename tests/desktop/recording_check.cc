@@ -20,7 +20,8 @@ Result<std::vector<PenEvent>> poses_of(const QString& recording) {
   if (!file.open(QIODevice::ReadOnly)) {
     return fail(ErrorCode::kNotFound, (recording + ": " + file.errorString()).toStdString());
   }
-  const std::string text = file.readAll().toStdString();
+  std::string text = file.readAll().toStdString();
+  text.resize(text.rfind('\n') + 1);  // 0 where there is none
   const Result<std::vector<Event>> events = read_events(recording.toStdString(), read_text(text));
   if (!events) return tl::unexpected(events.error());
   std::vector<PenEvent> poses;

@@ -11,7 +11,8 @@
 
 namespace felt::desktop {
 
-/// The poses of a recording, in order. Error: it cannot be read.
+/// The poses of a recording, in order, of its whole lines: it may still be written. Error: it
+/// cannot be read.
 Result<std::vector<PenEvent>> poses_of(const QString& recording);
 
 /// How many of these places are poses, exactly (to 1e-6 mm) and in this order; the search ends at

@@ -32,13 +32,27 @@ int failed(const std::string& why) {
   return 1;
 }
 
-/// Until the recording has grown, which it does with the first samples.
-bool wait_for_growth(const QString& path, qint64 from) {
+/// Until `condition`, asked every 50 ms. False: not within kWaitMs.
+template <class Condition>
+bool wait_until(Condition condition) {
   for (int waited = 0; waited < kWaitMs; waited += 50) {
-    if (QFile(path).size() > from) return true;
+    if (condition()) return true;
     QThread::msleep(50);
   }
   return false;
+}
+
+/// Hovers at the place where it will draw, until the program has seen that: its window is up then.
+bool hover_until_seen(InputtestPen& pen, const QString& recording) {
+  if (!pen.come(kLeft, kMiddle)) return false;
+  double step = 0.0;
+  return wait_until([&] {
+    step = step == 0.0 ? 0.01 * kWave : 0.0;
+    if (!pen.move(kLeft, kMiddle + step, 0.0) || !pen.sync()) return false;
+    const auto poses = poses_of(recording);
+    // Only a tablet tells a pressure.
+    return poses && !poses->empty() && poses->back().pressure.has_value();
+  });
 }
 
 double pressure_of(int i) {
@@ -75,6 +89,10 @@ int count_pressures(const std::vector<PenEvent>& poses) {
   return count;
 }
 
+bool is_lifted(const std::vector<PenEvent>& poses) {
+  return poses.empty() || poses.back().pressure.value_or(0.0) == 0.0;
+}
+
 int run(const QString& desktop, const QString& feltline) {
   Result<std::unique_ptr<XServer>> server = XServer::start();
   if (!server) {
@@ -96,16 +114,18 @@ int run(const QString& desktop, const QString& feltline) {
   Result<InputtestPen> pen = InputtestPen::open((*server)->pen_socket());
   if (!pen) return failed(pen.error().message);
   program.start(desktop, {QStringLiteral("--record"), recording});
-  if (!wait_for_growth(recording, 0)) return failed("the program does not record");
-  QThread::msleep(1500);  // the window comes up
-  if (!pen->come(kLeft, kMiddle) || !pen->move(kLeft, kMiddle, 0.0) || !pen->sync()) {
-    return failed("the X server is gone");
+  if (!wait_until([&] { return QFile(recording).size() > 0; })) {
+    return failed("the program does not record");
   }
-  QThread::msleep(300);
+  if (!hover_until_seen(*pen, recording)) return failed("the program does not see the pen");
   if (!draw(*pen)) return failed("the X server is gone");
   pen->leave(kRight, kMiddle);
   pen->sync();
-  QThread::msleep(1000);
+  // The program may be slower than the pen, never forgetful.
+  wait_until([&] {
+    const auto so_far = poses_of(recording);
+    return so_far && count_pressures(*so_far) == kEvents && is_lifted(*so_far);
+  });
   program.kill();  // what happened is in the recording, whatever happens to the program
   program.waitForFinished(kWaitMs);
   const auto poses = poses_of(recording);
@@ -114,8 +134,7 @@ int run(const QString& desktop, const QString& feltline) {
   std::fprintf(stderr, "%d of %d events are poses of the recording (%zu poses)\n", seen, kEvents,
                poses->size());
   if (seen != kEvents) return failed("samples were lost");
-  if (!poses->empty() && poses->back().pressure.value_or(0.0) > 0.0)
-    return failed("the pen is stuck");
+  if (!is_lifted(*poses)) return failed("the pen is stuck");
   const Result<std::string> sketch = replayed(feltline, recording);
   if (!sketch) return failed(sketch.error().message);
   const auto lines = std::count(sketch->begin(), sketch->end(), '\n');
