@@ -107,7 +107,8 @@ void InkShade::row(const PressureMap& pressure, int x, int y, int count,
     const int pixels = std::min(kPiece, count - from);
     const std::int32_t* packed = pressure.row(y) + (x + from - pressure.area().x0);
     std::uint8_t* alpha = alphas + from;
-    int reliefs[kPiece] = {};
+    int reliefs[kPiece];
+    std::fill_n(reliefs, pixels, 0);  // no more than are needed: most runs of a line are short
     if (!sheet_.is_flat()) sheet_.add_row(x + from, y, pixels, look.sheet_weight, reliefs);
     if (!crumb_.is_flat()) crumb_.add_row(x + from, y, pixels, look.crumb_weight, reliefs);
     if (look.hair_weight > 0) {

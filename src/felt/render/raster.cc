@@ -20,6 +20,7 @@
 #include "felt/render/ink_look.h"
 #include "felt/render/pressure_map.h"
 #include "felt/render/segment_runs.h"
+#include "felt/render/wide_vectors.h"
 
 namespace felt {
 namespace {
@@ -80,36 +81,37 @@ constexpr unsigned over_255(unsigned product) noexcept {  // rounded
   return (product + 128U + ((product + 128U) >> 8U)) >> 8U;
 }
 
-/// Four bytes with 16 bits of room each, and back.
-constexpr std::uint64_t spread(std::uint32_t bytes) noexcept {
-  std::uint64_t x = bytes;
-  x = (x | x << 16U) & 0x0000FFFF0000FFFFU;
-  return (x | x << 8U) & 0x00FF00FF00FF00FFU;
-}
-constexpr std::uint32_t gathered(std::uint64_t x) noexcept {
-  x = (x | x >> 8U) & 0x0000FFFF0000FFFFU;
-  return static_cast<std::uint32_t>(x | x >> 16U);
+/// Every other byte of a pixel, with 16 bits of room each.
+constexpr std::uint32_t kEveryOther = 0x00FF00FFU;
+
+/// Two channels of ink over two of a pixel, each as over_255 has it. Alpha and what it leaves are
+/// 255 together, so no sum exceeds 255 * 255, and none carries into the next.
+constexpr std::uint32_t over_two(std::uint32_t ink, std::uint32_t alpha,
+                                 std::uint32_t under) noexcept {
+  const std::uint32_t sum = ink * alpha + under * (255U - alpha) + 0x00800080U;
+  return ((sum + ((sum >> 8U) & kEveryOther)) >> 8U) & kEveryOther;
 }
 
-/// Ink with these alphas over premultiplied pixels. All channels of a pixel at once: alpha and what
-/// it leaves are 255 together, so no sum exceeds 255 * 255, and none carries into the next.
-void blend_row(std::uint8_t* pixel, PixelOrder order, Rgba color, const std::uint8_t* alphas,
-               int count) noexcept {
-  const bool rgba = order == PixelOrder::kRgba;
-  const std::array<std::uint8_t, 4> ink{rgba ? color.r : color.b, color.g, rgba ? color.b : color.r,
-                                        255};
-  const std::uint64_t channels = spread(std::bit_cast<std::uint32_t>(ink));
-  const unsigned opacity = color.a;
-  for (int x = 0; x < count; ++x, pixel += 4) {
-    const unsigned alpha = opacity == 255U ? alphas[x] : over_255(opacity * alphas[x]);
+/// Ink with these alphas over premultiplied pixels; `ink` is one pixel of it.
+FELT_WIDE_VECTORS void blend_row(std::uint8_t* __restrict pixels, std::uint32_t ink,
+                                 unsigned opacity, const std::uint8_t* __restrict alphas,
+                                 int count) noexcept {
+  const std::uint32_t even = ink & kEveryOther, odd = (ink >> 8U) & kEveryOther;
+  for (int x = 0; x < count; ++x) {
+    const std::uint32_t alpha = over_255(opacity * alphas[x]);
     std::uint32_t under = 0;
-    std::memcpy(&under, pixel, 4);
-    // Each channel as over_255 has it.
-    std::uint64_t sum = channels * alpha + spread(under) * (255U - alpha) + 0x0080008000800080U;
-    sum += (sum >> 8U) & 0x00FF00FF00FF00FFU;
-    const std::uint32_t blended = gathered((sum >> 8U) & 0x00FF00FF00FF00FFU);
-    std::memcpy(pixel, &blended, 4);
+    std::memcpy(&under, pixels + std::ptrdiff_t{4} * x, 4);
+    const std::uint32_t over = over_two(even, alpha, under & kEveryOther) |
+                               over_two(odd, alpha, (under >> 8U) & kEveryOther) << 8U;
+    std::memcpy(pixels + std::ptrdiff_t{4} * x, &over, 4);
   }
+}
+
+/// A pixel of solid ink.
+std::uint32_t solid(Rgba color, PixelOrder order) noexcept {
+  const bool rgba = order == PixelOrder::kRgba;
+  return std::bit_cast<std::uint32_t>(std::array<std::uint8_t, 4>{rgba ? color.r : color.b, color.g,
+                                                                  rgba ? color.b : color.r, 255});
 }
 
 }  // namespace
@@ -130,8 +132,8 @@ struct Rasterizer::State {
     return stroke.closed() && found.size() > 1 && found.front().first == 0 &&
            found.back().last == stroke.segment_count();
   }
-  /// Where the tip of the stroke went, near what is shown, in pixels.
-  void walk(const Stroke& stroke, const View& view, const Rect& shown);
+  /// Where the tip of the stroke went, in pixels, in the runs that trace_near() found last.
+  void walk(const Stroke& stroke, const View& view);
 
   Cells cells{kCellBlocks};
   agg::scanline_u8 line;
@@ -146,8 +148,7 @@ struct Rasterizer::State {
   std::vector<std::pair<std::string, std::shared_ptr<const InkLook>>> looks;
 };
 
-void Rasterizer::State::walk(const Stroke& stroke, const View& view, const Rect& shown) {
-  runs.find(stroke, shown);
+void Rasterizer::State::walk(const Stroke& stroke, const View& view) {
   const std::size_t count = runs.runs().size();
   ways.resize(count);
   for (std::size_t n = 0; n < count; ++n) {
@@ -278,8 +279,9 @@ void Rasterizer::draw(const Stroke& stroke, const View& view, PixelRect clip, co
   load(trace_near(stroke, view, shown), view, part);
   if (!s.cells.rewind_scanlines()) return;
   s.line.reset(s.cells.min_x(), s.cells.max_x());
-  s.walk(stroke, view, shown);
+  s.walk(stroke, view);
   const InkShade shade(*look, view);
+  const std::uint32_t ink = solid(stroke.color(), target.order);
   PixelRect band{part.x0, part.y0, part.x1, part.y0};
   while (s.cells.sweep_scanline(s.line)) {
     const int y = s.line.y();
@@ -297,8 +299,8 @@ void Rasterizer::draw(const Stroke& stroke, const View& view, PixelRect clip, co
       if (count <= 0) continue;
       std::uint8_t* alphas = span->covers + (from - span->x);
       shade.row(s.pressure, from, y, count, alphas);
-      blend_row(target.data + y * target.stride + std::ptrdiff_t{4} * from, target.order,
-                stroke.color(), alphas, count);
+      blend_row(target.data + y * target.stride + std::ptrdiff_t{4} * from, ink, stroke.color().a,
+                alphas, count);
     }
   }
 }
