@@ -1,12 +1,10 @@
 #pragma once
 
-#include <QFrame>
 #include <QLabel>
-#include <QToolButton>
 #include <functional>
 #include <vector>
 
-class QHBoxLayout;
+#include "desktop/engine/message_bar.h"
 
 namespace felt::desktop {
 
@@ -22,10 +20,9 @@ struct DeviceMessage {
   std::vector<Button> buttons = {};
 };
 
-/// Says it above the sheet without being in the way: a line or two, buttons, "Details" with the
-/// maker's own words, and a cross. It takes no focus; a screen reader is told. A new message takes
-/// the place of the last.
-class DeviceNotice : public QFrame {
+/// Says it above the sheet, with buttons for what can be done, and the maker's own words on demand.
+/// A new message takes the place of the last.
+class DeviceNotice : public MessageBar {
   Q_OBJECT
 
  public:
@@ -37,17 +34,13 @@ class DeviceNotice : public QFrame {
   void press(std::size_t button);
 
  protected:
-  void keyPressEvent(QKeyEvent* event) override;
   void changeEvent(QEvent* event) override;
 
  private:
+  DeviceNotice(QLabel* vendor, QWidget* parent);
   void draw_icon();
 
   DeviceMessage message_;
-  QLabel* icon_;
-  QLabel* text_;
-  QHBoxLayout* buttons_;
-  QToolButton* details_;
   QLabel* vendor_;
 };
 

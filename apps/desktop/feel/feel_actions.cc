@@ -2,7 +2,9 @@
 
 #include <QActionGroup>
 #include <QApplication>
+#include <QCursor>
 #include <QKeyEvent>
+#include <QMenu>
 #include <QSignalBlocker>
 #include <QWidget>
 
@@ -80,6 +82,45 @@ void add_materials(Actions& actions, Studio& studio, QWidget* window) {
   }
 }
 
+bool is_own(const SurfaceMaterial& material) {
+  return find_surface(material.id) == nullptr;
+}
+
+void fill_own_sheets(QMenu& menu, Studio& studio) {
+  menu.clear();
+  for (const SurfaceMaterial& material : studio.materials().surfaces()) {
+    if (!is_own(material)) continue;
+    const QString id = QString::fromStdString(material.id);
+    QAction* choice = menu.addAction(material_label(material));
+    choice->setCheckable(true);
+    choice->setChecked(id == material_of(studio));
+    QObject::connect(choice, &QAction::triggered, &studio,
+                     [&studio, id] { choose_material(studio, id); });
+  }
+}
+
+/// A menu within the menu, of sheets that a person made or a drawing brought; seen where there are
+/// some.
+void add_own_sheets(Actions& actions, Studio& studio, QWidget* window) {
+  auto* menu = new QMenu(window);
+  QAction* action = actions.add(
+      QStringLiteral("feel.own_sheets"),
+      QCoreApplication::translate("FeelActions", "My &own sheets"), {},
+      QCoreApplication::translate("FeelActions", "Sheets that you made, or a drawing brought"),
+      [menu] {
+        if (!menu->isEmpty()) menu->popup(QCursor::pos());  // by a key of a person's own
+      });
+  action->setMenu(menu);
+  const auto fill = [action, menu, &studio] {
+    fill_own_sheets(*menu, studio);
+    action->setVisible(!menu->isEmpty());
+  };
+  fill();
+  QObject::connect(menu, &QMenu::aboutToShow, menu, fill);
+  QObject::connect(&studio, &Studio::materials_changed, menu, fill);
+  QObject::connect(&studio, &Studio::opened, menu, fill);
+}
+
 void add_sound(Actions& actions, Studio& studio, QWidget* window) {
   if (!FrictionSound::is_built_in()) return;
   const QString key = QString::fromLatin1(feel_keys::kSound);
@@ -119,6 +160,7 @@ void add_feel_actions(Actions& actions, Studio& studio, QWidget* window) {
   add_switch(actions, studio);
   add_strength(actions, studio);
   add_materials(actions, studio, window);
+  add_own_sheets(actions, studio, window);
   add_sound(actions, studio, window);
   add_cues(studio, window);
   watch_faults(studio, window);

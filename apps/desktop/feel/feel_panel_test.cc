@@ -5,6 +5,7 @@
 #include <QAbstractButton>
 #include <QLabel>
 #include <QMainWindow>
+#include <QMenu>
 #include <QTest>
 
 #include "desktop/engine/settings.h"
@@ -119,6 +120,37 @@ TEST(FeelPanel, AMaterialIsChosenByButtonActionOrEventAndAllAgree) {
   window.studio.apply(SetOption{"sheet.material", OptionValue(std::string("glass"))});
   EXPECT_TRUE(glass->isChecked());
   EXPECT_TRUE(window.actions.find(QStringLiteral("feel.glass"))->isChecked());
+  forget_settings();
+}
+
+TEST(FeelPanel, SheetsOfOnesOwnAreInAMenuOfTheirOwn) {
+  forget_settings();
+  Window window;
+  const auto chosen = [&] { return window.studio.session().sheet().material().id; };
+  QAction* own = window.actions.find(QStringLiteral("feel.own_sheets"));
+  ASSERT_NE(own, nullptr);
+  EXPECT_FALSE(own->isVisible()) << "there are none yet";
+  Materials known = Materials::built_in();
+  SurfaceMaterial mine = *find_surface("glass");
+  mine.id = "my-glass";
+  mine.label = "My glass";
+  known.put(mine);
+  window.studio.know(known);
+  EXPECT_TRUE(own->isVisible());
+  Q_EMIT own->menu()->aboutToShow();
+  ASSERT_EQ(own->menu()->actions().size(), 1);
+  QAction* choice = own->menu()->actions().front();
+  EXPECT_EQ(choice->text(), QStringLiteral("My glass"));
+  EXPECT_FALSE(choice->isChecked());
+  choice->trigger();
+  EXPECT_EQ(chosen(), "my-glass");
+  Q_EMIT own->menu()->aboutToShow();
+  EXPECT_TRUE(own->menu()->actions().front()->isChecked());
+  EXPECT_EQ(Settings::the().text(feel_keys::kMaterial), QStringLiteral("my-glass"));
+  window.actions.find(QStringLiteral("feel.glass"))->trigger();
+  EXPECT_EQ(chosen(), "glass");
+  window.studio.know(Materials::built_in());
+  EXPECT_FALSE(own->isVisible());
   forget_settings();
 }
 

@@ -1,19 +1,15 @@
 #pragma once
 
-#include <QFrame>
-
+#include "desktop/engine/message_bar.h"
 #include "felt/io/import.h"
 
-class QLabel;
-class QToolButton;
 class QTreeWidget;
 
 namespace felt::desktop {
 
-/// Says, without being in the way, that a file held things that could not be taken: one line above
-/// the sheet, "Details" with a list of what and where, and a cross. It takes no focus; a screen
-/// reader is told. Hidden until show_report; another file's report takes the place of the last.
-class NoticeBar : public QFrame {
+/// Says that a file held things that could not be taken: one line above the sheet, and on demand a
+/// list of what and where. Another file's report takes the place of the last.
+class NoticeBar : public MessageBar {
   Q_OBJECT
 
  public:
@@ -24,15 +20,10 @@ class NoticeBar : public QFrame {
   /// Something else that a person should know, in plain words; it stays until it is closed.
   void show_words(const QString& words);
 
- protected:
-  void keyPressEvent(QKeyEvent* event) override;
-
  private:
-  void announce();
-  void show_details(bool on);
+  NoticeBar(QTreeWidget* list, QWidget* parent);
+  void fit_list();
 
-  QLabel* text_;
-  QToolButton* details_;
   QTreeWidget* list_;
 };
 

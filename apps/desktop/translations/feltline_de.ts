@@ -281,6 +281,14 @@
 <context>
     <name>FeelActions</name>
     <message>
+        <source>My &amp;own sheets</source>
+        <translation>&amp;Eigene Blätter</translation>
+    </message>
+    <message>
+        <source>Sheets that you made, or a drawing brought</source>
+        <translation>Blätter, die man selbst gemacht hat oder die eine Zeichnung mitbrachte</translation>
+    </message>
+    <message>
         <source>No force, at once</source>
         <translation>Keine Kraft mehr, sofort</translation>
     </message>
@@ -1913,16 +1921,8 @@
 <context>
     <name>felt::desktop::DeviceNotice</name>
     <message>
-        <source>&amp;Details</source>
-        <translation>&amp;Einzelheiten</translation>
-    </message>
-    <message>
         <source>What the device itself says</source>
         <translation>Was das Gerät selbst sagt</translation>
-    </message>
-    <message>
-        <source>Close this message</source>
-        <translation>Diese Meldung schließen</translation>
     </message>
     <message>
         <source>The device says: %1</source>
@@ -3513,18 +3513,21 @@ Doppelklick benennt um, Ziehen verschiebt</translation>
     </message>
 </context>
 <context>
-    <name>felt::desktop::NoticeBar</name>
+    <name>felt::desktop::MessageBar</name>
     <message>
         <source>&amp;Details</source>
         <translation>&amp;Einzelheiten</translation>
     </message>
     <message>
-        <source>What was left out or changed, and where</source>
-        <translation>Was weggelassen oder geändert wurde, und wo</translation>
-    </message>
-    <message>
         <source>Close this message</source>
         <translation>Diese Meldung schließen</translation>
+    </message>
+</context>
+<context>
+    <name>felt::desktop::NoticeBar</name>
+    <message>
+        <source>What was left out or changed, and where</source>
+        <translation>Was weggelassen oder geändert wurde, und wo</translation>
     </message>
     <message>
         <source>Line</source>

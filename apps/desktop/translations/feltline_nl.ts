@@ -281,6 +281,14 @@
 <context>
     <name>FeelActions</name>
     <message>
+        <source>My &amp;own sheets</source>
+        <translation>&amp;Eigen vellen</translation>
+    </message>
+    <message>
+        <source>Sheets that you made, or a drawing brought</source>
+        <translation>Vellen die u zelf maakte of die een tekening meebracht</translation>
+    </message>
+    <message>
         <source>No force, at once</source>
         <translation>Geen kracht meer, meteen</translation>
     </message>
@@ -1913,16 +1921,8 @@
 <context>
     <name>felt::desktop::DeviceNotice</name>
     <message>
-        <source>&amp;Details</source>
-        <translation>&amp;Details</translation>
-    </message>
-    <message>
         <source>What the device itself says</source>
         <translation>Wat het apparaat zelf zegt</translation>
-    </message>
-    <message>
-        <source>Close this message</source>
-        <translation>Deze melding sluiten</translation>
     </message>
     <message>
         <source>The device says: %1</source>
@@ -3513,18 +3513,21 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen</translation>
     </message>
 </context>
 <context>
-    <name>felt::desktop::NoticeBar</name>
+    <name>felt::desktop::MessageBar</name>
     <message>
         <source>&amp;Details</source>
         <translation>&amp;Details</translation>
     </message>
     <message>
-        <source>What was left out or changed, and where</source>
-        <translation>Wat is weggelaten of veranderd, en waar</translation>
-    </message>
-    <message>
         <source>Close this message</source>
         <translation>Deze melding sluiten</translation>
+    </message>
+</context>
+<context>
+    <name>felt::desktop::NoticeBar</name>
+    <message>
+        <source>What was left out or changed, and where</source>
+        <translation>Wat is weggelaten of veranderd, en waar</translation>
     </message>
     <message>
         <source>Line</source>

@@ -1,6 +1,7 @@
 #include "tests/drivers/haply/fake_service.h"
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
 #include <limits>
@@ -20,8 +21,31 @@ constexpr double kMmPerM = 1000.0;
 constexpr double kDegPerRad = 57.295779513082320877;
 constexpr std::string_view kGripId = "61548";
 
-Json vector(double x, double y, double z) {
-  return {{"x", x}, {"y", y}, {"z", z}};
+// The state is written at every tick of every test, so its text is put together by hand.
+void add_number(std::string& text, double number) {
+  std::array<char, 32> digits;
+  if (!std::isfinite(number)) {
+    text += "null";
+    return;
+  }
+  const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), number).ptr;
+  text.append(digits.data(), end);
+}
+/// A member of an object, the first of which needs no comma before it.
+void add_member(std::string& text, std::string_view name, double number) {
+  if (text.back() != '{') text += ',';
+  text.append("\"").append(name).append("\":");
+  add_number(text, number);
+}
+void add_vector(std::string& text, double x, double y, double z) {
+  text += '{';
+  add_member(text, "x", x);
+  add_member(text, "y", y);
+  add_member(text, "z", z);
+  text += '}';
+}
+std::string_view word(bool is_so) {
+  return is_so ? "true" : "false";
 }
 
 // The shortest turn {w, x, y, z} of (0, 1, 0) into this direction of length 1.
@@ -133,7 +157,6 @@ void FakeService::tell(std::string_view event) {
 }
 
 void FakeService::write_state(const tl::expected<PenSample, DeviceFault>& pen) {
-  Json state{{"session_id", 7}, {"inverse3", Json::array()}, {"verse_grip", Json::array()}};
   const bool is_gone = !pen && pen.error() == DeviceFault::kDisconnected;
   const bool is_lost = !pen && pen.error() == DeviceFault::kNotCalibrated;
   if (is_gone && is_there_) {
@@ -142,39 +165,49 @@ void FakeService::write_state(const tl::expected<PenSample, DeviceFault>& pen) {
          options_.device_id + R"("},"message":"Device )" + options_.device_id + R"( was lost"})");
   }
   is_there_ = !is_gone;
-  if (!is_gone) {
-    const PenSample shown = pen.value_or(PenSample{});
-    const Vec3 at = plane_.to_device(shown.position), v = plane_.turn_to_device(shown.velocity);
-    const Force f = options_.shows_force && !brakes_ ? applied_ : Force{};
-    state["inverse3"].push_back(
-        {{"device_id", options_.device_id},
-         {"state",
-          {{"angular_position", {{"a0", 1.5}, {"a1", -2}, {"a2", 0}}},
-           {"control_domain", "cartesian"},
-           {"control_mode", brakes_ ? "idle" : "force"},
-           {"cursor_position", vector(at.x / kMmPerM, at.y / kMmPerM, at.z / kMmPerM)},
-           {"cursor_velocity", vector(v.x / kMmPerM, v.y / kMmPerM, v.z / kMmPerM)},
-           {"current_cursor_force", vector(f.x, f.y, f.z)},
-           {"transform", Json::object()}}},
-         {"status",
-          {{"calibrated", options_.is_calibrated && !is_lost},
-           {"in_use", true},
-           {"power_supply", options_.has_power},
-           {"ready", true}}}});
-    // The handle points along its own y; a hand that says nothing holds it upright over its sheet.
-    const double lean_rad = shown.lean_deg.value_or(0.0) / kDegPerRad;
-    const Vec3 axis = plane_.turn_to_device(Vec3{std::sin(lean_rad), 0.0, std::cos(lean_rad)});
-    const auto turn = turn_of_y_to(axis);
-    const auto bit = [&](unsigned i) { return ((shown.buttons >> i) & 1u) != 0; };
-    Json grip{
-        {"device_id", kGripId},
-        {"state",
-         {{"buttons", {{"a", bit(0)}, {"b", bit(1)}, {"c", bit(2)}}},
-          {"orientation", {{"w", turn[0]}, {"x", turn[1]}, {"y", turn[2]}, {"z", turn[3]}}}}}};
-    state.erase("verse_grip");
-    state[options_.grip_family] = Json::array({grip});
+  if (is_gone) {
+    state_ = R"({"inverse3":[],"session_id":7,"verse_grip":[]})";
+    return;
   }
-  state_ = state.dump();
+  const PenSample shown = pen.value_or(PenSample{});
+  state_ = R"({"inverse3":[)";
+  add_arm(shown, options_.is_calibrated && !is_lost);
+  state_.append(R"(],"session_id":7,")").append(options_.grip_family).append(R"(":[)");
+  add_grip(shown);
+  state_ += "]}";
+}
+
+void FakeService::add_arm(const PenSample& shown, bool is_calibrated) {
+  const Vec3 at = plane_.to_device(shown.position), v = plane_.turn_to_device(shown.velocity);
+  const Force f = options_.shows_force && !brakes_ ? applied_ : Force{};
+  state_.append(R"({"device_id":")").append(options_.device_id);
+  state_.append(R"(","state":{"angular_position":{"a0":1.5,"a1":-2,"a2":0},)");
+  state_.append(R"("control_domain":"cartesian","control_mode":")");
+  state_.append(brakes_ ? "idle" : "force").append(R"(","current_cursor_force":)");
+  add_vector(state_, f.x, f.y, f.z);
+  state_ += R"(,"cursor_position":)";
+  add_vector(state_, at.x / kMmPerM, at.y / kMmPerM, at.z / kMmPerM);
+  state_ += R"(,"cursor_velocity":)";
+  add_vector(state_, v.x / kMmPerM, v.y / kMmPerM, v.z / kMmPerM);
+  state_.append(R"(,"transform":{}},"status":{"calibrated":)").append(word(is_calibrated));
+  state_.append(R"(,"in_use":true,"power_supply":)").append(word(options_.has_power));
+  state_ += R"(,"ready":true}})";
+}
+
+/// The handle points along its own y; a hand that says nothing holds it upright over its sheet.
+void FakeService::add_grip(const PenSample& shown) {
+  const double lean_rad = shown.lean_deg.value_or(0.0) / kDegPerRad;
+  const Vec3 axis = plane_.turn_to_device(Vec3{std::sin(lean_rad), 0.0, std::cos(lean_rad)});
+  const auto turn = turn_of_y_to(axis);
+  const auto bit = [&](unsigned i) { return word(((shown.buttons >> i) & 1u) != 0); };
+  state_.append(R"({"device_id":")").append(kGripId).append(R"(","state":{"buttons":{"a":)");
+  state_.append(bit(0)).append(R"(,"b":)").append(bit(1)).append(R"(,"c":)").append(bit(2));
+  state_ += R"(},"orientation":{)";
+  add_member(state_, "w", turn[0]);
+  add_member(state_, "x", turn[1]);
+  add_member(state_, "y", turn[2]);
+  add_member(state_, "z", turn[3]);
+  state_ += "}}}";
 }
 
 std::string FakeService::inventory() {

@@ -88,6 +88,8 @@ class FakeService {
   }
   [[nodiscard]] bool is_active(InjectedFault fault) const noexcept;
   void write_state(const tl::expected<PenSample, DeviceFault>& pen);
+  void add_arm(const PenSample& shown, bool is_calibrated);
+  void add_grip(const PenSample& shown);
 
   FakeWorld& world_;
   std::vector<FaultWindow> faults_;
