@@ -7,6 +7,7 @@
 
 #include "felt/driver/fake_system.h"
 #include "system_fix.h"
+#include "tests/support/scratch_path.h"
 
 namespace felt::cli {
 namespace {
@@ -181,7 +182,7 @@ TEST(SystemFixTest, WhatItAllowedBeforeStays) {
 }
 
 TEST(SystemFixTest, WritesBelowAPrefixTwiceTheSame) {
-  const std::string prefix = testing::TempDir() + "felt_system_fix";
+  const std::string prefix = scratch_path("system-fix");
   std::filesystem::remove_all(prefix);
   const DoctorReport report = report_with({with_fix(kRule, std::string(kReloadUdev))});
   const auto plan = plan_fixes(report, this_system(), prefix);

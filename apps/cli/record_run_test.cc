@@ -16,6 +16,7 @@
 
 #include "felt/tools/tool.h"
 #include "record_copy.h"
+#include "tests/support/scratch_path.h"
 
 namespace felt::cli {
 namespace {
@@ -280,7 +281,7 @@ TEST(RecordRunTest, ADeviceThatHangsIsGivenUpAndTheInkStays) {
 TEST(RecordRunTest, ACopyOfTheDrawingIsThereWhileItIsMade) {
   World world;
   world.gone_after_reads = 1 << 30;
-  const std::string output = testing::TempDir() + "record_copy_test.felt";
+  const std::string output = scratch_path("record-copy.felt");
   RecordCopy copy(output, std::chrono::milliseconds(20));
   EXPECT_TRUE(copy.path().starts_with(output + ".unsaved-"));
   std::string kept;

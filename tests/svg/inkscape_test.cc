@@ -9,6 +9,7 @@
 #include "felt/io/svg_import.h"
 #include "felt/io/svg_writer.h"
 #include "felt/stroke/random_stroke.h"
+#include "tests/support/scratch_path.h"
 
 namespace felt {
 namespace {
@@ -33,7 +34,7 @@ LayeredSketch drawing() {
 
 /// What Inkscape saves of a drawing after `actions`; empty where it failed.
 std::string saved_by_inkscape(const LayeredSketch& d, const std::string& actions) {
-  const fs::path folder = fs::temp_directory_path() / "felt-inkscape-test";
+  const fs::path folder = scratch_path("inkscape");
   fs::create_directories(folder);
   const std::string in = (folder / "in.svg").string(), out = (folder / "out.svg").string();
   std::ofstream(in, std::ios::binary) << svg_text(d, {}).value();

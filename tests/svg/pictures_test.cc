@@ -13,6 +13,7 @@
 #include "felt/io/png.h"
 #include "felt/io/svg_import.h"
 #include "felt/render/page.h"
+#include "tests/support/scratch_path.h"
 #include "tests/svg/scene_picture.h"
 #include "tests/svg/suite.h"
 
@@ -38,7 +39,7 @@ TEST(SvgPictures, OurFilesLookAsLibrsvgDrawsThem) {
   }
   const std::vector<std::string> names = files_in(kFiles);
   EXPECT_GE(names.size(), 60U);
-  const std::string png = (fs::temp_directory_path() / "felt-svg-picture.png").string();
+  const std::string png = scratch_path("svg-picture.png");
   for (const std::string& name : names) {
     ASSERT_EQ(std::system(("rsvg-convert -w 300 " + name + " -o " + png).c_str()), 0) << name;
     const char* out = std::getenv("FELT_SVG_PICTURES");
@@ -74,7 +75,7 @@ TEST(SvgPictures, InkLooksAsLibrsvgDrawsTheLines) {
   }
   const std::vector<std::string> names = files_in("tests/svg/ink");
   EXPECT_GE(names.size(), 8U);
-  const std::string png = (fs::temp_directory_path() / "felt-svg-ink.png").string();
+  const std::string png = scratch_path("svg-ink.png");
   for (const std::string& name : names) {
     ASSERT_EQ(std::system(("rsvg-convert -w 300 " + name + " -o " + png).c_str()), 0) << name;
     const Image theirs = decode_png(read_file(png, std::size_t{1} << 24).value()).value().image;

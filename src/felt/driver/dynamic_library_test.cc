@@ -1,4 +1,5 @@
 #include "felt/driver/dynamic_library.h"
+#include "tests/support/scratch_path.h"
 
 #include <dlfcn.h>
 #include <gmock/gmock.h>
@@ -38,8 +39,7 @@ TEST(DynamicLibrary, TakesTheFirstNameThatIsThere) {
 }
 
 TEST(DynamicLibrary, ErrorHasEachNameWithTheLoadersOwnWords) {
-  const std::filesystem::path broken =
-      std::filesystem::path(testing::TempDir()) / "felt_broken_library.so";
+  const std::filesystem::path broken = scratch_path("broken-library.so");
   std::ofstream(broken) << "this is no library at all, whatever it is called";
   const Names names{"libfelt-is-not-there.so", "", broken.string()};
   const auto library = DynamicLibrary::open(names, LibraryLife::kAsLongAsUsed);

@@ -1,4 +1,5 @@
 #include "felt/io/png.h"
+#include "tests/support/scratch_path.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -118,17 +119,16 @@ TEST(Png, AReliefThatIsDamagedOrNotThereIsAnErrorWithItsName) {
   const auto none = read_height_png("/nowhere/at/all.png");
   ASSERT_FALSE(none);
   EXPECT_THAT(none.error().message, HasSubstr("/nowhere/at/all.png"));
-  const std::string path =
-      (std::filesystem::temp_directory_path() / "felt-relief-test.png").string();
+  const std::string path = scratch_path("relief-test.png");
   std::ofstream(path) << "no picture";
   const auto bad = read_height_png(path);
   std::filesystem::remove(path);
   ASSERT_FALSE(bad);
-  EXPECT_THAT(bad.error().message, HasSubstr("felt-relief-test.png"));
+  EXPECT_THAT(bad.error().message, HasSubstr(path));
 }
 
 TEST(Png, WritesAFile) {
-  const std::string path = (std::filesystem::temp_directory_path() / "felt-png-test.png").string();
+  const std::string path = scratch_path("png-test.png");
   ASSERT_TRUE(write_png(path, sample(false), 96.0));
   EXPECT_GT(std::filesystem::file_size(path), 50u);
   std::filesystem::remove(path);

@@ -13,6 +13,7 @@
 #include "felt/io/svg_text.h"
 #include "felt/render/page.h"
 #include "felt/stroke/random_stroke.h"
+#include "tests/support/scratch_path.h"
 
 namespace felt {
 namespace {
@@ -137,7 +138,7 @@ TEST(SvgWriter, RefusesWhatXmlCannotHold) {
 
 TEST(SvgWriter, FileAndTextAreTheSame) {
   const Sketch sketch = random_sketch(7, 12);
-  const std::string path = (fs::temp_directory_path() / "felt-svg-test.svg").string();
+  const std::string path = scratch_path("svg-test.svg");
   ASSERT_TRUE(write_svg(path, sketch, {}));
   std::ifstream in(path, std::ios::binary);
   std::ostringstream text;
@@ -165,7 +166,7 @@ TEST(SvgWriter, AnotherProgramShowsTheSamePicture) {
   }
   const Sketch sketch = random_sketch(40, 16);
   const SvgOptions options{.sheet = Rect{-10, -10, 130, 130}};
-  const std::string svg = (fs::temp_directory_path() / "felt-svg-view.svg").string();
+  const std::string svg = scratch_path("svg-view.svg");
   const std::string png = svg + ".png";
   ASSERT_TRUE(write_svg(svg, sketch, options));
   ASSERT_EQ(std::system(("rsvg-convert -w 1400 -h 1400 -b white " + svg + " -o " + png).c_str()),
