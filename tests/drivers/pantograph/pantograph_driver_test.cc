@@ -258,6 +258,32 @@ TEST(PantographDriver, LettingGoIsTriedAgain) {
   EXPECT_EQ(table.world.held_force(), Force{}) << "at the end there is more time";
 }
 
+// A port that takes nothing for a moment while the board is set up: a board that was not told what
+// it drives hears no torques, and lets go all the same. Found by device_fuzz, seed 1005974.
+TEST(PantographDriver, ABoardThatIsNotSetUpHearsNoTorques) {
+  Table table;
+  table.board.refuse_frames(1);
+  EXPECT_FALSE(table.open().has_value()) << "it could not be told to begin anew";
+  EXPECT_EQ(table.board.broken_rule(), "");
+  EXPECT_EQ(table.board.resets(), 1) << "it was in the end";
+
+  ASSERT_TRUE(table.open_at_home());
+  table.tick({1, 0, 0});
+  table.tick({1, 0, 0});
+  EXPECT_GT(norm(table.world.held_force()), 0.9);
+  table.board.refuse_frames(1);
+  EXPECT_FALSE(table.device->find_home().has_value());
+  const auto ticked = table.tick({1, 0, 0});
+  EXPECT_FALSE(ticked.read.has_value());
+  ASSERT_FALSE(ticked.written.has_value());
+  EXPECT_EQ(ticked.written.error(), DeviceFault::kNotCalibrated);
+  table.device->stop();
+  EXPECT_EQ(table.world.held_force(), Force{});
+  EXPECT_EQ(table.board.broken_rule(), "");
+  ASSERT_TRUE(table.device->find_home().has_value());
+  EXPECT_TRUE(table.tick({1, 0, 0}).written.has_value());
+}
+
 // It holds what it had, whatever we say; when it goes on, nothing that it finds waiting pushes in
 // the end, and nothing pushes before a person has read of the fault.
 TEST(PantographDriver, AHungBoardIsAFaultAndLetsGoWhenItGoesOn) {

@@ -19,6 +19,8 @@ constexpr std::int64_t kSetUpNs = 300'000'000;
 constexpr int kSetUpTries = 4;
 constexpr std::int64_t kResetPauseNs = 100'000'000;
 
+constexpr std::string_view kNotHome = "The arms have not been at rest.";
+
 }  // namespace
 
 PantographDevice::PantographDevice(std::unique_ptr<ByteStream> port, const BoardModel& model,
@@ -174,7 +176,7 @@ void PantographDevice::place_pen(std::int64_t now_ns) noexcept {
 tl::expected<PenSample, DeviceFault> PantographDevice::read(std::int64_t now_ns) noexcept {
   now_ns_ = now_ns;
   if (is_gone_) return failed(DeviceFault::kDisconnected, gone_words_.view());
-  if (!is_home_) return failed(DeviceFault::kNotCalibrated, "The arms have not been at rest.");
+  if (!is_home_) return failed(DeviceFault::kNotCalibrated, kNotHome);
   if (unanswered_ == 0) send({});
   const Heard heard = is_gone_ ? Heard::kClosed : hear(kWaitNs);
   switch (heard) {
@@ -201,6 +203,10 @@ tl::expected<PenSample, DeviceFault> PantographDevice::read(std::int64_t now_ns)
 
 tl::expected<void, DeviceFault> PantographDevice::write(const Force& force) noexcept {
   if (is_gone_) return tl::unexpected(DeviceFault::kDisconnected);
+  if (!is_set_up_) {
+    gate_.let_go();
+    return failed(DeviceFault::kNotCalibrated, kNotHome);
+  }
   const ForceGate::Passed passed =
       gate_.pass(is_finite(force) ? Force{force.x, force.y, 0.0} : force, now_ns_);
   std::array<double, 2> torques{};
@@ -216,12 +222,18 @@ tl::expected<void, DeviceFault> PantographDevice::write(const Force& force) noex
   return {};
 }
 
-// Also of a board that is given up as silent: it may hear yet.
+// Also of a board that is given up as silent: it may hear yet. One that is not set up lets go when
+// it begins anew; it must hear no torques, not even none.
 void PantographDevice::let_go(int tries) noexcept {
   gate_.let_go();
+  const auto nothing = torque_frame(model_, {});
+  const auto begin = reset_frame();
+  const auto frame =
+      is_set_up_ ? std::span<const std::byte>(nothing) : std::span<const std::byte>(begin);
   for (int i = 0; i < tries; ++i) {
-    const auto sent = port_->send(torque_frame(model_, {}), kSendNs);
+    const auto sent = port_->send(frame, kSendNs);
     if (sent) {
+      if (!is_set_up_) return;  // which is not answered
       unanswered_ = std::min(unanswered_ + 1, kMostUnanswered);
       sent_ns_ = now_ns_;
       return;
@@ -246,6 +258,7 @@ std::string PantographDevice::homing_words() {
 Result<void> PantographDevice::set_up() {
   // Below nothing is sent for a while, and a board that begins anew must hear no torques.
   static_cast<void>(port_->keep_guard({}, 0));
+  is_set_up_ = false;
   if (!port_->send(reset_frame(), kSetUpNs)) {
     return fail(ErrorCode::kIo, "The board takes no bytes.");
   }
@@ -257,6 +270,7 @@ Result<void> PantographDevice::set_up() {
   if (!port_->send(setup_frame(model_), kSetUpNs)) {
     return fail(ErrorCode::kIo, "The board takes no bytes.");
   }
+  is_set_up_ = true;
   for (int i = 0; i < kSetUpTries && !is_gone_; ++i) {
     throw_away();
     send({});

@@ -91,6 +91,7 @@ class PantographDevice final : public DriverDevice {
   ForceGate gate_;
   std::atomic<bool> is_down_;
   bool is_home_ = false;
+  bool is_set_up_ = false;  // it was told what it drives, since it began anew
 
   // The haptic thread's own; where no loop runs, that of the edit thread.
   std::array<std::byte, 64> in_{};
