@@ -4,7 +4,7 @@ option(FELT_BENCHMARKS "Build the benchmarks" OFF)
 option(FELT_FUZZERS "Build the libFuzzer targets (clang only)" OFF)
 option(FELT_WERROR "Warnings are errors" OFF)
 option(FELT_QUICK_BUILD "Quick from nothing (quick.cmake); compiler caches like it less" OFF)
-set(FELT_SANITIZE "" CACHE STRING "Sanitizers: [fuzzer-no-link,]address,undefined | thread | realtime | (empty)")
+set(FELT_SANITIZE "" CACHE STRING "Sanitizers: [fuzzer-no-link,]address,undefined | thread | (empty)")
 
 set(CMAKE_CXX_STANDARD 20)
 set(CMAKE_CXX_STANDARD_REQUIRED ON)
@@ -52,18 +52,7 @@ if(FELT_WERROR AND NOT (FELT_SANITIZE AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU"))
 endif()
 target_include_directories(felt_flags INTERFACE ${PROJECT_SOURCE_DIR}/src)
 
-if(FELT_SANITIZE STREQUAL "realtime")
-  # clang 19's driver refuses -fsanitize=realtime, but its runtime archive links by hand with any
-  # compiler; RealtimeScope (rt/) then enters and leaves the checked region.
-  file(GLOB FELT_RTSAN_ARCHIVE /usr/lib/llvm-19/lib/clang/19/lib/linux/libclang_rt.rtsan-x86_64.a)
-  if(NOT FELT_RTSAN_ARCHIVE)
-    message(FATAL_ERROR "The rtsan preset needs the package libclang-rt-19-dev")
-  endif()
-  target_compile_definitions(felt_flags INTERFACE FELT_RTSAN=1)
-  # Programs only: what a test loads (tests/drivers) uses the runtime of the program.
-  set(is_program "$<STREQUAL:$<TARGET_PROPERTY:TYPE>,EXECUTABLE>")
-  target_link_options(felt_flags INTERFACE "$<${is_program}:SHELL:-Wl,--whole-archive ${FELT_RTSAN_ARCHIVE} -Wl,--no-whole-archive -ldl -lpthread>")
-elseif(FELT_SANITIZE)
+if(FELT_SANITIZE)
   target_compile_options(felt_flags INTERFACE
     -fsanitize=${FELT_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)
   target_link_options(felt_flags INTERFACE -fsanitize=${FELT_SANITIZE})

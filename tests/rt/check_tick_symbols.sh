@@ -12,8 +12,6 @@ set -euo pipefail
 allowed='sqrt|fabs|floor|ceil|trunc|round|rint|nearbyint|fmod|remainder|hypot|exp|exp2|expm1|log'
 allowed+='|log1p|log2|pow|sin|cos|sincos|tan|atan|atan2|acos|asin|tanh|fmin|fmax'
 allowed+='|memcpy|memmove|memset|memcmp|strlen|_GLOBAL_OFFSET_TABLE_'
-# Marks of the tick itself, in the preset rtsan.
-allowed+='|__rtsan_realtime_enter|__rtsan_realtime_exit'
 
 [ $# -ge 2 ] || { echo "usage: $0 ROOTS OBJECT..." >&2; exit 2; }
 roots=$1

@@ -19,7 +19,7 @@ __attribute__((tls_model("initial-exec")))
 inline constinit thread_local int realtime_depth = 0;
 
 /// Marks the block in which nothing may block: one tick of the haptic loop. Costs two additions.
-/// With FELT_RTSAN (preset rtsan) RealtimeSanitizer watches the block; in tests/rt an interposer.
+/// In tests/rt an interposer watches the block, and with FELT_RTSAN RealtimeSanitizer.
 class FELT_ROLE_ATTRIBUTE(scoped_lockable) RealtimeScope {
  public:
   RealtimeScope() noexcept FELT_ROLE_ATTRIBUTE(exclusive_lock_function(haptic_role)) {
