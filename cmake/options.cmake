@@ -19,7 +19,7 @@ if(NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)
 endif()
 # -O3 in release: the fitter's inner loops are written to be vectorised.
 set(CMAKE_CXX_FLAGS_RELEASE "-O3 -DNDEBUG")
-set(FELT_DEBUG_INFO "-g" CACHE STRING "Debug information of RelWithDebInfo: -g or -g1")
+set(FELT_DEBUG_INFO "-g" CACHE STRING "Debug information of RelWithDebInfo: -g, -g1 or -g0")
 set(CMAKE_CXX_FLAGS_RELWITHDEBINFO "-O2 ${FELT_DEBUG_INFO}")
 
 find_program(FELT_CCACHE ccache)
