@@ -40,24 +40,26 @@ soon() {
 }
 
 # Ctrl-C ends and saves, also when it is told twice at once, as timeout(1) does.
-"$feltline" record --device openhaptics -o ended.ndjson 2>err &
+"$feltline" record --device openhaptics -o ended.ndjson 2>ended.err &
 pid=$!
-soon test -s err  # it listens to signals before it says anything
+# It listens to signals before it says anything; the file is its own, or words of another run would
+# be taken for its.
+soon test -s ended.err
 kill -INT $pid
 kill -INT $pid 2>/dev/null || true
-wait $pid || fail "ended with $? after Ctrl-C: $(cat err)"
+wait $pid || fail "ended with $? after Ctrl-C: $(cat ended.err)"
 [ -e ended.ndjson ] || fail "nothing saved after Ctrl-C"
 
 # Ctrl-Z stops it once no force is left, and it goes on; Ctrl-backslash ends and saves.
-"$feltline" record --device openhaptics -o quit.ndjson 2>err &
+"$feltline" record --device openhaptics -o quit.ndjson 2>quit.err &
 pid=$!
-soon test -s err
+soon test -s quit.err
 kill -TSTP $pid
 soon grep -q '^State:.T' /proc/$pid/status
 kill -CONT $pid
-soon grep -q "Forces are off" err
+soon grep -q "Forces are off" quit.err
 kill -QUIT $pid
-wait $pid || fail "ended with $? after Ctrl-backslash: $(cat err)"
+wait $pid || fail "ended with $? after Ctrl-backslash: $(cat quit.err)"
 [ -e quit.ndjson ] || fail "nothing saved after Ctrl-backslash"
 for copy in *.unsaved-*; do [ ! -e "$copy" ] || fail "$copy was left"; done
 
