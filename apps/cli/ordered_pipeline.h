@@ -36,6 +36,7 @@ class OrderedPipeline {
       return;
     }
     std::vector<std::jthread> threads;  // join after Stop, on every way out
+    threads.reserve(static_cast<std::size_t>(jobs_));
     const Stop stop{*this};
     for (int i = 0; i < jobs_; ++i) {
       threads.emplace_back([this, worker = make_worker()]() mutable { work(worker); });

@@ -115,19 +115,23 @@ struct ReplayOutputs {
   const ReplayRun* run = nullptr;  ///< while it plays: how far it is
 };
 
+void check_recording(const ReplayCommandArguments& args) {
+  if (args.output.empty()) throw UsageError("--recording needs -o OUT.felt");
+  if (!args.on.empty()) {
+    throw UsageError("--recording tells a drawing from its beginning: it does not go with --on");
+  }
+  if (args.until_ms) {
+    throw UsageError("--recording tells all of a script: it does not go with --until");
+  }
+}
+
 void check_outputs(const ReplayCommandArguments& args) {
   if (args.overlay && args.output.empty()) throw UsageError("--overlay needs -o OUT.png");
   if (args.output.empty() && args.forces.empty() && args.plot.empty() && args.sound.empty() &&
       args.stats.empty()) {
     throw UsageError("replay needs -o OUT, --forces, --plot, --sound or --stats");
   }
-  if (args.recording && args.output.empty()) throw UsageError("--recording needs -o OUT.felt");
-  if (args.recording && !args.on.empty()) {
-    throw UsageError("--recording tells a drawing from its beginning: it does not go with --on");
-  }
-  if (args.recording && args.until_ms) {
-    throw UsageError("--recording tells all of a script: it does not go with --until");
-  }
+  if (args.recording) check_recording(args);
   const int to_stdout = (args.output == "-" ? 1 : 0) + (args.forces == "-" ? 1 : 0) +
                         (args.plot == "-" ? 1 : 0) + (args.sound == "-" ? 1 : 0) +
                         (args.stats.empty() ? 0 : 1);
@@ -157,21 +161,27 @@ Result<void> open_sketch(const ReplayCommandArguments& args, const ReplaySetting
   return {};
 }
 
+/// What -o names.
+Result<void> open_drawing(const ReplayCommandArguments& args, const ReplaySettings& settings,
+                          ReplayOutputs& outputs) {
+  const Result<Format> format = output_format(args.output, args.to);
+  if (!format) throw UsageError(format.error().message);
+  const Result<PictureOptions> picture = args.picture.parse();
+  if (!picture) throw UsageError(picture.error().message);
+  if (args.overlay && *format != Format::kPng) throw UsageError("--overlay needs -o OUT.png");
+  if (args.recording && *format != Format::kFelt) {
+    throw UsageError("--recording needs -o OUT.felt");
+  }
+  outputs.format = *format;
+  outputs.picture = *picture;
+  return open_sketch(args, settings, outputs);
+}
+
 Result<ReplayOutputs> open_outputs(const ReplayCommandArguments& args,
                                    const ReplaySettings& settings) {
   ReplayOutputs outputs;
   if (!args.output.empty()) {
-    const Result<Format> format = output_format(args.output, args.to);
-    if (!format) throw UsageError(format.error().message);
-    const Result<PictureOptions> picture = args.picture.parse();
-    if (!picture) throw UsageError(picture.error().message);
-    if (args.overlay && *format != Format::kPng) throw UsageError("--overlay needs -o OUT.png");
-    if (args.recording && *format != Format::kFelt) {
-      throw UsageError("--recording needs -o OUT.felt");
-    }
-    outputs.format = *format;
-    outputs.picture = *picture;
-    if (Result<void> opened = open_sketch(args, settings, outputs); !opened) {
+    if (Result<void> opened = open_drawing(args, settings, outputs); !opened) {
       return tl::unexpected(opened.error());
     }
   }
@@ -269,6 +279,19 @@ Result<void> write_outputs(const ReplayCommandArguments& args, ReplayOutputs& ou
   return write_strokes(view.sketch, *outputs.format, *outputs.sketch);
 }
 
+/// What a tick leaves in the outputs.
+Result<void> take_tick(ReplayOutputs& outputs, const ReplayTick& tick) {
+  const TickReport& report = tick.report;
+  if (outputs.recorder) {
+    outputs.recorder->forces(report.sample.time_ns, report.asked, report.sent);
+  }
+  if (outputs.plot) outputs.plot->add(tick.report, tick.width_mm);
+  if (outputs.forces) {
+    if (Result<void> done = outputs.forces->add(report, tick.pressure); !done) return done;
+  }
+  return outputs.sound && report.sample_ok ? outputs.sound->add(report.sample) : Result<void>();
+}
+
 ReplayMachine::Observer observer_of(const ReplayCommandArguments& args, ReplayOutputs& outputs,
                                     Console& console) {
   ReplayMachine::Observer observer;
@@ -282,17 +305,7 @@ ReplayMachine::Observer observer_of(const ReplayCommandArguments& args, ReplayOu
     observer.event = [&outputs](const Event& event) { outputs.recorder->event(event); };
   }
   if (outputs.plot || outputs.forces || outputs.sound || outputs.recorder) {
-    observer.tick = [&outputs](const ReplayTick& tick) -> Result<void> {
-      const TickReport& report = tick.report;
-      if (outputs.recorder) {
-        outputs.recorder->forces(report.sample.time_ns, report.asked, report.sent);
-      }
-      if (outputs.plot) outputs.plot->add(tick.report, tick.width_mm);
-      if (outputs.forces) {
-        if (Result<void> done = outputs.forces->add(report, tick.pressure); !done) return done;
-      }
-      return outputs.sound && report.sample_ok ? outputs.sound->add(report.sample) : Result<void>();
-    };
+    observer.tick = [&outputs](const ReplayTick& tick) { return take_tick(outputs, tick); };
   }
   observer.turn = [&console, &outputs](const Session& session, double part) {
     const double done = outputs.run ? outputs.run->progress(part) : 0.0;

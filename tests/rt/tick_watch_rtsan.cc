@@ -1,5 +1,5 @@
-// In rt_proof_rtsan RealtimeSanitizer watches, through RealtimeScope; it ends the program by itself,
-// with a message of its own.
+// In rt_proof_rtsan RealtimeSanitizer watches, through RealtimeScope; it ends the program by
+// itself, with a message of its own.
 #include <cstdio>
 #include <cstdlib>
 

@@ -33,15 +33,26 @@ std::vector<std::string> files_in(const char* folder) {
   return names;
 }
 
+bool librsvg_is_there() {
+  return std::system("command -v rsvg-convert >/dev/null 2>&1") == 0;
+}
+
+/// librsvg's picture of a file, 300 pixels wide; whether it could draw one.
+bool draw_with_librsvg(const std::string& name, const std::string& png) {
+  std::string command = "rsvg-convert -w 300 ";
+  command.append(name).append(" -o ").append(png);
+  return std::system(command.c_str()) == 0;
+}
+
 TEST(SvgPictures, OurFilesLookAsLibrsvgDrawsThem) {
-  if (std::system("command -v rsvg-convert >/dev/null 2>&1") != 0) {
+  if (!librsvg_is_there()) {
     GTEST_SKIP() << "rsvg-convert is not installed (package librsvg2-bin)";
   }
   const std::vector<std::string> names = files_in(kFiles);
   EXPECT_GE(names.size(), 60U);
   const std::string png = scratch_path("svg-picture.png");
   for (const std::string& name : names) {
-    ASSERT_EQ(std::system(("rsvg-convert -w 300 " + name + " -o " + png).c_str()), 0) << name;
+    ASSERT_TRUE(draw_with_librsvg(name, png)) << name;
     const char* out = std::getenv("FELT_SVG_PICTURES");
     const SuiteResult result = compare_pictures(name, png, out == nullptr ? "" : out);
     EXPECT_TRUE(result.agrees) << name << ": " << result.why;
@@ -70,14 +81,14 @@ Image ink_picture(const std::string& name, int width_px) {
 /// Lines with round ends and corners are what ink can show: their strokes look as librsvg draws
 /// them.
 TEST(SvgPictures, InkLooksAsLibrsvgDrawsTheLines) {
-  if (std::system("command -v rsvg-convert >/dev/null 2>&1") != 0) {
+  if (!librsvg_is_there()) {
     GTEST_SKIP() << "rsvg-convert is not installed (package librsvg2-bin)";
   }
   const std::vector<std::string> names = files_in("tests/svg/ink");
   EXPECT_GE(names.size(), 8U);
   const std::string png = scratch_path("svg-ink.png");
   for (const std::string& name : names) {
-    ASSERT_EQ(std::system(("rsvg-convert -w 300 " + name + " -o " + png).c_str()), 0) << name;
+    ASSERT_TRUE(draw_with_librsvg(name, png)) << name;
     const Image theirs = decode_png(read_file(png, std::size_t{1} << 24).value()).value().image;
     const Image ours = ink_picture(name, theirs.width());
     EXPECT_LE(pixels_apart(ours, theirs), kPixelsAllowed) << name;

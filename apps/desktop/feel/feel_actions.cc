@@ -80,7 +80,7 @@ void add_materials(Actions& actions, Studio& studio, QWidget* window) {
       action->setChecked(true);  // the material is it already, so choosing changes nothing
     });
   }
-}
+}  // the window owns the group: NOLINT(clang-analyzer-cplusplus.NewDeleteLeaks)
 
 bool is_own(const SurfaceMaterial& material) {
   return find_surface(material.id) == nullptr;
@@ -191,14 +191,14 @@ DoubleEscape::DoubleEscape(QObject* parent) : QObject(parent) {
 bool DoubleEscape::eventFilter(QObject* watched, QEvent* event) {
   static_cast<void>(watched);
   const QEvent::Type type = event->type();
-  if (type == QEvent::KeyPress || type == QEvent::ShortcutOverride || type == QEvent::KeyRelease) {
-    const auto* key = static_cast<const QKeyEvent*>(event);
-    if (key->key() == Qt::Key_Escape && !key->isAutoRepeat()) {
-      if (type == QEvent::KeyRelease) {
-        is_down_ = false;
-      } else {
-        press();
-      }
+  const bool is_key =
+      type == QEvent::KeyPress || type == QEvent::ShortcutOverride || type == QEvent::KeyRelease;
+  const auto* key = is_key ? static_cast<const QKeyEvent*>(event) : nullptr;
+  if (key != nullptr && key->key() == Qt::Key_Escape && !key->isAutoRepeat()) {
+    if (type == QEvent::KeyRelease) {
+      is_down_ = false;
+    } else {
+      press();
     }
   }
   return false;  // the key is everybody's

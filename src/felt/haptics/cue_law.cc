@@ -37,8 +37,8 @@ constexpr std::array<Single, 6> kSingles{{
 }};
 
 const Single& single(CueWaveform waveform) noexcept {
-  const auto at = std::find_if(kSingles.begin(), kSingles.end(),
-                               [=](const Single& s) { return s.waveform == waveform; });
+  const auto* const at = std::find_if(kSingles.begin(), kSingles.end(),
+                                      [=](const Single& s) { return s.waveform == waveform; });
   return at == kSingles.end() ? kSingles.front() : *at;
 }
 

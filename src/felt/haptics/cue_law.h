@@ -146,8 +146,8 @@ class CueLaw {
   double quiet_ns_ = kLongAgo;      // since the last cue
   double since_single_ = kLongAgo;  // likewise, single
   CueWaveform wanted_ = CueWaveform::kNone;
-  double wanted_ns_ = 0.0;            // how long it has been waiting
-  std::array<double, kKinds> since_;  // by kind, since it was said; set by the constructor
+  double wanted_ns_ = 0.0;              // how long it has been waiting
+  std::array<double, kKinds> since_{};  // by kind, since it was said; set by the constructor
 };
 
 }  // namespace felt

@@ -75,8 +75,8 @@ std::string grey_png(int width, int height, const std::vector<std::uint16_t>& gr
 }
 
 TEST(Png, R47_AReliefKeepsAll16Bits) {
-  std::vector<std::uint16_t> grey;
-  for (int i = 0; i < 40 * 30; ++i) grey.push_back(static_cast<std::uint16_t>(54 * i + 1));
+  std::vector<std::uint16_t> grey(std::size_t{40} * 30);
+  for (std::size_t i = 0; i < grey.size(); ++i) grey[i] = static_cast<std::uint16_t>(54 * i + 1);
   const auto relief = decode_height_png(grey_png(40, 30, grey));
   ASSERT_TRUE(relief) << relief.error().message;
   EXPECT_EQ(relief->width, 40);

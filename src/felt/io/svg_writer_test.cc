@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -26,7 +27,8 @@ Sketch random_sketch(std::uint64_t first, int count) {
   for (int i = 0; i < count; ++i) {
     const std::uint64_t seed = first + static_cast<std::uint64_t>(i);
     StrokeData data = testing::RandomStroke(seed).make();
-    for (Point& p : data.points) p += Vec{30.0 * (i % 4), 30.0 * (i / 4)};
+    const int row = i / 4;
+    for (Point& p : data.points) p += Vec{30.0 * (i % 4), 30.0 * row};
     sketch.push_back({"stroke <" + std::to_string(seed) + "> \"&\"\t\n",
                       Stroke::create(std::move(data)).value()});
   }
@@ -67,7 +69,8 @@ StrokeData model_of(const pugi::xml_node& path) {
   const auto rgb = std::strtoul(path.attribute("fill").value() + 1, nullptr, 16);
   const double opacity = path.attribute("fill-opacity").as_double(1.0);
   d.color = {static_cast<std::uint8_t>(rgb >> 16), static_cast<std::uint8_t>(rgb >> 8),
-             static_cast<std::uint8_t>(rgb), static_cast<std::uint8_t>(opacity * 255.0 + 0.5)};
+             static_cast<std::uint8_t>(rgb),
+             static_cast<std::uint8_t>(std::lround(opacity * 255.0))};
   return d;
 }
 

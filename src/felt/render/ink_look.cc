@@ -34,6 +34,28 @@ double hair(double x) noexcept {
   return 1.35 * (smooth(kHairs * x, 1000U) + 0.8 * smooth(0.37 * kHairs * x, 2000U));
 }
 
+/// Adds the relief of the tip's hairs to `count` pixels.
+inline void add_hairs(const InkLook& look, const std::int32_t* packed, int count, int* reliefs) {
+  for (int i = 0; i < count; ++i) {
+    reliefs[i] += look.hair_weight * look.hairs[PressureMap::across_of(packed[i])];
+  }
+}
+
+/// Takes from the coverage of `count` pixels what their relief and pressure leave bare.
+inline void shade(const InkLook& look, const std::int32_t* packed, const int* reliefs, int count,
+                  std::uint8_t* alpha) {
+  for (int i = 0; i < count; ++i) {
+    const int level = std::clamp((reliefs[i] + 32768 + 128) / 256, 0, InkLook::kReliefs - 1);
+    unsigned seen = look.alphas[PressureMap::row_of(packed[i]) * InkLook::kReliefs +
+                                static_cast<std::size_t>(level)];
+    if (look.has_rim) {
+      seen = std::min(255U, (seen * look.rim[PressureMap::rim_of(packed[i])]) >> 8U);
+    }
+    const unsigned product = seen * alpha[i] + 128U;
+    alpha[i] = static_cast<std::uint8_t>((product + (product >> 8U)) >> 8U);
+  }
+}
+
 }  // namespace
 
 ReliefWeights relief_weights(const MediumLook& look) noexcept {
@@ -73,12 +95,13 @@ InkLook::InkLook(const MediumLook& look, double wear, const SeenRelief& seen) {
   const double blur = std::sqrt(sheet_share * sheet_share * (1.0 - seen.kept) +
                                 weights.crumb * weights.crumb * (1.0 - seen.crumb_kept));
   alphas.reserve(static_cast<std::size_t>(PressureMap::kRows) * kReliefs);
+  constexpr int kMiddle = kReliefs / 2;
   for (int row = 0; row < PressureMap::kRows; ++row) {
     for (int level = 0; level < kReliefs; ++level) {
-      const double relief = (level - kReliefs / 2) / ReliefLevel::kPerRms;
+      const double relief = (level - kMiddle) / ReliefLevel::kPerRms;
       const double alpha =
           ink_alpha(look, wear, PressureMap::push_of_row(row), relief, blur > 0.05 ? blur : 0.0);
-      alphas.push_back(static_cast<std::uint8_t>(255.0 * std::clamp(alpha, 0.0, 1.0) + 0.5));
+      alphas.push_back(static_cast<std::uint8_t>(std::lround(255.0 * std::clamp(alpha, 0.0, 1.0))));
     }
   }
   edge = look.edge;
@@ -86,7 +109,7 @@ InkLook::InkLook(const MediumLook& look, double wear, const SeenRelief& seen) {
   for (std::size_t i = 0; i < rim.size(); ++i) {
     const double rho = std::sqrt((static_cast<double>(i) + 0.5) / static_cast<double>(rim.size()));
     rim[i] = static_cast<std::uint16_t>(
-        256.0 * (1.0 + std::max(look.rim, 0.0) * smoothstep((rho - 0.55) / 0.35)) + 0.5);
+        std::lround(256.0 * (1.0 + std::max(look.rim, 0.0) * smoothstep((rho - 0.55) / 0.35))));
   }
   for (std::size_t i = 0; i < hairs.size(); ++i) {
     const double x = (static_cast<double>(i) + 0.5) / static_cast<double>(hairs.size());
@@ -106,26 +129,12 @@ void InkShade::row(const PressureMap& pressure, int x, int y, int count,
   for (int from = 0; from < count; from += kPiece) {
     const int pixels = std::min(kPiece, count - from);
     const std::int32_t* packed = pressure.row(y) + (x + from - pressure.area().x0);
-    std::uint8_t* alpha = alphas + from;
     int reliefs[kPiece];
     std::fill_n(reliefs, pixels, 0);  // no more than are needed: most runs of a line are short
     if (!sheet_.is_flat()) sheet_.add_row(x + from, y, pixels, look.sheet_weight, reliefs);
     if (!crumb_.is_flat()) crumb_.add_row(x + from, y, pixels, look.crumb_weight, reliefs);
-    if (look.hair_weight > 0) {
-      for (int i = 0; i < pixels; ++i) {
-        reliefs[i] += look.hair_weight * look.hairs[PressureMap::across_of(packed[i])];
-      }
-    }
-    for (int i = 0; i < pixels; ++i) {
-      const int level = std::clamp((reliefs[i] + 32768 + 128) / 256, 0, InkLook::kReliefs - 1);
-      unsigned seen = look.alphas[PressureMap::row_of(packed[i]) * InkLook::kReliefs +
-                                  static_cast<std::size_t>(level)];
-      if (look.has_rim) {
-        seen = std::min(255U, (seen * look.rim[PressureMap::rim_of(packed[i])]) >> 8U);
-      }
-      const unsigned product = seen * alpha[i] + 128U;
-      alpha[i] = static_cast<std::uint8_t>((product + (product >> 8U)) >> 8U);
-    }
+    if (look.hair_weight > 0) add_hairs(look, packed, pixels, reliefs);
+    shade(look, packed, reliefs, pixels, alphas + from);
   }
 }
 

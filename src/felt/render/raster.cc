@@ -134,6 +134,11 @@ struct Rasterizer::State {
   }
   /// Where the tip of the stroke went, in pixels, in the runs that trace_near() found last.
   void walk(const Stroke& stroke, const View& view);
+  /// The pressure in a band of rows, of the ways that walk() found.
+  void lay_tip(PixelRect band, double edge);
+  /// The line that was swept last, shaded, over what `part` of the target holds.
+  void blend_line(const InkShade& shade, PixelRect part, std::uint32_t ink, std::uint8_t alpha,
+                  Pixels target);
 
   Cells cells{kCellBlocks};
   agg::scanline_u8 line;
@@ -169,6 +174,25 @@ void Rasterizer::State::walk(const Stroke& stroke, const View& view) {
   };
   ways.front().into = direction(last[last.size() - 2], last.back());
   ways.back().out = direction(first[0], first[1]);
+}
+
+void Rasterizer::State::lay_tip(PixelRect band, double edge) {
+  pressure.begin(band, edge);
+  for (const Way& way : ways) pressure.lay(way.tips, way.into, way.out);
+}
+
+void Rasterizer::State::blend_line(const InkShade& shade, PixelRect part, std::uint32_t ink,
+                                   std::uint8_t alpha, Pixels target) {
+  std::uint8_t* row = target.data + line.y() * target.stride;
+  const auto* span = line.begin();
+  for (unsigned left = line.num_spans(); left > 0; --left, ++span) {
+    const int from = std::max<int>(span->x, part.x0);
+    const int count = std::min(span->x + span->len, part.x1) - from;
+    if (count <= 0) continue;
+    std::uint8_t* alphas = span->covers + (from - span->x);
+    shade.row(pressure, from, line.y(), count, alphas);
+    blend_row(row + std::ptrdiff_t{4} * from, ink, alpha, alphas, count);
+  }
 }
 
 Rasterizer::Rasterizer() : state_(std::make_unique<State>()) {}
@@ -289,19 +313,9 @@ void Rasterizer::draw(const Stroke& stroke, const View& view, PixelRect clip, co
     if (y >= band.y1) {
       band.y0 = y;
       band.y1 = std::min(part.y1, y + State::kBandRows);
-      s.pressure.begin(band, look->edge);
-      for (const auto& way : s.ways) s.pressure.lay(way.tips, way.into, way.out);
+      s.lay_tip(band, look->edge);
     }
-    auto span = s.line.begin();
-    for (unsigned left = s.line.num_spans(); left > 0; --left, ++span) {
-      const int from = std::max<int>(span->x, part.x0);
-      const int count = std::min(span->x + span->len, part.x1) - from;
-      if (count <= 0) continue;
-      std::uint8_t* alphas = span->covers + (from - span->x);
-      shade.row(s.pressure, from, y, count, alphas);
-      blend_row(target.data + y * target.stride + std::ptrdiff_t{4} * from, ink, stroke.color().a,
-                alphas, count);
-    }
+    s.blend_line(shade, part, ink, stroke.color().a, target);
   }
 }
 

@@ -22,7 +22,7 @@ inline constinit thread_local int realtime_depth = 0;
 /// In tests/rt an interposer watches the block, and with FELT_RTSAN RealtimeSanitizer.
 class FELT_ROLE_ATTRIBUTE(scoped_lockable) RealtimeScope {
  public:
-  RealtimeScope() noexcept FELT_ROLE_ATTRIBUTE(exclusive_lock_function(haptic_role)) {
+  RealtimeScope() noexcept FELT_ROLE_ATTRIBUTE(exclusive_lock_function(kHapticRole)) {
     ++realtime_depth;
 #ifdef FELT_RTSAN
     __rtsan_realtime_enter();

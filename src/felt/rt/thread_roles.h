@@ -13,13 +13,13 @@
 #endif
 
 /// Runs on the haptic thread, inside a RealtimeScope.
-#define FELT_HAPTIC FELT_ROLE_ATTRIBUTE(requires_capability(::felt::haptic_role))
+#define FELT_HAPTIC FELT_ROLE_ATTRIBUTE(requires_capability(::felt::kHapticRole))
 /// Must not be called from within the tick.
-#define FELT_NOT_HAPTIC FELT_ROLE_ATTRIBUTE(locks_excluded(::felt::haptic_role))
+#define FELT_NOT_HAPTIC FELT_ROLE_ATTRIBUTE(locks_excluded(::felt::kHapticRole))
 /// Runs on the edit thread, inside an EditScope, where a block wants to say so.
-#define FELT_EDIT FELT_ROLE_ATTRIBUTE(requires_capability(::felt::edit_role))
+#define FELT_EDIT FELT_ROLE_ATTRIBUTE(requires_capability(::felt::kEditRole))
 /// Must not be called from a block that is marked as the edit side's.
-#define FELT_NOT_EDIT FELT_ROLE_ATTRIBUTE(locks_excluded(::felt::edit_role))
+#define FELT_NOT_EDIT FELT_ROLE_ATTRIBUTE(locks_excluded(::felt::kEditRole))
 
 /// On functions that never block: clang 20 and later check it (-Wfunction-effects); after noexcept.
 #if defined(__clang__) && defined(__has_cpp_attribute)
@@ -37,14 +37,17 @@ namespace felt {
 /// time.
 class FELT_ROLE_ATTRIBUTE(capability("role")) ThreadRole {};
 
-inline constexpr ThreadRole haptic_role{};
-inline constexpr ThreadRole edit_role{};
+inline constexpr ThreadRole kHapticRole{};
+inline constexpr ThreadRole kEditRole{};
 
 /// Says that a block is the edit side's: it then may call FELT_EDIT, and no FELT_NOT_EDIT.
 class FELT_ROLE_ATTRIBUTE(scoped_lockable) EditScope {
  public:
-  EditScope() noexcept FELT_ROLE_ATTRIBUTE(exclusive_lock_function(edit_role)) {}
-  ~EditScope() noexcept FELT_ROLE_ATTRIBUTE(unlock_function()) {}
+  // Written out, for the analysis does not see the calls of trivial ones.
+  EditScope() noexcept FELT_ROLE_ATTRIBUTE(  // NOLINT(modernize-use-equals-default)
+      exclusive_lock_function(kEditRole)) {}
+  ~EditScope() noexcept FELT_ROLE_ATTRIBUTE(  // NOLINT(modernize-use-equals-default)
+      unlock_function()) {}
   EditScope(const EditScope&) = delete;
   EditScope& operator=(const EditScope&) = delete;
 };

@@ -66,7 +66,7 @@ class FeltRecorder {
 
  private:
   struct Tick {
-    std::int64_t time_ns;
+    std::int64_t time_ns = 0;
     RecordedForces forces;
   };
   void match();

@@ -145,6 +145,7 @@ class FakeService::Port {
 
   void take_request();
   bool take_frame();
+  void take_payload(std::uint8_t opcode, std::string_view payload);
   void frame(std::uint8_t first, std::string_view payload);
 
   FakeService* service_;

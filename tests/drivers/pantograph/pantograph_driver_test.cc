@@ -5,11 +5,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <poll.h>
-#include <stdlib.h>
 #include <unistd.h>
 
 #include <atomic>
 #include <cmath>
+#include <cstdlib>
 #include <optional>
 #include <thread>
 
@@ -39,7 +39,7 @@ StylusPreset preset_of(const BoardModel& model) {
 
 class Table {
  public:
-  explicit Table(std::string_view make = "v1", std::vector<FaultWindow> faults = {})
+  explicit Table(std::string_view make = "v1", const std::vector<FaultWindow>& faults = {})
       : model(*find_board_model(make)),
         world(preset_of(model), faults),
         board(world, faults, model, PlaneCalibration()) {
@@ -284,6 +284,16 @@ TEST(PantographDriver, ABoardThatIsNotSetUpHearsNoTorques) {
   EXPECT_TRUE(table.tick({1, 0, 0}).written.has_value());
 }
 
+// The first fault in so many ticks with a force.
+std::optional<DeviceFault> first_fault(Table& table, int ticks) {
+  for (int i = 0; i < ticks; ++i) {
+    const auto [read, written] = table.tick({1, 0, 0});
+    if (!written) return written.error();
+    if (!read) return read.error();
+  }
+  return std::nullopt;
+}
+
 // It holds what it had, whatever we say; when it goes on, nothing that it finds waiting pushes in
 // the end, and nothing pushes before a person has read of the fault.
 TEST(PantographDriver, AHungBoardIsAFaultAndLetsGoWhenItGoesOn) {
@@ -292,13 +302,7 @@ TEST(PantographDriver, AHungBoardIsAFaultAndLetsGoWhenItGoesOn) {
     ASSERT_TRUE(table.open_at_home());
     for (int i = 0; i < 5; ++i) table.tick({1, 0, 0});
     table.board.hang(room);
-    std::optional<DeviceFault> fault;
-    for (int i = 0; i < 20 && !fault; ++i) {
-      const auto [read, written] = table.tick({1, 0, 0});
-      if (!read) fault = read.error();
-      if (!written) fault = written.error();
-    }
-    ASSERT_EQ(fault, DeviceFault::kOther) << room;
+    ASSERT_EQ(first_fault(table, 20), DeviceFault::kOther) << room;
     table.device->stop();  // as the servo does, and from then on it asks for nothing
     for (int i = 0; i < 20; ++i) table.tick({});
     EXPECT_GT(norm(table.world.held_force()), 0.9) << "nobody can help it";
@@ -384,6 +388,21 @@ TEST(PantographDoctor, SaysWhatIsMissing) {
   EXPECT_EQ(findings[0].level, FindingLevel::kOk);
 }
 
+// What the board does at its end of a line, until it is over.
+void answer(int line, FakeBoard& board, const std::atomic<bool>& is_over) {
+  std::array<std::byte, 64> room{};
+  std::vector<std::byte> out;
+  while (!is_over) {
+    pollfd waits{.fd = line, .events = POLLIN, .revents = 0};
+    if (poll(&waits, 1, 20) <= 0) continue;
+    const ssize_t count = ::read(line, room.data(), room.size());
+    if (count <= 0) return;
+    out.clear();
+    board.take(std::span(room).first(static_cast<std::size_t>(count)), out);
+    if (!out.empty() && ::write(line, out.data(), out.size()) < 0) return;
+  }
+}
+
 // A real terminal and a real thread on the other side: no more than that it works.
 TEST(PantographDriver, SpeaksThroughARealTerminal) {
   const int board_end = posix_openpt(O_RDWR | O_NOCTTY | O_CLOEXEC);
@@ -398,19 +417,7 @@ TEST(PantographDriver, SpeaksThroughARealTerminal) {
   // The computer's side is opened first: the board would hear its own echo.
   auto port = SerialStream::open(name.data());
   ASSERT_TRUE(port.has_value()) << port.error().message;
-  std::thread board([&] {
-    std::array<std::byte, 64> room{};
-    std::vector<std::byte> out;
-    while (!is_over) {
-      pollfd waits{.fd = board_end, .events = POLLIN, .revents = 0};
-      if (poll(&waits, 1, 20) <= 0) continue;
-      const ssize_t count = ::read(board_end, room.data(), room.size());
-      if (count <= 0) return;
-      out.clear();
-      table.board.take(std::span(room).first(static_cast<std::size_t>(count)), out);
-      if (!out.empty() && ::write(board_end, out.data(), out.size()) < 0) return;
-    }
-  });
+  std::thread board([&] { answer(board_end, table.board, is_over); });
   {
     DeviceDescriptor descriptor = table.driver->find().at(0);
     PantographDevice device(*std::move(port), table.model, descriptor, {});

@@ -97,16 +97,20 @@ PantographDevice::Heard PantographDevice::take_reply() noexcept {
   return Heard::kAngles;
 }
 
+// The newest of the answers that have arrived whole; kBad after the first that is none.
+PantographDevice::Heard PantographDevice::take_replies(Heard newest) noexcept {
+  while (filled_ >= kReplyBytes && newest != Heard::kBad) newest = take_reply();
+  return newest;
+}
+
 // The newest answer: also what was not owed is taken, as the guard's frames are answered too. Waits
 // for one only.
 PantographDevice::Heard PantographDevice::hear(std::int64_t within_ns) noexcept {
   const StreamDeadline deadline(within_ns);
   Heard newest = Heard::kNothing;
   for (int i = 0; i < kMostPieces; ++i) {
-    while (filled_ >= kReplyBytes) {
-      newest = take_reply();
-      if (newest == Heard::kBad) return newest;
-    }
+    newest = take_replies(newest);
+    if (newest == Heard::kBad) return newest;
     const bool has_one = newest == Heard::kAngles;
     const auto count =
         port_->receive(std::span(in_).subspan(filled_), has_one ? 0 : deadline.left_ns());

@@ -78,6 +78,7 @@ class PantographDevice final : public DriverDevice {
   void let_go(int tries) noexcept;
   Heard hear(std::int64_t within_ns) noexcept;
   Heard take_reply() noexcept;
+  Heard take_replies(Heard newest) noexcept;
   void throw_away() noexcept;
   void follow(const Vec3& measured, double step_s) noexcept;
   void place_pen(std::int64_t now_ns) noexcept;
