@@ -10,9 +10,11 @@ mkdir -p "$out"
 
 shot() { echo "$1.png"; "$program" --language en --screenshot "$out/$1.png" "${@:2}" 2>/dev/null; }
 
+# A whisker of the cat is being pulled.
+pull=(--example cat --script "$root/docs/images/desktop-pull.ndjson" --until-ms 2600 --tool pull --size 1280x800)
 
-shot desktop --example cat --script "$root/docs/images/desktop-pull.ndjson" --until-ms 2600 --tool pull --size 1280x800
-shot desktop-dark --script "$root/share/demo/1-pencil.ndjson" --until-ms 45000 --size 1280x800 --theme dark --panel feel --panel forces
+shot desktop "${pull[@]}"
+shot desktop-dark "${pull[@]}" --theme dark --panel feel --panel forces
 shot desktop-keys --dialog shortcuts
 shot desktop-tour --dialog tour/1
 shot desktop-device --dialog preferences/device
