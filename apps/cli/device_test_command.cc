@@ -92,7 +92,7 @@ Result<ValidationReport> test_real(const DeviceTestArguments& args) {
   const std::vector<std::unique_ptr<Driver>> drivers = make_drivers();
   const Result<RealDevice> device = find_real_device(drivers, args.name);
   if (!device) return tl::unexpected(device.error());
-  DriverSubject subject(*device->driver, device->found, OpenOptions(), shown_plane(*device));
+  DriverSubject subject(*device->driver, device->found, OpenOptions(), device->profile);
   ThreadTestLoop loop;
   ConsolePerson person(args.yes);
   return validate(subject, loop, person, options_of(args));

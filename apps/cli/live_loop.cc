@@ -2,6 +2,9 @@
 
 #include <fmt/core.h>
 
+#include <optional>
+#include <utility>
+
 #include "felt/driver/page_fit.h"
 #include "felt/rt/abandon.h"
 #include "question.h"
@@ -9,8 +12,10 @@
 namespace felt::cli {
 namespace {
 
-PlaneCalibration plane_of(const RealDevice& device, const DriverDevice& open, const Rect& page) {
-  if (const auto shown = shown_plane(device)) return *shown;
+/// What a person has shown; else the driver's usual plane, with the whole reach on the page.
+PlaneCalibration plane_of(const std::optional<PlaneCalibration>& shown, const RealDevice& device,
+                          const DriverDevice& open, const Rect& page) {
+  if (shown) return *shown;
   const PlaneCalibration usual = device.driver->default_plane(open.descriptor(), OpenOptions());
   return fit_to_page(usual, reach_of(usual, open.capabilities()), page, 1.0);
 }
@@ -44,10 +49,12 @@ Result<std::unique_ptr<LiveLoop>> LiveLoop::start(const RealDevice& device, cons
   Result<std::unique_ptr<DriverDevice>> opened = device.driver->open(device.found, OpenOptions());
   if (!opened) return tl::unexpected(opened.error());
   if (Result<void> home = bring_home(**opened, asks); !home) return tl::unexpected(home.error());
+  const DeviceDescriptor& now = (*opened)->descriptor();
   DeviceProfile profile = device.profile;
-  profile.plane.reset();  // plane_of() knows whether it is this very device's
+  forget_planes_of_another(profile, now.serial);  // known now that it is open
+  const auto shown = std::exchange(profile.plane, std::nullopt);
   const PlaneCalibration plane =
-      (*opened)->descriptor().has_own_frame ? plane_of(device, **opened, page) : PlaneCalibration();
+      now.has_own_frame ? plane_of(shown, device, **opened, page) : PlaneCalibration();
   std::unique_ptr<LiveLoop> loop(new LiveLoop(*std::move(opened), profile, plane, force_limit_n));
   loop->servo_->heartbeat(loop->thread_->now_ns());
   if (Result<void> started = loop->thread_->start(); !started) {

@@ -65,6 +65,7 @@ class OverlayPen {
         view_(view),
         px_per_unit_(px_per_unit),
         width_units_(target.width / px_per_unit),
+        height_units_(target.height / px_per_unit),
         far_units_(20.0 * (target.width + target.height) / px_per_unit) {}
 
   void bands(const Overlay& overlay) {
@@ -97,6 +98,9 @@ class OverlayPen {
   [[nodiscard]] static PlotPen pen_of(Role role) {
     const RoleLook look = look_of(role);
     return {look.width, plot_color(look.color), look.dashed ? 4.0 : 0.0, look.dashed ? 3.6 : 0.0};
+  }
+  [[nodiscard]] bool shows(Vec p) const {
+    return p.x >= 0.0 && p.x <= width_units_ && p.y >= 0.0 && p.y <= height_units_;
   }
   void polyline(const std::vector<Vec>& points, const PlotPen& pen) {
     if (std::none_of(points.begin(), points.end(), [this](Vec p) { return is_far(p); })) {
@@ -148,8 +152,9 @@ class OverlayPen {
   }
   void label(const Overlay::Label& label) {
     const std::string text = ascii(label.text);
-    Vec at = units(label.at) + Vec{6.0, -6.0};
-    if (is_far(at)) return;
+    const Vec place = units(label.at);
+    if (!shows(place)) return;  // or half a word would stand at the edge
+    Vec at = place + Vec{6.0, -6.0};
     // Beside the place on its other side where it would not fit into the picture.
     const double width = canvas_.text_width(text, kTextSize);
     if (at.x + width > width_units_) at.x = std::max(2.0, at.x - width - 12.0);
@@ -160,7 +165,7 @@ class OverlayPen {
   PlotCanvas canvas_;
   View view_;
   double px_per_unit_;
-  double width_units_;
+  double width_units_, height_units_;
   double far_units_;
 };
 

@@ -81,6 +81,22 @@ TEST(OverlayPicture, ADegreeSignIsSpelledOut) {
   EXPECT_FALSE(drawn(spelled) == drawn(other));
 }
 
+TEST(OverlayPicture, ALabelIsSeenWholeOrNotAtAll) {
+  const Image empty = drawn({});
+  for (const Point place : {Point{101.0, 50.0}, Point{-1.0, 50.0}, Point{50.0, 104.0}}) {
+    SessionView view;
+    view.overlay.labels.push_back({place, "7 lines"});
+    EXPECT_EQ(drawn(view), empty) << place.x << ", " << place.y;
+  }
+  SessionView view;
+  view.overlay.labels.push_back({{99.0, 50.0}, "7 lines"});
+  const Image image = drawn(view);
+  EXPECT_FALSE(image == empty);
+  for (int y = 0; y < image.height(); ++y) {
+    EXPECT_EQ(image.at(image.width() - 1, y), (Rgba{255, 255, 255, 255})) << y;
+  }
+}
+
 TEST(OverlayPicture, ShapesBeyondTheSheetNeitherHangNorShow) {
   SessionView view;
   const Image empty = drawn(view);

@@ -47,9 +47,4 @@ Result<RealDevice> find_real_device(const std::vector<std::unique_ptr<Driver>>& 
                                         std::string(driver->name()) + "' says what is missing");
 }
 
-std::optional<PlaneCalibration> shown_plane(const RealDevice& device) {
-  if (!is_of(device.profile, device.found.serial)) return std::nullopt;
-  return device.profile.plane;
-}
-
 }  // namespace felt::cli

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <memory>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,15 +14,12 @@ namespace felt::cli {
 struct RealDevice {
   Driver* driver = nullptr;
   DeviceDescriptor found;
-  DeviceProfile profile;
+  DeviceProfile profile;  ///< of this id: perhaps of another unit, whose serial is known once open
 };
 
 /// Finds a device by its id ("haply:049D"), or by its driver's name where that has one device.
 /// Error: there is none; says what there is instead, and what to try.
 Result<RealDevice> find_real_device(const std::vector<std::unique_ptr<Driver>>& drivers,
                                     const std::string& id);
-
-/// The plane that a person has shown, where the profile is of this very device.
-std::optional<PlaneCalibration> shown_plane(const RealDevice& device);
 
 }  // namespace felt::cli

@@ -15,6 +15,7 @@
 #include <utility>
 
 #include "felt/tools/tool.h"
+#include "felt/validate/driver_subject.h"
 #include "record_copy.h"
 #include "tests/support/scratch_path.h"
 
@@ -107,15 +108,19 @@ class ZigzagDriver final : public Driver {
   }
   Result<std::unique_ptr<DriverDevice>> open(const DeviceDescriptor&, const OpenOptions&) override {
     const bool is_first = world_.opened++ == 0;
-    return std::unique_ptr<DriverDevice>(std::make_unique<ZigzagDevice>(world_, device_, is_first));
+    DeviceDescriptor open = device_;
+    open.serial = serial_once_open_;
+    return std::unique_ptr<DriverDevice>(std::make_unique<ZigzagDevice>(world_, open, is_first));
   }
   std::vector<Finding> diagnose(const SystemView&) override { return {}; }
   [[nodiscard]] const DeviceDescriptor& device() const noexcept { return device_; }
   void give_own_frame() { device_.has_own_frame = true; }
+  void tell_serial_once_open(std::string serial) { serial_once_open_ = std::move(serial); }
 
  private:
   World& world_;
   DeviceDescriptor device_;
+  std::string serial_once_open_;
 };
 
 struct Drawn {
@@ -334,6 +339,30 @@ TEST(LiveLoopTest, LimitsCountThePlanesScaleAndThePersonsWishes) {
               plane.to_sheet(limited).max_stiffness_n_per_m);
     EXPECT_EQ((*loop)->capabilities().max_force_n, plane.to_sheet(limited).max_force_n);
     EXPECT_TRUE((*loop)->stop());
+  }
+}
+
+// Some libraries tell a serial only of what is open.
+TEST(LiveLoopTest, APlaneThatWasShownWithAnotherUnitIsNotUsed) {
+  World world;
+  world.gone_after_reads = 1 << 30;
+  ZigzagDriver driver(world);
+  driver.give_own_frame();
+  driver.tell_serial_once_open("THIS-1");
+  for (const bool same : {false, true}) {
+    RealDevice device{&driver, driver.device(), {.device_id = "zigzag:1"}};
+    device.profile.serial = same ? "THIS-1" : "OTHER-42";
+    device.profile.plane =
+        PlaneCalibration::from({Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}}, {900, 900, 70}, 1.0);
+    ASSERT_TRUE(device.profile.plane);
+    const Vec3 shown = device.profile.plane->to_sheet(driver.device().capabilities).workspace_min;
+    auto loop = LiveLoop::start(device, {0, 0, 297, 210}, 3.0, false);
+    ASSERT_TRUE(loop) << loop.error().message;
+    EXPECT_EQ((*loop)->capabilities().workspace_min == shown, same);
+    EXPECT_TRUE((*loop)->stop());
+    DriverSubject subject(driver, driver.device(), {}, device.profile);
+    ASSERT_TRUE(subject.open());
+    EXPECT_EQ(subject.device()->capabilities().workspace_min == shown, same) << "device-test";
   }
 }
 

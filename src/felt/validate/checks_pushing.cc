@@ -162,7 +162,10 @@ CheckOutcome check_force_sign(CheckContext& context) {
       wrong += (wrong.empty() ? "" : "; ") + name + " pushes aside";
     }
   }
-  if (wrong.empty()) return passed("x, y, z of the sheet: right, down, towards the hand");
+  if (wrong.empty()) {
+    return passed(pushed_axes(context) < 3 ? "x, y of the sheet: right, down"
+                                           : "x, y, z of the sheet: right, down, towards the hand");
+  }
   return failed(moved_words(context),
                 wrong +
                     ". Do not draw with it: show it the drawing plane again (it may be upside "

@@ -16,6 +16,7 @@ constexpr double kRestS = 2.0;
 constexpr double kMostNoiseMm = 0.1;
 constexpr double kNoiseSteps = 2.0;
 constexpr double kWithinReach = 0.5;  // of the workspace's size, beyond its edge
+constexpr double kLeastRoomMm = 1.0;  // there: a planar device says z of the touch by itself
 constexpr double kFarMm = 5000.0;
 
 bool is_cancelled(const CheckContext& context) {
@@ -26,9 +27,20 @@ std::string milliseconds(double ns) {
   return figure(1e-6 * ns, 2) + " ms";
 }
 
+/// A box that has as many sides as axes of places are sensed; that of a planar device is flat.
+bool is_a_workspace(const Capabilities& can) {
+  const Vec3 size = can.workspace_max - can.workspace_min;
+  int sides = 0;
+  for (const double length : {size.x, size.y, size.z}) {
+    if (!(length >= 0.0 && length < kFarMm)) return false;
+    if (length > 1.0) ++sides;
+  }
+  return sides >= std::min(can.sensed_axes, 3);
+}
+
 /// Words where a device's figures about itself make no sense; empty where they do.
 std::string nonsense_in(const Capabilities& can) {
-  if (can.sensed_axes < 2 || can.sensed_axes > 6) return "the number of axes that it senses";
+  if (can.sensed_axes < 1 || can.sensed_axes > 6) return "the number of axes that it senses";
   if (can.actuated_axes < 0 || can.actuated_axes > can.sensed_axes + 1) {
     return "the number of axes that it pushes";
   }
@@ -36,10 +48,7 @@ std::string nonsense_in(const Capabilities& can) {
     if (!(force >= 0.0 && force < 1000.0)) return "its forces";
   }
   if (can.continuous_force_n > can.max_force_n) return "more continuous than peak force";
-  const Vec3 size = can.workspace_max - can.workspace_min;
-  for (const double length : {size.x, size.y, size.z}) {
-    if (!(length > 1.0 && length < kFarMm)) return "the size of its workspace";
-  }
+  if (!is_a_workspace(can)) return "the size of its workspace";
   if (can.period_ns < kShortestPeriodNs || can.period_ns > kLongestPeriodNs) {
     return "the period of its loop";
   }
@@ -158,7 +167,8 @@ CheckOutcome check_places(CheckContext& context) {
   if (!trial) return failed({}, trial.error().message);
   if (!(*trial)->trouble().empty()) return broken(**trial);
   const Capabilities& can = context.subject.device()->capabilities();
-  const Vec3 room = kWithinReach * (can.workspace_max - can.workspace_min);
+  const Vec3 least{kLeastRoomMm, kLeastRoomMm, kLeastRoomMm};
+  const Vec3 room = least + kWithinReach * (can.workspace_max - can.workspace_min);
   for (const ProbeTick& tick : (*trial)->ticks()) {
     const Vec3& p = tick.sample.position;
     const Vec3& v = tick.sample.velocity;

@@ -5,12 +5,12 @@
 namespace felt {
 
 DriverSubject::DriverSubject(Driver& driver, DeviceDescriptor found, const OpenOptions& options,
-                             const std::optional<PlaneCalibration>& plane)
+                             DeviceProfile profile)
     : driver_(driver),
       found_(std::move(found)),
       was_seen_(found_.is_connected),
       options_(options),
-      plane_(plane) {}
+      profile_(std::move(profile)) {}
 
 const DeviceDescriptor& DriverSubject::descriptor() const noexcept {
   return open_ ? open_->descriptor() : found_;
@@ -23,7 +23,9 @@ Result<void> DriverSubject::open() {
   open_ = *std::move(opened);
   // What it says of itself once it is open counts.
   const DeviceDescriptor& now = open_->descriptor();
-  calibrated_.emplace(*open_, plane_ ? *plane_ : driver_.default_plane(now, options_));
+  forget_planes_of_another(profile_, now.serial);
+  calibrated_.emplace(*open_,
+                      profile_.plane ? *profile_.plane : driver_.default_plane(now, options_));
   return {};
 }
 

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "felt/driver/calibrated_device.h"
+#include "felt/driver/device_profile.h"
 #include "felt/driver/driver.h"
 #include "felt/validate/test_subject.h"
 
@@ -12,9 +13,11 @@ namespace felt {
 /// A driver's device under test, seen in the sheet's frame.
 class DriverSubject final : public TestSubject {
  public:
-  /// `driver` must outlive this. Without a plane that a person has shown, the driver's usual one.
+  /// `driver` must outlive this. Seen as the profile's plane has it, where a person has shown one
+  /// with this very device, whose serial is known once it is open; else with the driver's usual
+  /// one.
   DriverSubject(Driver& driver, DeviceDescriptor found, const OpenOptions& options,
-                const std::optional<PlaneCalibration>& plane);
+                DeviceProfile profile = {});
 
   [[nodiscard]] const DeviceDescriptor& descriptor() const noexcept override;
   Result<void> open() override;
@@ -32,7 +35,7 @@ class DriverSubject final : public TestSubject {
   DeviceDescriptor found_;
   bool was_seen_;  // find() can tell whether it is connected
   OpenOptions options_;
-  std::optional<PlaneCalibration> plane_;
+  DeviceProfile profile_;
   std::unique_ptr<DriverDevice> open_;
   std::optional<CalibratedDevice> calibrated_;
 };
