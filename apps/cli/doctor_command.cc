@@ -1,4 +1,5 @@
 #include <fmt/core.h>
+#include <unistd.h>
 
 #include <memory>
 
@@ -72,6 +73,11 @@ void fix(const DoctorReport& report, const DoctorArguments& args, Console& conso
   fmt::print("{}", plan_text(*plan));
   if (is_done) {
     fmt::print("There is nothing that Feltline could write to mend anything.\n");
+    if (geteuid() == 0) {
+      fmt::print(
+          "Root may do all of it already: run this as the person who draws. It asks for "
+          "root by itself where it needs it.\n");
+    }
     return;
   }
   if (args.dry_run) {
@@ -125,7 +131,7 @@ void add_doctor_command(CLI::App& app, Console& console) {
   command->add_flag("--dry-run", args->dry_run, "With --fix: show what it would write, no more");
   command->add_flag("--yes", args->yes, "With --fix: do not ask");
   command->add_option("--prefix", args->prefix,
-                      "With --fix: write below this folder instead, for whoever makes packages");
+                      "With --fix: write what is missing here below this folder instead");
   command->footer("Exit code: 0 nothing hinders, 1 something does.\n" + examples(kDoctorExamples));
   command->callback([args, &console] { run_doctor(*args, console); });
 }

@@ -215,7 +215,7 @@ void RecordRun::tell_status(const TickReport& report) {
 }
 
 void RecordRun::listen_to_keys() {
-  if (!(options_.enter_pressed ? options_.enter_pressed() : enter_pressed())) return;
+  if (!is_enter_pressed()) return;
   if (!has_agreed_) {
     // Not a notice: --quiet does not hide what somebody agrees to.
     console_.end_progress();
@@ -238,22 +238,43 @@ Result<void> RecordRun::reconnect(const std::string& why) {
   if (Result<void> finished = session_.finish(); !finished) return finished;
   end_loop();
   const Clock::time_point lost = Clock::now();
+  const std::int64_t lost_ns = last_ns_;
+  std::optional<Error> refusal;
   while (!hangs_ && !is_over()) {
     std::this_thread::sleep_for(kLook);
     if (options_.wants_pause && options_.wants_pause()) options_.pause();  // no device, no force
-    const std::vector<DeviceDescriptor> found = device_.driver->find();
-    const bool is_back = std::any_of(found.begin(), found.end(), [this](const auto& device) {
-      return device.id == device_.found.id;
-    });
-    if (!is_back) continue;
-    last_ns_ += std::chrono::nanoseconds(Clock::now() - lost).count();
-    if (Result<void> begun = begin(); begun) {
+    if (!is_back()) {
+      refusal.reset();  // plugged in anew it is tried anew
+      continue;
+    }
+    // What a person said no to waits for them; a port that is not free yet is tried by itself.
+    const bool needs_person = refusal && refusal->code == ErrorCode::kUnsupported;
+    if (needs_person && !is_enter_pressed()) continue;
+    last_ns_ = lost_ns + std::chrono::nanoseconds(Clock::now() - lost).count();
+    const Result<void> begun = begin();
+    if (begun) {
       console_.notice(std::string("The device is back.") +
                       (had_forces ? " Its forces are off: Enter allows them again." : ""));
       return {};
     }
+    const bool is_new = !refusal || refusal->message != begun.error().message;
+    refusal = begun.error();
+    if (!is_new && !needs_person) continue;
+    console_.notice(refusal->message + (refusal->code == ErrorCode::kUnsupported
+                                            ? ". Enter, or the device plugged in anew, tries again."
+                                            : ". It is tried again."));
   }
   return {};
+}
+
+bool RecordRun::is_back() const {
+  const std::vector<DeviceDescriptor> found = device_.driver->find();
+  return std::any_of(found.begin(), found.end(),
+                     [this](const auto& device) { return device.id == device_.found.id; });
+}
+
+bool RecordRun::is_enter_pressed() const {
+  return options_.enter_pressed ? options_.enter_pressed() : enter_pressed();
 }
 
 }  // namespace felt::cli

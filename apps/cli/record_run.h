@@ -60,6 +60,8 @@ class RecordRun {
   void end_loop();
   Result<void> pause();
   Result<void> reconnect(const std::string& why);
+  [[nodiscard]] bool is_back() const;
+  [[nodiscard]] bool is_enter_pressed() const;
   [[nodiscard]] std::int64_t elapsed_ns() const;
   [[nodiscard]] bool is_over() const;
 

@@ -33,6 +33,9 @@ struct World {
   int gone_after_reads = 400;  ///< of the first device that is opened
   int hangs_after_reads = 1 << 30;
   bool never_comes_back = false;
+  std::atomic<int> refusals{0};  ///< of open(), once the first was open
+  std::atomic<int> refused{0};   ///< so far
+  ErrorCode refusal = ErrorCode::kIo;
   bool is_calm = false;  ///< up and down without leaps, which latch the chain
 };
 
@@ -107,6 +110,10 @@ class ZigzagDriver final : public Driver {
     return {device_};
   }
   Result<std::unique_ptr<DriverDevice>> open(const DeviceDescriptor&, const OpenOptions&) override {
+    if (world_.opened > 0 && world_.refused < world_.refusals) {
+      ++world_.refused;
+      return fail(world_.refusal, "not now");
+    }
     const bool is_first = world_.opened++ == 0;
     DeviceDescriptor open = device_;
     open.serial = serial_once_open_;
@@ -177,6 +184,35 @@ TEST(RecordRunTest, DrawsGoesOnAfterTheDeviceWasGoneAndKeepsTheInk) {
   EXPECT_GE(drawn.strokes, before + 3);
   EXPECT_FALSE(drawn.ran_backwards);
   EXPECT_EQ(world.largest_n.load(), 0.0) << "nobody asked for forces";
+}
+
+TEST(RecordRunTest, APortThatIsNotFreeYetIsTriedAgain) {
+  World world;
+  world.refusals = 2;
+  const Drawn drawn = draw(
+      world, [](const Session& session) { return session.document().stroke_count() >= 3; }, false);
+  EXPECT_EQ(drawn.error, "");
+  EXPECT_EQ(world.refused, 2);
+  EXPECT_EQ(world.opened, 2);
+}
+
+// Or somebody who said no would be asked twice a second.
+TEST(RecordRunTest, WhatAPersonRefusedWaitsForThem) {
+  World world;
+  world.refusals = 1 << 30;
+  world.refusal = ErrorCode::kUnsupported;
+  int turns = 0;
+  bool pressed = false;
+  RecordOptions options;
+  options.enter_pressed = [&] {
+    if (world.refused > 0) ++turns;  // one look in half a second
+    return turns == 3 && !std::exchange(pressed, true);
+  };
+  const Drawn drawn = draw(
+      world, [&](const Session&) { return world.refused >= 2; }, false, options);
+  EXPECT_EQ(drawn.error, "");
+  EXPECT_TRUE(pressed);
+  EXPECT_EQ(turns, 3) << "asked again before somebody wanted it";
 }
 
 TEST(RecordRunTest, EndsWithTheInkWhereTheDeviceStaysAway) {

@@ -104,7 +104,8 @@ Result<std::vector<std::string>> as_root() {
     }
   }
   return fail(ErrorCode::kUnsupported,
-              "there is neither sudo nor pkexec: run 'feltline doctor --fix' as root");
+              "there is neither sudo nor pkexec: write it below a folder of yours ('feltline "
+              "doctor --fix --prefix FOLDER') and copy it from there as root");
 }
 
 Result<void> write_here(const PlannedFix& fix) {

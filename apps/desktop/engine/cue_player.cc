@@ -13,6 +13,8 @@ namespace {
 constexpr std::int64_t kLookNs = 16'000'000;  // between two looks at what the session shows
 constexpr int kIdleMs = 150;
 constexpr int kAgainMs = 2000;
+/// To look costs little; to open one that does not want to may take a second of the window.
+constexpr int kMostAgainMs = 60'000;
 
 struct AddedCueDriver {
   int number = 0;
@@ -89,7 +91,9 @@ CuePlayer::CuePlayer(Studio& studio, QObject* parent) : QObject(parent), studio_
   again_.setInterval(kAgainMs);
   connect(&again_, &QTimer::timeout, this, &CuePlayer::look_again);
   connect(&Settings::the(), &Settings::changed, this, [this](const QString& key) {
-    if (key == QLatin1String(kCueDeviceKey)) follow_setting();
+    if (key != QLatin1String(kCueDeviceKey)) return;
+    forget_refusal();
+    follow_setting();
   });
   follow_setting();
 }
@@ -105,18 +109,28 @@ void CuePlayer::follow_setting() {
   if (id == in_use()) return again_.stop();
   if (!find_cue_device(id.toStdString()).first) {
     use({});
+    forget_refusal();
     if (!id.isEmpty()) again_.start();
     return;
   }
-  again_.stop();
-  use(id);
+  if (use(id)) {
+    forget_refusal();
+    return again_.stop();
+  }
+  again_.start(refusal_.tries++ == 0 ? kAgainMs : std::min(2 * again_.interval(), kMostAgainMs));
 }
 
-/// A device that is there and does not open said so once; it is tried again when it is plugged in
-/// anew, or chosen.
+/// A device that is there and does not open may do so soon: its permissions come after its file,
+/// and a mouse may sleep behind its receiver.
 void CuePlayer::look_again() {
   const QString id = Settings::the().text(QString::fromLatin1(kCueDeviceKey));
-  if (find_cue_device(id.toStdString()).first) follow_setting();
+  if (find_cue_device(id.toStdString()).first) return follow_setting();
+  forget_refusal();
+}
+
+void CuePlayer::forget_refusal() {
+  refusal_ = {};
+  again_.setInterval(kAgainMs);
 }
 
 bool CuePlayer::use(const QString& id) {
@@ -132,7 +146,8 @@ bool CuePlayer::use(const QString& id) {
                                                 "\" now: is it plugged in and switched on?");
     if (!device) {
       if (had_one) Q_EMIT changed();
-      Q_EMIT refused(QString::fromStdString(device.error().message));
+      const QString words = QString::fromStdString(device.error().message);
+      if (words != std::exchange(refusal_.words, words)) Q_EMIT refused(words);
       return false;
     }
     player_ = std::make_unique<CueThread>(

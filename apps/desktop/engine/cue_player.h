@@ -31,7 +31,8 @@ void remove_cue_driver(int number);
 
 /// Lets the chosen cue device follow a drawing: humming while the pen rubs, ticks when it touches,
 /// when a tool takes hold, when an end snaps. One per window. Follows the setting, and looks for a
-/// chosen device that is not there every two seconds. Silent while forces are switched off, and as
+/// chosen device that is not there every two seconds, for one that does not open more and more
+/// seldom. Silent while forces are switched off, and as
 /// much weaker as they are. Qt's main thread.
 class CuePlayer : public QObject {
   Q_OBJECT
@@ -55,6 +56,7 @@ class CuePlayer : public QObject {
  private:
   void follow_setting();
   void look_again();
+  void forget_refusal();
   void take(const TickReport& tick);
   void fall_silent();
   void lose(int which);
@@ -68,7 +70,11 @@ class CuePlayer : public QObject {
   bool is_silent_ = true;
   int opened_ = 0;  // devices so far
   QTimer idle_;     // no tick for a while: whoever hums stops
-  QTimer again_;    // looks for what is not there
+  QTimer again_;    // looks for what is not there, or did not open
+  struct {
+    QString words;  // that were said
+    int tries = 0;
+  } refusal_;
 };
 
 }  // namespace felt::desktop

@@ -225,6 +225,20 @@ TEST_F(CuePlayerTest, ADeviceThatDoesNotOpenSaysWhy) {
   EXPECT_TRUE(refused[1][0].toString().contains(QStringLiteral("tape:other")));
 }
 
+// Right after it was plugged in its permissions may be missing yet.
+TEST_F(CuePlayerTest, ADeviceThatDoesNotOpenAtFirstIsTriedAgain) {
+  tape_.refuses = true;
+  choose();
+  start();
+  EXPECT_EQ(player_->in_use(), QString());
+  QSignalSpy refused(player_.get(), &CuePlayer::refused);
+  QSignalSpy changed(player_.get(), &CuePlayer::changed);
+  tape_.refuses = false;
+  ASSERT_TRUE(changed.wait(8000));
+  EXPECT_EQ(player_->in_use(), QStringLiteral("tape:pen"));
+  EXPECT_EQ(refused.count(), 0);
+}
+
 TEST_F(CuePlayerTest, AnUnpluggedOneIsLetGoAndComesBack) {
   choose();
   start();

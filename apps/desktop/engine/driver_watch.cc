@@ -3,9 +3,12 @@
 #include <QCoreApplication>
 #include <QPointer>
 #include <algorithm>
+#include <atomic>
 #include <chrono>
 #include <mutex>
 #include <utility>
+
+#include "felt/rt/abandon.h"
 
 namespace felt::desktop {
 namespace {
@@ -43,6 +46,35 @@ PenDeviceInfo info_of(const DeviceDescriptor& device, const PlaneCalibration& pl
 struct DriverWatch::Slot {
   std::unique_ptr<Driver> driver;
   std::timed_mutex busy;
+  std::atomic<bool> is_stuck{false};  // its library hangs: it is asked nothing any more
+};
+
+/// What the thread that looks shares with the watch; one that hangs may outlive it.
+struct DriverWatch::Looking {
+  std::vector<std::shared_ptr<Slot>> slots;
+  std::atomic<std::size_t> at{0};  // the one that is asked
+  std::mutex mutex;
+  DriverWatch* watch;  // null: nobody waits for it any more
+
+  /// Asks all that answer, one after the other.
+  template <class Ask>
+  void ask_all(const Ask& ask) {
+    for (std::size_t i = 0; i < slots.size(); ++i) {
+      if (slots[i]->is_stuck) continue;
+      at = i;
+      const std::lock_guard lock(slots[i]->busy);
+      ask(*slots[i]);
+    }
+  }
+  /// Calls it with the watch on the main thread, unless nobody waits any more.
+  template <class Answer>
+  void tell(Answer answer) {
+    const std::lock_guard lock(mutex);
+    if (watch == nullptr) return;
+    QMetaObject::invokeMethod(
+        watch, [to = watch, answer = std::move(answer)]() mutable { answer(*to); },
+        Qt::QueuedConnection);
+  }
 };
 
 /// A driver's device as a pen, in its own frame.
@@ -62,8 +94,13 @@ class DriverWatch::DriverPen final : public PenDevice {
   ~DriverPen() override {
     const auto at = std::find(open_ids().begin(), open_ids().end(), info_.id);
     if (at != open_ids().end()) open_ids().erase(at);
-    const std::lock_guard lock(slot_->busy);
-    device_.reset();
+    const std::unique_lock lock(slot_->busy, std::chrono::milliseconds(kPatienceMs));
+    // The window does not wait for a library that hangs; nor may the device be touched then.
+    if (!lock.owns_lock()) {
+      abandon(std::move(device_));
+    } else {
+      device_.reset();
+    }
   }
 
   [[nodiscard]] const PenDeviceInfo& info() const noexcept override { return info_; }
@@ -87,13 +124,14 @@ class DriverWatch::DriverPen final : public PenDevice {
   HandScriptOptions options_;
 };
 
-DriverWatch::DriverWatch(std::vector<std::unique_ptr<Driver>> drivers, QObject* parent)
-    : QObject(parent) {
+DriverWatch::DriverWatch(std::vector<std::unique_ptr<Driver>> drivers, QObject* parent,
+                         int stuck_ms)
+    : QObject(parent), stuck_ms_(stuck_ms) {
   for (auto& driver : drivers) {
     slots_.push_back(std::make_shared<Slot>());
     slots_.back()->driver = std::move(driver);
   }
-  looker_.setMaxThreadCount(1);
+  begin_looking();
   timer_.setInterval(kLookMs);
   connect(&timer_, &QTimer::timeout, this, &DriverWatch::look);
   pens_ = add_pen_driver(
@@ -106,8 +144,27 @@ DriverWatch::DriverWatch(std::vector<std::unique_ptr<Driver>> drivers, QObject* 
 DriverWatch::~DriverWatch() {
   if (the_watch == this) the_watch = nullptr;
   remove_pen_driver(pens_);
-  looker_.clear();
-  looker_.waitForDone();
+  looker_->clear();
+  if (!looker_->waitForDone(kPatienceMs)) give_up_looking();
+}
+
+void DriverWatch::begin_looking() {
+  looker_ = std::make_unique<QThreadPool>();
+  looker_->setMaxThreadCount(1);
+  looking_ = std::make_shared<Looking>();
+  looking_->slots = slots_;
+  looking_->watch = this;
+}
+
+/// A library hangs: its thread is left to it, and what it says in the end is not heard.
+void DriverWatch::give_up_looking() {
+  looking_->slots[looking_->at]->is_stuck = true;
+  {
+    const std::lock_guard lock(looking_->mutex);
+    looking_->watch = nullptr;
+  }
+  looker_->clear();
+  abandon(std::move(looker_));
 }
 
 DriverWatch* DriverWatch::the() noexcept {
@@ -133,17 +190,19 @@ bool DriverWatch::knows(const QString& id) const noexcept {
 }
 
 void DriverWatch::look() {
-  if (std::exchange(is_looking_, true)) return;
-  looker_.start([this] {
+  if (std::exchange(is_looking_, true)) {
+    if (since_look_.elapsed() < stuck_ms_ || slots_.empty()) return;
+    give_up_looking();
+    begin_looking();
+  }
+  since_look_.start();
+  looker_->start([looking = looking_] {
     std::vector<DeviceDescriptor> found;
-    for (const auto& slot : slots_) {
-      const std::lock_guard lock(slot->busy);
-      for (DeviceDescriptor& device : slot->driver->find()) found.push_back(std::move(device));
-    }
-    // Not delivered to a watch that is no more.
-    QMetaObject::invokeMethod(
-        this, [this, found = std::move(found)]() mutable { take(std::move(found)); },
-        Qt::QueuedConnection);
+    looking->ask_all([&found](Slot& slot) {
+      for (DeviceDescriptor& device : slot.driver->find()) found.push_back(std::move(device));
+    });
+    looking->tell(
+        [found = std::move(found)](DriverWatch& watch) mutable { watch.take(std::move(found)); });
   });
 }
 
@@ -198,19 +257,17 @@ Result<std::unique_ptr<PenDevice>> DriverWatch::open(const QString& id,
 
 void DriverWatch::diagnose(QObject* asker,
                            std::function<void(std::vector<DriverFindings>)> answer) {
-  looker_.start([this, asker = QPointer<QObject>(asker), answer = std::move(answer)]() mutable {
-    std::vector<DriverFindings> all;
-    for (const auto& slot : slots_) {
-      const std::lock_guard lock(slot->busy);
-      all.push_back({text_of(slot->driver->label()), slot->driver->diagnose(this_system())});
-    }
-    QMetaObject::invokeMethod(
-        this,
-        [asker = std::move(asker), answer = std::move(answer), all = std::move(all)]() mutable {
+  looker_->start(
+      [looking = looking_, asker = QPointer<QObject>(asker), answer = std::move(answer)]() mutable {
+        std::vector<DriverFindings> all;
+        looking->ask_all([&all](Slot& slot) {
+          all.push_back({text_of(slot.driver->label()), slot.driver->diagnose(this_system())});
+        });
+        looking->tell([asker = std::move(asker), answer = std::move(answer),
+                       all = std::move(all)](DriverWatch&) mutable {
           if (asker) answer(std::move(all));
-        },
-        Qt::QueuedConnection);
-  });
+        });
+      });
 }
 
 bool DriverWatch::is_open(const QString& id) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <QElapsedTimer>
 #include <QObject>
 #include <QString>
 #include <QThreadPool>
@@ -25,15 +26,19 @@ struct DriverFindings {
 /// Nothing is looked for but while somebody wants to know (`Watching`: a list is shown, a lost
 /// device is waited for), once a second then, on a thread of its own: a library that takes its time
 /// holds up no window. Drivers are asked one thing at a time; opening waits for a look that is
-/// under way, kPatienceMs at most. One per process, made before the first window. Main thread.
+/// under way, kPatienceMs at most. A driver whose library has not answered for `stuck_ms` is given
+/// up, and the others are looked at without it; so is its device, when it is closed. One per
+/// process, made before the first window. Main thread.
 class DriverWatch : public QObject {
   Q_OBJECT
 
  public:
   static constexpr int kLookMs = 1000;
   static constexpr int kPatienceMs = 3000;
+  static constexpr int kStuckMs = 60'000;  ///< longer than any way home takes
 
-  explicit DriverWatch(std::vector<std::unique_ptr<Driver>> drivers, QObject* parent = nullptr);
+  explicit DriverWatch(std::vector<std::unique_ptr<Driver>> drivers, QObject* parent = nullptr,
+                       int stuck_ms = kStuckMs);
   ~DriverWatch() override;
   /// The one there is, or null.
   static DriverWatch* the() noexcept;
@@ -75,17 +80,23 @@ class DriverWatch : public QObject {
  private:
   struct Slot;
   class DriverPen;
+  struct Looking;
 
   Result<std::unique_ptr<PenDevice>> open(const QString& id, const OpenOptions& options);
   [[nodiscard]] std::shared_ptr<Slot> slot_of(const QString& id) const noexcept;
   void take(std::vector<DeviceDescriptor> found);
   void set_pace();
+  void begin_looking();
+  void give_up_looking();
 
   std::vector<std::shared_ptr<Slot>> slots_;
   std::vector<DeviceDescriptor> descriptors_;
   std::vector<PenDeviceInfo> found_;
   std::vector<std::pair<QString, QString>> cues_;
-  QThreadPool looker_;
+  std::unique_ptr<QThreadPool> looker_;
+  std::shared_ptr<Looking> looking_;
+  QElapsedTimer since_look_;
+  int stuck_ms_;
   QTimer timer_;
   bool is_looking_ = false;
   bool has_looked_ = false;

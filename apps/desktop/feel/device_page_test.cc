@@ -373,6 +373,24 @@ TEST(DevicePage, WhatIsSetForADeviceIsKeptAndTakesEffectAtOnceWithForcesOff) {
               0.5 * (page_area.x0 + page_area.x1), 1e-6);
 }
 
+// A field that cannot show so low a general limit must not raise it when another one is changed.
+TEST(DevicePage, TheStiffestSheetLeavesTheForceLimitsAlone) {
+  FakeDriver driver;
+  Studio studio(by_hand());
+  ASSERT_TRUE(studio.use_device(driver.info.id));
+  studio.set_force_limit(0.0);
+  DevicePage page(studio);
+  page.show();
+  auto* settings = page.findChild<DeviceSettings*>();
+  for (auto* box : settings->findChildren<QSpinBox*>()) {
+    if (box->accessibleName() == QLatin1String("Stiffest sheet")) box->setValue(250);
+  }
+  const DeviceProfile kept = profile_of(driver.info.id).value();
+  EXPECT_EQ(kept.stiffness_cap_n_per_m, 250.0);
+  EXPECT_FALSE(kept.force_limit_n.has_value());
+  EXPECT_EQ(studio.force_limit(), 0.0);
+}
+
 // A stick or a wheel: it has no plane to be shown, but it pushes a hand as much as any.
 TEST(DevicePage, APersonsLimitsHoldForADeviceWithoutAPlane) {
   FakeDriver driver;

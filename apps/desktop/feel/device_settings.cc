@@ -100,8 +100,8 @@ void DeviceSettings::make_form() {
   form->addRow(tr("S&ize on the sheet"), size_);
   connect(name_, &QLineEdit::editingFinished, this, &DeviceSettings::set_name);
   connect(hand_, &QComboBox::activated, this, &DeviceSettings::set_hand);
-  connect(limit_, &QDoubleSpinBox::valueChanged, this, &DeviceSettings::set_limits);
-  connect(stiffest_, &QSpinBox::valueChanged, this, &DeviceSettings::set_limits);
+  connect(limit_, &QDoubleSpinBox::valueChanged, this, &DeviceSettings::set_limit);
+  connect(stiffest_, &QSpinBox::valueChanged, this, &DeviceSettings::set_stiffest);
   connect(calibrate_, &QPushButton::clicked, this, &DeviceSettings::calibrate);
   connect(scale_, &QSpinBox::valueChanged, this,
           [this](int percent) { set_scale(0.01 * percent); });
@@ -181,20 +181,24 @@ void DeviceSettings::set_hand(int index) {
   keep(*kept);
 }
 
-void DeviceSettings::set_limits() {
+void DeviceSettings::set_limit(double limit) {
   std::optional<DeviceProfile> kept = profile();
   if (!kept) return;
   const double most = most_of(studio_.device().info().capabilities);
-  const double limit = limit_->value();
   kept->force_limit_n = limit < most - 0.5 * kLimitStep ? std::optional(limit) : std::nullopt;
   // Said here, it is said for this hand: the general limit must not hold it back.
   if (limit > studio_.force_limit()) {
     studio_.set_force_limit(limit);
     Settings::the().set(QString::fromLatin1(feel_keys::kForceLimit), studio_.force_limit());
   }
-  kept->stiffness_cap_n_per_m = stiffest_->value() > stiffest_->minimum()
-                                    ? std::optional<double>(stiffest_->value())
-                                    : std::nullopt;
+  keep(*kept);
+}
+
+void DeviceSettings::set_stiffest(int n_per_m) {
+  std::optional<DeviceProfile> kept = profile();
+  if (!kept) return;
+  kept->stiffness_cap_n_per_m =
+      n_per_m > stiffest_->minimum() ? std::optional<double>(n_per_m) : std::nullopt;
   keep(*kept);
 }
 

@@ -35,7 +35,8 @@ class DeviceSettings : public QWidget {
   void keep(const DeviceProfile& profile);
   void set_name();
   void set_hand(int index);
-  void set_limits();
+  void set_limit(double limit);
+  void set_stiffest(int n_per_m);
   void set_scale(std::optional<double> scale);
   void calibrate();
   void tell_plane(const DeviceProfile& profile);

@@ -228,12 +228,13 @@ Result<std::unique_ptr<ByteStream>> SerialStream::open(const std::string& path) 
 tl::expected<void, StreamFault> SerialStream::send(std::span<const std::byte> bytes,
                                                    std::int64_t within_ns) noexcept {
   auto sent = DescriptorStream::send(bytes, within_ns);
-  if (guard_ && sent) guard_->beat();
+  if (guard_ && sent) is_guarded_ = guard_->beat();
   return sent;
 }
 
 bool SerialStream::keep_guard(std::span<const std::byte> last_words, std::int64_t patience_ns) {
   guard_.reset();
+  is_guarded_ = true;
   if (!last_words.empty()) guard_ = PortGuard::start(descriptor(), last_words, patience_ns);
   return guard_ != nullptr;
 }

@@ -49,6 +49,9 @@ class ByteStream {
     static_cast<void>(patience_ns);
     return false;
   }
+  /// False: the guard that keep_guard() had made has ended, though nobody asked it to. Known once
+  /// something was sent after that. The sender's thread.
+  [[nodiscard]] virtual bool is_guarded() const noexcept { return true; }
 };
 
 /// How much of a time is left, on the system's monotonic clock: for who receives several times.
@@ -110,11 +113,13 @@ class SerialStream final : public DescriptorStream {
   tl::expected<void, StreamFault> send(std::span<const std::byte> bytes,
                                        std::int64_t within_ns) noexcept override;
   bool keep_guard(std::span<const std::byte> last_words, std::int64_t patience_ns) override;
+  [[nodiscard]] bool is_guarded() const noexcept override { return is_guarded_; }
 
  private:
   using DescriptorStream::DescriptorStream;
 
   std::unique_ptr<PortGuard> guard_;
+  bool is_guarded_ = true;
 };
 
 /// How a driver reaches a service; tests put a fake in its place.

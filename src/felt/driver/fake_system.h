@@ -75,8 +75,8 @@ class FakeSystem final : public SystemView {
     libraries_[name] = std::move(words);
     return *this;
   }
-  FakeSystem& add_listener(std::uint16_t port) {
-    ports_.insert(port);
+  FakeSystem& add_listener(std::uint16_t port, const std::string& host = "localhost") {
+    listeners_.insert({host, port});
     return *this;
   }
 
@@ -99,7 +99,9 @@ class FakeSystem final : public SystemView {
     if (!found->second.empty()) return fail(ErrorCode::kNotFound, found->second);
     return {};
   }
-  [[nodiscard]] bool listens(std::uint16_t port) const override { return ports_.contains(port); }
+  [[nodiscard]] bool listens(const std::string& host, std::uint16_t port) const override {
+    return listeners_.contains({host, port});
+  }
 
  private:
   static constexpr int kMostLinks = 16;  // what leads in circles leads nowhere
@@ -120,7 +122,7 @@ class FakeSystem final : public SystemView {
   std::vector<std::string> groups_;
   std::map<std::string, std::string, std::less<>> environment_;
   std::map<std::string, std::string> libraries_;
-  std::set<std::uint16_t> ports_;
+  std::set<std::pair<std::string, std::uint16_t>> listeners_;
 };
 
 inline std::string FakeSystem::tidy(std::string_view path) {

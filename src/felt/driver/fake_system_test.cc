@@ -15,7 +15,7 @@ TEST(FakeSystemTest, IsEmptyAtFirst) {
   EXPECT_THAT(system.list("/dev"), IsEmpty());
   EXPECT_EQ(system.read("/etc/group"), std::nullopt);
   EXPECT_FALSE(system.exists("/dev"));
-  EXPECT_FALSE(system.listens(10001));
+  EXPECT_FALSE(system.listens("localhost", 10001));
   EXPECT_EQ(system.environment("HOME"), std::nullopt);
   const Result<void> library = system.try_library("libHD.so");
   ASSERT_FALSE(library);

@@ -113,10 +113,11 @@ PortGuard::~PortGuard() {
   }
 }
 
-void PortGuard::beat() noexcept {
+bool PortGuard::beat() noexcept {
   const char life = 1;
   // It may be full when the guard has no time to read: then it has enough of them.
-  static_cast<void>(::send(connection_, &life, 1, MSG_DONTWAIT | MSG_NOSIGNAL));
+  const ssize_t sent = ::send(connection_, &life, 1, MSG_DONTWAIT | MSG_NOSIGNAL);
+  return sent >= 0 || (errno != EPIPE && errno != ECONNRESET);
 }
 
 }  // namespace felt

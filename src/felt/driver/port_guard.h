@@ -31,8 +31,9 @@ class PortGuard {
   PortGuard(const PortGuard&) = delete;
   PortGuard& operator=(const PortGuard&) = delete;
 
-  /// We live. Any thread; real-time safe: one transfer that never waits.
-  void beat() noexcept;
+  /// We live. Any thread; real-time safe: one transfer that never waits. False: the guard has ended
+  /// (somebody killed it), and nothing guards any more.
+  bool beat() noexcept;
 
  private:
   PortGuard(pid_t process, int connection) noexcept : process_(process), connection_(connection) {}

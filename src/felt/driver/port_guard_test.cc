@@ -11,6 +11,7 @@
 
 #include <array>
 #include <atomic>
+#include <fstream>
 #include <memory>
 #include <span>
 #include <string>
@@ -177,6 +178,25 @@ TEST(PortGuard, StartsFromAProgramWithThreads) {
   }
   is_over = true;
   other.join();
+}
+
+// Somebody may kill it; who beats then hears of it.
+TEST(PortGuard, TellsThatItWasKilled) {
+  const Port port;
+  const auto guard = port.guard(kNeverNs);
+  ASSERT_NE(guard, nullptr);
+  EXPECT_TRUE(guard->beat());
+  std::ifstream children("/proc/self/task/" + std::to_string(gettid()) + "/children");
+  pid_t process = 0, next = 0;
+  while (children >> next) process = next;
+  if (process == 0) GTEST_SKIP() << "this kernel does not list children";
+  ASSERT_EQ(::kill(process, SIGKILL), 0);
+  int beats = 0;
+  while (guard->beat() && beats < kLongMs) {
+    ++beats;
+    usleep(1000);
+  }
+  EXPECT_LT(beats, kLongMs);
 }
 
 TEST(PortGuard, BeatsNeverWait) {

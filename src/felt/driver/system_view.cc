@@ -1,11 +1,8 @@
 #include "felt/driver/system_view.h"
 
-#include <arpa/inet.h>
 #include <dlfcn.h>
 #include <grp.h>
-#include <netinet/in.h>
 #include <pwd.h>
-#include <sys/socket.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -16,10 +13,13 @@
 #include <filesystem>
 #include <fstream>
 
+#include "felt/driver/byte_stream.h"
+
 namespace felt {
 namespace {
 
 constexpr std::size_t kMostBytes = 64 * 1024;
+constexpr std::int64_t kListensNs = 1'000'000'000;  // a host that is down does not answer at all
 
 std::string group_name(gid_t id) {
   const group* entry = getgrgid(id);
@@ -98,17 +98,8 @@ class ThisSystem final : public SystemView {
     return {};
   }
 
-  [[nodiscard]] bool listens(std::uint16_t port) const override {
-    const int socket = ::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0);
-    if (socket < 0) return false;
-    sockaddr_in address{};
-    address.sin_family = AF_INET;
-    address.sin_port = htons(port);
-    address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
-    const bool answers =
-        connect(socket, reinterpret_cast<const sockaddr*>(&address), sizeof address) == 0;
-    close(socket);
-    return answers;
+  [[nodiscard]] bool listens(const std::string& host, std::uint16_t port) const override {
+    return TcpStream::connect(host, port, kListensNs).has_value();
   }
 };
 

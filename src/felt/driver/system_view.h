@@ -33,8 +33,8 @@ class SystemView {
   [[nodiscard]] virtual std::optional<std::string> environment(std::string_view name) const = 0;
   /// Loads a library and lets it go again. Error: dlerror(), verbatim.
   [[nodiscard]] virtual Result<void> try_library(const std::string& name) const = 0;
-  /// Does somebody listen on a TCP port of this machine?
-  [[nodiscard]] virtual bool listens(std::uint16_t port) const = 0;
+  /// Does somebody listen on this TCP port of this host ("localhost", or numbers)?
+  [[nodiscard]] virtual bool listens(const std::string& host, std::uint16_t port) const = 0;
 };
 
 /// This machine.

@@ -474,6 +474,15 @@ TEST(HaplyDoctor, NoDeviceAndAnotherProgramOnThePort) {
   EXPECT_THAT(said(table.driver->diagnose(table.system)), HasSubstr("does not answer as"));
 }
 
+TEST(HaplyDoctor, AnotherComputersServiceIsLookedForThere) {
+  Table table;
+  table.system.set_environment(kUrlVariable, "ws://10.0.0.7:10001");
+  table.system.add_listener(10001);  // here, which is somebody else
+  EXPECT_THAT(said(table.driver->diagnose(table.system)), HasSubstr("nobody listens at 10.0.0.7"));
+  table.system.add_listener(10001, "10.0.0.7");
+  EXPECT_THAT(said(table.driver->diagnose(table.system)), HasSubstr("version 3.4.2.0"));
+}
+
 // A listening socket of the fake's, with a thread that serves whoever comes; each message of a
 // session is a millisecond of the world.
 class SocketServer {

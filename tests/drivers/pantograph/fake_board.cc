@@ -67,8 +67,10 @@ class BoardPort final : public ByteStream {
   }
   bool keep_guard(std::span<const std::byte> last_words, std::int64_t) override {
     board_.last_words_.assign(last_words.begin(), last_words.end());
-    return true;
+    board_.is_guarded_ = true;
+    return !board_.refuses_guards_;
   }
+  [[nodiscard]] bool is_guarded() const noexcept override { return board_.is_guarded_; }
 
  private:
   FakeBoard& board_;

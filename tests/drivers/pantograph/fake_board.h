@@ -53,6 +53,9 @@ class FakeBoard {
   /// What a guard would send when the program cannot; empty: none was asked for.
   [[nodiscard]] const std::vector<std::byte>& last_words() const noexcept { return last_words_; }
   [[nodiscard]] bool is_set_up() const noexcept { return is_set_up_; }
+  /// There is no process to be had for a guard; or it dies.
+  void refuse_guards(bool refuses) noexcept { refuses_guards_ = refuses; }
+  void kill_guard() noexcept { is_guarded_ = false; }
 
  private:
   friend class BoardPort;
@@ -93,6 +96,8 @@ class FakeBoard {
   std::size_t room_ = 0;  // for what waits in in_ while it hangs
   int refusals_ = 0;
   bool refused_last_ = false;
+  bool refuses_guards_ = false;
+  bool is_guarded_ = true;
 };
 
 }  // namespace felt::pantograph

@@ -326,6 +326,48 @@ TEST(PantographDriver, AGuardKnowsTheFrameThatLetsGo) {
   EXPECT_TRUE(table.tick().read.has_value()) << "its answer is no harm";
 }
 
+// Its motors know no watchdog: without the process that stands for one nothing may push.
+TEST(PantographDriver, WithoutAGuardNothingPushes) {
+  Table table;
+  table.board.refuse_guards(true);
+  const auto opened = table.open();
+  ASSERT_FALSE(opened.has_value());
+  EXPECT_THAT(opened.error().message, HasSubstr("No second process"));
+  table.board.refuse_guards(false);
+  ASSERT_TRUE(table.open());
+  table.board.refuse_guards(true);
+  const auto home = table.device->find_home();
+  ASSERT_FALSE(home.has_value());
+  EXPECT_THAT(home.error().message, HasSubstr("No second process"));
+  for (int i = 0; i < 3; ++i) table.tick({1, 0, 0});
+  EXPECT_EQ(table.world.held_force(), Force{});
+  table.board.refuse_guards(false);
+  ASSERT_TRUE(table.device->find_home().has_value());
+  table.tick({1, 0, 0});
+  table.tick({1, 0, 0});
+  ASSERT_GT(norm(table.world.held_force()), 0.9);
+  table.board.kill_guard();
+  const auto written = table.tick({1, 0, 0}).written;
+  ASSERT_FALSE(written.has_value());
+  EXPECT_EQ(written.error(), DeviceFault::kForcesOff);
+  EXPECT_EQ(table.world.held_force(), Force{});
+  ASSERT_TRUE(table.device->find_home().has_value()) << "with another one";
+  table.tick({1, 0, 0});
+  EXPECT_TRUE(table.tick({1, 0, 0}).written.has_value());
+}
+
+// A make is a person's word: before anything pushes they are told what to measure.
+TEST(PantographDriver, SaysWhichMakeItIsTakenFor) {
+  for (const BoardModel& model : board_models()) {
+    Table table(model.id);
+    ASSERT_TRUE(table.open());
+    const std::string words = table.device->homing_words();
+    EXPECT_THAT(words, HasSubstr(std::string(model.label)));
+    const bool warns = words.find("more than ten times as strong") != std::string::npos;
+    EXPECT_EQ(warns, model.id != "v1") << words;
+  }
+}
+
 TEST(PantographDriver, ABoardThatWasGivenUpIsLetGoOfAtTheEnd) {
   Table table;
   ASSERT_TRUE(table.open_at_home());

@@ -105,6 +105,18 @@ std::vector<std::string> sdk_steps() {
           "Look again:\nfeltline doctor forcedimension"};
 }
 
+// It loads, and is not what the driver needs.
+Finding strange_library(const std::string& refusal) {
+  Finding finding{
+      FindingLevel::kProblem,
+      "A library with the name of Force Dimension's loads, but is another one, or too old.",
+      refusal, sdk_steps()};
+  finding.steps.insert(finding.steps.begin(),
+                       "If FELT_FORCEDIMENSION_LIBRARY is set, let it name the SDK's libdrd.so, or "
+                       "let Feltline look for it:\nunset FELT_FORCEDIMENSION_LIBRARY");
+  return finding;
+}
+
 Finding library_finding(const SystemView& system, const std::string& named, bool has_device) {
   std::string refused_name, refused_words;
   for (const std::string& name : library_names(system, named)) {
@@ -147,11 +159,14 @@ Finding library_finding(const SystemView& system, const std::string& named, bool
 }  // namespace
 
 std::vector<Finding> diagnose(const SystemView& system, const std::string& named,
-                              const std::string& last_refusal) {
+                              const std::string& last_refusal, const std::string& library_refusal) {
   const std::vector<UsbDevice> devices = usb_devices(system);
   std::vector<Finding> findings;
   for (const UsbDevice& device : devices) findings.push_back(permission_of(system, device));
   findings.push_back(library_finding(system, named, !devices.empty()));
+  if (findings.back().level == FindingLevel::kOk && !library_refusal.empty()) {
+    findings.back() = strange_library(library_refusal);
+  }
   if (devices.empty() && findings.back().level != FindingLevel::kAbsent) {
     findings.push_back({FindingLevel::kWarning,
                         "No device of Force Dimension or Novint is seen on the USB.",

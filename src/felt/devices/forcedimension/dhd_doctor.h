@@ -10,8 +10,10 @@ namespace felt::dhd {
 
 /// What is there of Force Dimension and Novint, what is missing, and the next step: the devices on
 /// the USB, the permission to use them, the library. `named` as in library_names(); `last_refusal`
-/// is what the library said when this program could not open a device, or empty.
+/// is what the library said when this program could not open a device, or empty; `library_refusal`
+/// why the driver did not take the library that loads (it lacks functions), or empty.
 std::vector<Finding> diagnose(const SystemView& system, const std::string& named,
-                              const std::string& last_refusal);
+                              const std::string& last_refusal,
+                              const std::string& library_refusal = {});
 
 }  // namespace felt::dhd

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "felt/devices/forcedimension/forcedimension.h"
 #include "felt/driver/fake_system.h"
 
 namespace felt::dhd {
@@ -40,6 +41,18 @@ TEST(DhdDoctor, AllIsWell) {
   EXPECT_THAT(findings[0].what, HasSubstr("omega.3"));
   EXPECT_EQ(findings[1].level, FindingLevel::kOk);
   EXPECT_THAT(findings[1].what, HasSubstr("libdrd.so"));
+}
+
+// What is on this computer is loaded: the driver says what it lacks, not only that it is there.
+TEST(DhdDoctor, ALibraryThatIsAnotherOneIsNotFine) {
+  ForceDimensionOptions options;
+  options.library = "libm.so.6";
+  const auto findings = make_forcedimension_driver(options)->diagnose(this_system());
+  ASSERT_FALSE(findings.empty());
+  const Finding& library = findings.size() > 1 ? findings[findings.size() - 2] : findings[0];
+  EXPECT_EQ(library.level, FindingLevel::kProblem);
+  EXPECT_THAT(library.what, HasSubstr("is another one, or too old"));
+  EXPECT_THAT(library.details, HasSubstr("it lacks dhdGetDeviceCount"));
 }
 
 TEST(DhdDoctor, ADeviceWithoutPermissionGetsAUdevRule) {

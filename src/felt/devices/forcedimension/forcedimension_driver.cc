@@ -83,11 +83,18 @@ class ForceDimensionDriver final : public Driver {
   [[nodiscard]] PlaneCalibration default_plane(const DeviceDescriptor& device,
                                                const OpenOptions& options) const override;
   std::vector<Finding> diagnose(const SystemView& system) override {
-    return dhd::diagnose(system, named_library(options_, system), last_refusal_);
+    return dhd::diagnose(system, named_library(options_, system), last_refusal_,
+                         library_refusal(system));
   }
 
  private:
   Result<void> load();
+  // Why a library that is there is not used. Only of this computer: of another nothing loads.
+  std::string library_refusal(const SystemView& system) {
+    if (&system != &this_system()) return {};
+    const auto loaded = load();
+    return loaded || loaded.error().code != ErrorCode::kUnsupported ? "" : loaded.error().message;
+  }
   void look();
 
   ForceDimensionOptions options_;

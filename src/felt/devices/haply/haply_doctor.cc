@@ -71,8 +71,8 @@ Finding version_finding(const std::string& version) {
             .what = named +
                     " With services before 3.5 the drawing plane may lie elsewhere than "
                     "Feltline thinks.",
-            .steps = {"Show Feltline where the plane is: touch three corners (in the desktop: "
-                      "Devices, Calibrate).",
+            .steps = {"Show Feltline where the plane is: touch three corners (in the window: "
+                      "Preferences, Device, \"Set the drawing plane...\").",
                       update}};
   }
   if (number >= kTooNew) {
@@ -133,7 +133,7 @@ void ask_service(const SystemView& system, const ServiceAddress& address, const 
     return;
   }
   findings.push_back(version_finding(read_version(*version)));
-  if (!system.listens(address.events.port)) {
+  if (!system.listens(address.events.host, address.events.port)) {
     findings.push_back({.level = FindingLevel::kWarning,
                         .what = "The service's events (port " +
                                 std::to_string(address.events.port) +
@@ -173,7 +173,7 @@ std::vector<Finding> examine(const SystemView& system, const TcpConnect& connect
                                   "ws://localhost:10001."}});
   }
   const bool is_told = !address.wrong.empty();
-  if (system.listens(address.control.port)) {
+  if (system.listens(address.control.host, address.control.port)) {
     ask_service(system, address, connect, within_ns, findings);
   } else if (has_unit(system) || system.exists(kConfigFolder) || !address.source.empty()) {
     findings.push_back(not_running(address));

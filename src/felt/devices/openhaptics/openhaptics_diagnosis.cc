@@ -139,6 +139,18 @@ Finding broken_library(const LibraryLook& look) {
   return finding;
 }
 
+// It loads, and is not what the driver needs.
+Finding strange_library(const LibraryLook& look, const std::string& refusal) {
+  return {
+      .level = FindingLevel::kProblem,
+      .what = look.found + " loads, but is not the OpenHaptics library, or too old a one.",
+      .details = refusal,
+      .steps = {"Install the newest \"OpenHaptics for Linux\" from 3D Systems "
+                "(support.3dsystems.com)",
+                "If FELT_OPENHAPTICS_LIBRARY is set, let it name libHD.so, or let Feltline look "
+                "for it:\nunset FELT_OPENHAPTICS_LIBRARY"}};
+}
+
 Finding missing_library(const LibraryLook& look, bool owns_one) {
   return {.level = owns_one ? FindingLevel::kProblem : FindingLevel::kAbsent,
           .what = owns_one
@@ -249,11 +261,14 @@ bool touch_is_on_usb(const SystemView& system) {
 }
 
 std::vector<Finding> diagnose_openhaptics(const SystemView& system,
-                                          std::span<const std::string> libraries) {
+                                          std::span<const std::string> libraries,
+                                          const std::string& refusal) {
   std::vector<Finding> findings;
   const LibraryLook look = look_for_library(system, libraries);
   const bool is_on_usb = touch_is_on_usb(system);
-  if (!look.found.empty()) {
+  if (!look.found.empty() && !refusal.empty()) {
+    findings.push_back(strange_library(look, refusal));
+  } else if (!look.found.empty()) {
     const std::string target = system.resolve("/usr/lib/" + look.found);
     findings.push_back({.what = "OpenHaptics is installed (" + look.found + ").",
                         .details = target.empty() ? std::string() : "version: " + target});

@@ -20,8 +20,10 @@ std::vector<std::string> configured_devices(const SystemView& system);
 /// Is a Touch on USB? (The makers' older ones are on FireWire or the printer port.)
 bool touch_is_on_usb(const SystemView& system);
 
-/// The library, what it needs, the maker's set-up, the device, the permission to use it.
+/// The library, what it needs, the maker's set-up, the device, the permission to use it. `refusal`:
+/// why the driver did not take the library that loads (it lacks functions), or empty.
 std::vector<Finding> diagnose_openhaptics(const SystemView& system,
-                                          std::span<const std::string> libraries);
+                                          std::span<const std::string> libraries,
+                                          const std::string& refusal = {});
 
 }  // namespace felt

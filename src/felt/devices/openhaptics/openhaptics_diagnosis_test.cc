@@ -120,6 +120,16 @@ TEST(OpenHapticsDiagnosis, TheLibraryThatTheEnvironmentNamesIsTheOnlyOne) {
   EXPECT_THAT(look(system)[0].what, HasSubstr("installed (/opt/hd/libHD.so)"));
 }
 
+// What is on this computer is loaded: the driver says what it lacks, not only that it is there.
+TEST(OpenHapticsDiagnosis, ALibraryThatIsAnotherOneIsNotFine) {
+  const auto driver = make_openhaptics_driver({.library = "libm.so.6", .device = {}});
+  const auto findings = driver->diagnose(this_system());
+  ASSERT_FALSE(findings.empty());
+  EXPECT_EQ(findings[0].level, FindingLevel::kProblem);
+  EXPECT_THAT(findings[0].what, HasSubstr("libm.so.6 loads, but is not the OpenHaptics library"));
+  EXPECT_THAT(findings[0].details, HasSubstr("it lacks hdInitDevice"));
+}
+
 TEST(OpenHapticsDiagnosis, TheMakersSetUp) {
   FakeSystem system;
   system.add_library("libHD.so").add_file("/usr/lib/libPhantomIOLib42.so");

@@ -94,7 +94,7 @@ class OpenHapticsDriver final : public Driver {
   }
 
   std::vector<Finding> diagnose(const SystemView& system) override {
-    return diagnose_openhaptics(system, library_names(system));
+    return diagnose_openhaptics(system, library_names(system), refusal(system));
   }
 
  private:
@@ -109,6 +109,13 @@ class OpenHapticsDriver final : public Driver {
   [[nodiscard]] std::vector<std::string> library_names(const SystemView& system) const {
     const std::string named = setting(options_.library, kLibraryVariable, system);
     return named.empty() ? openhaptics_library_names() : std::vector<std::string>{named};
+  }
+
+  // Why a library that is there is not used. Only of this computer: of another nothing loads.
+  std::string refusal(const SystemView& system) {
+    if (&system != &this_system()) return {};
+    const auto loaded = load();
+    return loaded || loaded.error().code != ErrorCode::kUnsupported ? "" : loaded.error().message;
   }
 
   Result<std::shared_ptr<HdLibrary>> load() {

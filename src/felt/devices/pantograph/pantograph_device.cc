@@ -19,7 +19,16 @@ constexpr std::int64_t kSetUpNs = 300'000'000;
 constexpr int kSetUpTries = 4;
 constexpr std::int64_t kResetPauseNs = 100'000'000;
 
+// Of all makes: what a board does with more than that another might do too much with.
+double least_gain() noexcept {
+  double least = 1.0;
+  for (const BoardModel& model : board_models()) least = std::min(least, model.gain);
+  return least;
+}
+
 constexpr std::string_view kNotHome = "The arms have not been at rest.";
+constexpr std::string_view kUnguarded =
+    "The process that switches the motors off when Feltline cannot has ended: bring it home again.";
 
 }  // namespace
 
@@ -214,7 +223,8 @@ tl::expected<void, DeviceFault> PantographDevice::write(const Force& force) noex
   const ForceGate::Passed passed =
       gate_.pass(is_finite(force) ? Force{force.x, force.y, 0.0} : force, now_ns_);
   std::array<double, 2> torques{};
-  if (bar_ && is_home_ && missed_ <= kMostMissed) {
+  const bool is_guarded = port_->is_guarded();
+  if (bar_ && is_home_ && is_guarded && missed_ <= kMostMissed) {
     torques = bar_->torques((kLess * bar_->authority()) * passed.force);
   }
   const bool went = send(torques);
@@ -223,6 +233,7 @@ tl::expected<void, DeviceFault> PantographDevice::write(const Force& force) noex
     return failed(DeviceFault::kBadData, "A force was asked for that is no number.");
   }
   if (!went) return failed(DeviceFault::kOther, "The board takes no bytes.");
+  if (!is_guarded) return failed(DeviceFault::kForcesOff, kUnguarded);
   return {};
 }
 
@@ -255,8 +266,12 @@ void PantographDevice::stop() noexcept {
 
 std::string PantographDevice::homing_words() {
   if (is_home_) return {};
-  return "Push both arms outwards, as far as they go, and hold them there: from this place the "
-         "device counts.";
+  std::string words = "This is set up as " + std::string(model_.label) +
+                      ". Measure it: another make draws bent lines and pushes the wrong way";
+  if (model_.gain > least_gain()) words += ", the first make more than ten times as strong";
+  return words +
+         ". Then push both arms outwards, as far as they go, and hold them there: from this place "
+         "the device counts.";
 }
 
 Result<void> PantographDevice::set_up() {
@@ -280,8 +295,10 @@ Result<void> PantographDevice::set_up() {
     send({});
     const Heard heard = hear(kSetUpNs);
     if (heard == Heard::kAngles) {
-      static_cast<void>(port_->keep_guard(torque_frame(model_, {}), kGuardNs));
-      return {};
+      if (port_->keep_guard(torque_frame(model_, {}), kGuardNs)) return {};
+      return fail(ErrorCode::kIo,
+                  "No second process could be started, which switches the motors off when Feltline "
+                  "cannot: this computer has no memory, or too many processes, for it.");
     }
     if (heard == Heard::kClosed) gone("The board was unplugged.");
   }

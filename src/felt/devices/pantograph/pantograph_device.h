@@ -25,7 +25,9 @@ namespace felt::pantograph {
 /// The board has no watchdog that we know of: torques hold until the next frame. All ways out
 /// (stop(), a fault, the end of the device) send zero torques, more than once where they do not go;
 /// a frame that did not go is a fault of write() (kOther). A process of its own (ByteStream's
-/// keep_guard) sends them when this program was killed or stopped, or is silent for kGuardNs. A
+/// keep_guard) sends them when this program was killed or stopped, or is silent for kGuardNs.
+/// Without it nothing pushes: find_home() fails where it does not start, and write() (kForcesOff)
+/// from when it has ended. A
 /// board that hangs keeps its torques, whatever we do: pulling the plug switches the motors off
 /// with the USB power, or their own switch.
 ///
