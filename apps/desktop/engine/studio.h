@@ -85,13 +85,15 @@ class Studio : public QObject {
   /// that the drawing brought along.
   [[nodiscard]] const Materials& materials() const noexcept { return materials_; }
   /// A person's own are these from now on. The session is told (UseMaterial) of each that is other
-  /// than it was, so that hand, picture and ear have it at once.
+  /// than it was, so that hand, picture and ear have it at once; the page's paper follows.
   void know(const Materials& known);
   /// One at a time; none: {}.
   void listen(StudioListener listener);
   /// No step of undo, but a change that is to be saved. The session draws on the surface that it
   /// says; where it says none, or one that is not known here, on the one that was chosen before.
-  /// Choosing a surface ("sheet.material") makes it the page's.
+  /// Choosing a surface ("sheet.material") makes it the page's, and its usual colour the page's
+  /// paper, where that still is the usual one of the surface before, or white; another paper is a
+  /// person's own, and stays. Likewise when the page's surface gets another colour (know()).
   void set_page(const SheetPage& page);
   /// Another drawing takes the place of this one: history, selection and modification start anew;
   /// tool and options stay, and the surface where the page says none that is known.
@@ -213,6 +215,7 @@ class Studio : public QObject {
   void take_materials(std::span<const std::string> texts);
   void gather_materials();
   void note_material(const std::string& text);
+  void follow_color(const std::optional<AnyMaterial>& before, const AnyMaterial& now);
   [[nodiscard]] bool is_drawn_with(const AnyMaterial& material) const;
   bool take_page(const SheetPage& page);
   void name_surface();

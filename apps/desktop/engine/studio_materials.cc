@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "desktop/engine/studio.h"
+#include "desktop/engine/usual_color.h"
 
 namespace felt::desktop {
 namespace {
@@ -28,6 +29,13 @@ bool is_own(const std::optional<AnyMaterial>& material) {
   return material && find_in(Materials::built_in(), *material) != material;
 }
 
+/// The paper of a page that was of one sheet and is of another now. `before` is null where nobody
+/// knows which it was.
+Rgba paper_on(const SurfaceMaterial& now, Rgba paper, const SurfaceMaterial* before) {
+  const auto was = before ? std::optional(before->color_rgb) : std::nullopt;
+  return usual_color(paper, was, now.color_rgb, SheetPage{}.paper);
+}
+
 constexpr const char* kSheetMaterialId = "sheet.material";
 
 }  // namespace
@@ -38,13 +46,22 @@ void Studio::know(const Materials& known) {
   for (const AnyMaterial& own : not_built_in(known)) {
     if (find_in(before, own) == own) continue;
     std::erase_if(brought_, [&](const AnyMaterial& other) { return is_same_one(own, other); });
-    if (find_in(session_->materials(), own) == own) continue;
-    if (apply(UseMaterial{write_material(own)}) && is_drawn_with(own)) {
-      set_modified(true);
-    }
+    const std::optional<AnyMaterial> old = find_in(session_->materials(), own);
+    if (old == own || !apply(UseMaterial{write_material(own)})) continue;
+    if (is_drawn_with(own)) set_modified(true);
+    follow_color(old, own);
   }
   gather_materials();
   Q_EMIT materials_changed();
+}
+
+/// The page's sheet has another colour from now on.
+void Studio::follow_color(const std::optional<AnyMaterial>& before, const AnyMaterial& now) {
+  const auto* old = before ? std::get_if<SurfaceMaterial>(&*before) : nullptr;
+  const auto* sheet = std::get_if<SurfaceMaterial>(&now);
+  if (!old || !sheet || sheet->id != page_.surface || old->color_rgb == sheet->color_rgb) return;
+  const Rgba paper = paper_on(*sheet, page_.paper, old);
+  if (std::exchange(page_.paper, paper) != paper) Q_EMIT page_changed();
 }
 
 /// The drawing would look or feel otherwise with another one.
@@ -147,11 +164,15 @@ bool Studio::take_page(const SheetPage& page) {
   return false;
 }
 
-/// What a person has chosen is the page's.
+/// What a person has chosen is the page's, and so is its colour.
 void Studio::name_surface() {
-  const std::string before = std::exchange(page_.surface, session_->sheet().material().id);
+  const SurfaceMaterial& sheet = session_->sheet().material();
+  const std::string before = std::exchange(page_.surface, sheet.id);
   if (before == page_.surface) return;
-  if (!before.empty() && session_->document().stroke_count() > 0) set_modified(true);
+  const Rgba paper = paper_on(sheet, page_.paper, session_->materials().find_surface(before));
+  const bool has_other_paper = std::exchange(page_.paper, paper) != paper;
+  const bool is_other = !before.empty() || has_other_paper;
+  if (is_other && session_->document().stroke_count() > 0) set_modified(true);
   Q_EMIT page_changed();
 }
 

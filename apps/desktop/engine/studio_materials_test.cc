@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "desktop/engine/studio.h"
+#include "desktop/engine/usual_color.h"
 #include "felt/material/material_file.h"
 #include "felt/stroke/random_stroke.h"
 #include "felt/tools/tool.h"
@@ -53,6 +54,92 @@ struct Ear {
   QStringList refused, options;
   int changes = 0;
 };
+
+constexpr Rgba kWhite{255, 255, 255, 255};
+
+bool choose(Studio& studio, const std::string& sheet) {
+  return studio.apply(SetOption{"sheet.material", OptionValue(sheet)});
+}
+
+Rgba color_of(const std::string& sheet) {
+  return usual_color(kWhite, {}, find_surface(sheet)->color_rgb, kWhite);
+}
+
+TEST(StudioMaterials, ThePagesPaperIsOfTheColourOfItsSheet) {
+  Studio studio({.live = false});
+  int changes = 0;
+  QObject::connect(&studio, &Studio::page_changed, [&changes] { ++changes; });
+  ASSERT_EQ(studio.page().paper, kWhite);
+  ASSERT_TRUE(choose(studio, "blackboard"));
+  EXPECT_EQ(studio.page().paper, (Rgba{0x34, 0x46, 0x3e, 255}));
+  EXPECT_EQ(changes, 1);
+  EXPECT_FALSE(studio.is_modified()) << "an empty drawing is nothing to be asked about";
+  studio.import(QStringLiteral("test"), line_of("chalk"));
+  studio.set_modified(false);
+  ASSERT_TRUE(choose(studio, "wood"));
+  EXPECT_EQ(studio.page().paper, color_of("wood"));
+  EXPECT_TRUE(studio.is_modified());
+  ASSERT_TRUE(choose(studio, "paper"));
+  EXPECT_EQ(studio.page().paper, color_of("paper"));
+}
+
+TEST(StudioMaterials, AWhiteSheetMakesThePageWhiteAgain) {
+  Materials known = Materials::built_in();
+  SurfaceMaterial plain;  // says nothing of its colour
+  plain.id = "plain";
+  known.put(plain);
+  Studio studio({.live = false, .materials = known});
+  ASSERT_TRUE(choose(studio, "blackboard"));
+  ASSERT_TRUE(choose(studio, "plain"));
+  EXPECT_EQ(studio.page().paper, kWhite);
+  ASSERT_TRUE(choose(studio, "blackboard"));
+  EXPECT_EQ(studio.page().paper, color_of("blackboard"));
+}
+
+TEST(StudioMaterials, APaperThatAPersonChoseStays) {
+  Studio studio({.live = false});
+  for (const Rgba own : {Rgba{200, 220, 240, 255}, Rgba{255, 255, 255, 0}}) {
+    SheetPage page = studio.page();
+    page.paper = own;
+    studio.set_page(page);
+    for (const char* sheet : {"blackboard", "glass", "paper"}) {
+      ASSERT_TRUE(choose(studio, sheet));
+      EXPECT_EQ(studio.page().paper, own) << sheet;
+      EXPECT_EQ(studio.page().surface, sheet);
+    }
+  }
+}
+
+TEST(StudioMaterials, ADrawingIsOpenedWithItsOwnPaper) {
+  Studio studio({.live = false});
+  ASSERT_TRUE(choose(studio, "wood"));
+  for (const char* surface : {"blackboard", ""}) {
+    studio.open(Document{}, page_of(surface));
+    EXPECT_EQ(studio.page(), page_of(surface));
+    EXPECT_FALSE(studio.is_modified());
+  }
+  // Its sheet is not known by name: white counts, and only that.
+  ASSERT_TRUE(choose(studio, "glass"));
+  EXPECT_EQ(studio.page().paper, color_of("glass"));
+}
+
+TEST(StudioMaterials, ThePaperFollowsTheColourThatItsSheetIsGiven) {
+  Materials known = Materials::built_in();
+  known.put(slate(0.5));
+  Studio studio({.live = false, .materials = known});
+  ASSERT_TRUE(choose(studio, "slate"));
+  SurfaceMaterial red = slate(0.5);
+  red.color_rgb = 0x803020;
+  known.put(red);
+  studio.know(known);
+  EXPECT_EQ(studio.page().paper, (Rgba{0x80, 0x30, 0x20, 255}));
+  EXPECT_FALSE(studio.is_modified());
+  ASSERT_TRUE(choose(studio, "glass"));
+  red.color_rgb = 0x102030;
+  known.put(red);
+  studio.know(known);
+  EXPECT_EQ(studio.page().paper, color_of("glass")) << "it is another sheet's colour";
+}
 
 TEST(StudioMaterials, StrokesBringTheMediaThatTheyAreOf) {
   Studio studio({.live = false});

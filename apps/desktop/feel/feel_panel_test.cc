@@ -123,6 +123,26 @@ TEST(FeelPanel, AMaterialIsChosenByButtonActionOrEventAndAllAgree) {
   forget_settings();
 }
 
+TEST(FeelPanel, ASheetIsSeenInItsColourAlsoAtTheNextStart) {
+  forget_settings();
+  const Rgba green{0x34, 0x46, 0x3e, 255};
+  {
+    Window window;
+    choose_material(window.studio, QStringLiteral("blackboard"));
+    EXPECT_EQ(window.studio.page().paper, green);
+    EXPECT_FALSE(window.studio.is_modified());
+  }
+  Window next;
+  EXPECT_EQ(next.studio.page().paper, green);
+  EXPECT_FALSE(next.studio.is_modified());
+  SheetPage page = next.studio.page();
+  page.paper = {250, 240, 200, 255};
+  next.studio.set_page(page);
+  choose_material(next.studio, QStringLiteral("glass"));
+  EXPECT_EQ(next.studio.page().paper, page.paper) << "a person's own";
+  forget_settings();
+}
+
 TEST(FeelPanel, SheetsOfOnesOwnAreInAMenuOfTheirOwn) {
   forget_settings();
   Window window;

@@ -100,11 +100,13 @@ void paint_sheet(QPainter& painter, const Drawing& drawing, double dpi,
     painter.fillRect(sheet, color_of(page.paper));
   }
   painter.setPen(Qt::NoPen);
+  const Sketch strokes = visible_strokes(drawing.document);
   std::optional<GrainMasks> masks;
-  if (grain) masks.emplace(GrainPrint{*grain, kPrintGrainDpi}, page.area());
+  // Of very much ink all is a little coarser, or all is solid: not some strokes unlike the others.
+  const auto grain_dpi = GrainMasks::dpi_for_all(strokes, page.area(), kPrintGrainDpi);
+  if (grain && grain_dpi) masks.emplace(GrainPrint{*grain, *grain_dpi}, page.area());
   Rasterizer rasterizer;
-  for (const SketchStroke& s : visible_strokes(drawing.document)) {
-    // Where there is more of it than masks are made, the rest is solid.
+  for (const SketchStroke& s : strokes) {
     const auto mask = masks ? masks->of(s.stroke).value_or(std::nullopt) : std::nullopt;
     if (mask) {
       paint_grained(painter, s.stroke, *grain, *mask, rasterizer);

@@ -18,7 +18,7 @@ class FileActions;
 
 /// The sheet on paper, in lines and not in pixels: `painter` draws it at its true size where a unit
 /// of its device is 1/dpi of an inch, from the corner of the page on. With grain, strokes that show
-/// it are pictures.
+/// it are pictures, of 300 dots per inch or as fine as all of them can be.
 void paint_sheet(QPainter& painter, const Drawing& drawing, double dpi,
                  const std::optional<Grain>& grain = {});
 

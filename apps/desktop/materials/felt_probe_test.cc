@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <QLocale>
 #include <QSignalSpy>
 #include <algorithm>
 
@@ -87,6 +88,19 @@ TEST(Stability, SteepGrainIsSaidToBeFeltLower) {
   const StabilityWords words = stability_words(wish, figures, QStringLiteral("Touch"));
   EXPECT_NE(words.level, StabilityLevel::kGiven);
   EXPECT_TRUE(words.detail.join(u' ').contains(QStringLiteral("200")));
+}
+
+TEST(Stability, HeightsAreWrittenOutInWholeMicrometresFromTenOn) {
+  FeltWish wish = wish_of("rough-paper");
+  FeltFigures figures = felt_figures(wish);
+  const auto words = [&](double wished_um, double share) {
+    wish.sheet.grain_um = wished_um;
+    figures.grain_share = share;
+    return stability_words(wish, figures, {}).detail.join(u' ');
+  };
+  const QString seven = QLocale().toString(7.0, 'f', 1);
+  EXPECT_TRUE(words(200.0, 0.8).contains(QStringLiteral("felt are 160 of your 200 µm")));
+  EXPECT_TRUE(words(14.0, 0.5).contains(QStringLiteral("felt are %1 of your 14 µm").arg(seven)));
 }
 
 TEST(Stability, TremblingIsRedWhateverElse) {

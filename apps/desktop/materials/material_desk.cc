@@ -127,7 +127,7 @@ MaterialDesk::MaterialDesk(Studio& studio, OwnMaterials& own, QObject* parent)
 void MaterialDesk::tell_now() {
   tell_.stop();
   const Medium* before = studio_.materials().find_medium(medium_in_hand(studio_));
-  const MediumLine line = before ? before->line : MediumLine{};
+  const Medium medium = before ? *before : Medium{};
   Materials known = Materials::built_in();
   is_withheld_ = false;
   for (const OwnMaterials::Entry* entry : own_.all()) {
@@ -142,9 +142,13 @@ void MaterialDesk::tell_now() {
   }
   told_ = known;
   studio_.know(known);
-  // The pencil took over the widths of its medium when that was taken in hand; so it does now.
+  // The pencil took over the widths of its medium when that was taken in hand, and the ink its
+  // colour; so they do now.
   const Medium* after = studio_.materials().find_medium(medium_in_hand(studio_));
-  if (before && after && after->line != line) take_medium(studio_, after->id);
+  if (!before || !after) return;
+  const std::uint32_t color = after->color_rgb;
+  if (after->line != medium.line) take_medium(studio_, after->id);
+  if (color != medium.color_rgb) take_usual_color(studio_, medium.color_rgb, color);
 }
 
 /// Another drawing is open: what it brought, and what the last one did, decides what is whose.

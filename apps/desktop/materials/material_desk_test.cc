@@ -445,6 +445,24 @@ TEST(MaterialDesk, TheLineOfAMediumReachesThePencil) {
   EXPECT_EQ(width(), 4.0);
 }
 
+TEST(MaterialDesk, TheColourOfWhatIsWorkedOnIsThatOfPageAndInk) {
+  Bench bench;
+  const auto paper = [&] { return bench.studio.page().paper; };
+  bench.desk.select({true, "blackboard"});
+  EXPECT_EQ(paper(), (Rgba{0x34, 0x46, 0x3e, 255}));
+  bench.desk.set("color", 0x203040);
+  bench.desk.tell_now();
+  EXPECT_EQ(paper(), (Rgba{0x20, 0x30, 0x40, 255}));
+  bench.desk.steps().undo();
+  EXPECT_EQ(paper(), (Rgba{0x34, 0x46, 0x3e, 255}));
+  bench.desk.select({false, "chalk"});
+  const auto ink = [&] { return bench.studio.session().sheet().color(); };
+  EXPECT_EQ(ink(), (Rgba{0xf4, 0xf1, 0xe6, 255}));
+  bench.desk.set("color", 0xffff00);
+  bench.desk.tell_now();
+  EXPECT_EQ(ink(), (Rgba{0xff, 0xff, 0x00, 255}));
+}
+
 TEST(MaterialDesk, AReliefOfAPictureIsFeltAndSaved) {
   Bench bench;
   HeightPicture picture{.width = 64, .height = 64, .heights = {}, .width_mm = 0.0};

@@ -152,6 +152,26 @@ TEST(MaterialEditor, ThePictureFollows) {
   EXPECT_NE(shown.editor.preview().picture(), before);
 }
 
+TEST(MaterialEditor, TheSeedIsForReliefsThatAreGrownNotForAPicture) {
+  Shown shown;
+  shown.desk.select({true, "rough-paper"});
+  const auto controls = shown.editor.fields().row("grain.seed")->findChildren<QToolButton*>();
+  ASSERT_EQ(controls.size(), 1) << "the key that throws another";
+  const auto can_be_set = [&] {
+    return shown.spin("grain.seed")->isEnabled() && controls.first()->isEnabled();
+  };
+  EXPECT_TRUE(can_be_set());
+  HeightPicture steps{.width = 64, .height = 64, .heights = {}, .width_mm = 0.0};
+  for (int i = 0; i < 64 * 64; ++i) steps.heights.push_back(static_cast<float>(i / 64 / 8 % 2));
+  ASSERT_TRUE(shown.desk.take_relief(steps));
+  EXPECT_FALSE(shown.spin("grain.seed")->isEnabled());
+  EXPECT_FALSE(controls.first()->isEnabled());
+  shown.desk.set("grain.character", 0.0);
+  EXPECT_TRUE(can_be_set());
+  shown.desk.steps().undo();
+  EXPECT_FALSE(can_be_set());
+}
+
 TEST(MaterialEditor, SaysWhatCouldNotBeWritten) {
   Shown shown;
   shown.desk.set("feel.friction", 0.4);

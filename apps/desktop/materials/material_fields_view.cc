@@ -120,8 +120,11 @@ void MaterialFieldsView::show_material(const AnyMaterial& now, const AnyMaterial
     }
   };
   if (is_sheet) {
-    show(sheet_fields(), sheets_.rows, std::get<SurfaceMaterial>(now),
-         std::get<SurfaceMaterial>(origin));
+    const auto& sheet = std::get<SurfaceMaterial>(now);
+    show(sheet_fields(), sheets_.rows, sheet, std::get<SurfaceMaterial>(origin));
+    // A picture is one relief, whatever the seed.
+    const bool is_picture = sheet.grain_character == HeightCharacter::kPicture && sheet.picture;
+    if (FigureRow* seed = row("grain.seed")) seed->setEnabled(!is_picture);
   } else {
     show(medium_fields(), media_.rows, std::get<Medium>(now), std::get<Medium>(origin));
   }

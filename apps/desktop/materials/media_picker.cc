@@ -6,8 +6,10 @@
 #include <algorithm>
 #include <utility>
 
+#include "desktop/engine/usual_color.h"
 #include "desktop/feel/feel_icons.h"
 #include "desktop/feel/material_words.h"
+#include "felt/stroke/color_text.h"
 
 namespace felt::desktop {
 namespace {
@@ -16,6 +18,7 @@ constexpr int kRoomPx = 8;  // around picture and words
 constexpr int kGapPx = 3;
 constexpr int kLeastColumns = 2;
 constexpr auto kMaterial = "pencil.material";
+constexpr auto kColor = "sheet.color";
 
 std::vector<Medium> drawing_media(const Materials& materials) {
   std::vector<Medium> all;
@@ -31,6 +34,10 @@ bool take_medium(Studio& studio, const std::string& id) {
   const Medium* known = studio.materials().find_medium(id);
   if (!known || !known->draws) return false;
   const MediumLine line = known->line;
+  const std::uint32_t color = known->color_rgb;
+  const std::string last_id = medium_in_hand(studio);
+  const Medium* last = studio.materials().find_medium(last_id);
+  const auto last_color = last ? std::optional(last->color_rgb) : std::nullopt;
   const std::pair<const char*, OptionValue> wanted[] = {{kMaterial, OptionValue(id)},
                                                         {"pencil.min_width_mm", line.min_mm},
                                                         {"pencil.max_width_mm", line.max_mm},
@@ -40,7 +47,13 @@ bool take_medium(Studio& studio, const std::string& id) {
     if (now && *now == value) continue;
     if (!studio.apply(SetOption{option, value})) return false;
   }
-  return true;
+  return id == last_id || take_usual_color(studio, last_color, color);
+}
+
+bool take_usual_color(Studio& studio, std::optional<std::uint32_t> before, std::uint32_t now) {
+  const Rgba ink = studio.session().sheet().color();
+  const Rgba wanted = usual_color(ink, before, now, SheetOptions{}.color());
+  return wanted == ink || studio.apply(SetOption{kColor, color_to_text(wanted)});
 }
 
 std::string medium_in_hand(const Studio& studio) {

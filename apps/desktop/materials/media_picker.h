@@ -2,6 +2,8 @@
 
 #include <QButtonGroup>
 #include <QWidget>
+#include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -11,8 +13,14 @@
 namespace felt::desktop {
 
 /// Takes a medium in hand: pencil.material and, as events of their own, so that a recording replays
-/// alike, the widths and the pressure curve that it comes with. False: `refused` said why.
+/// alike, the widths and the pressure curve that it comes with, and take_usual_color() where it is
+/// another one. False: `refused` said why.
 bool take_medium(Studio& studio, const std::string& id);
+
+/// The colour of new ink becomes the usual one of the medium in hand, 0xRRGGBB, where it still is
+/// that of the medium `before`, or black as in a new drawing; another one is a person's own, and
+/// stays. False: `refused` said why.
+bool take_usual_color(Studio& studio, std::optional<std::uint32_t> before, std::uint32_t now);
 
 /// The medium in hand, by id.
 std::string medium_in_hand(const Studio& studio);

@@ -64,6 +64,31 @@ TEST(MediaPicker, AClickTakesAMediumWithItsOwnWidthsAsEvents) {
   }
 }
 
+std::string ink(const Studio& studio) {
+  return std::get<std::string>(studio.session().option("sheet.color").value());
+}
+
+TEST(MediaPicker, NewInkIsOfTheUsualColourUnlessAPersonChoseAnother) {
+  Desk desk;
+  ASSERT_EQ(ink(desk.studio), "#000000");
+  ASSERT_TRUE(take_medium(desk.studio, "pencil"));
+  EXPECT_EQ(ink(desk.studio), "#000000") << "it was in hand already";
+  ASSERT_TRUE(take_medium(desk.studio, "chalk"));
+  EXPECT_EQ(ink(desk.studio), "#f4f1e6");
+  ASSERT_TRUE(take_medium(desk.studio, "crayon"));
+  EXPECT_EQ(ink(desk.studio), "#c0402f");
+  // It may be seen through: that is no other colour.
+  desk.studio.apply(SetOption{"sheet.color", std::string("#c0402f80")});
+  ASSERT_TRUE(take_medium(desk.studio, "pencil"));
+  EXPECT_EQ(ink(desk.studio), "#33353b80");
+  desk.studio.apply(SetOption{"sheet.color", std::string("#20a040")});
+  for (const char* medium : {"chalk", "felt-tip", "pencil"}) {
+    ASSERT_TRUE(take_medium(desk.studio, medium));
+    EXPECT_EQ(ink(desk.studio), "#20a040") << medium;
+  }
+  EXPECT_FALSE(desk.studio.is_modified()) << "nothing is drawn yet";
+}
+
 TEST(MediaPicker, FollowsWhatOthersChoose) {
   Desk desk;
   desk.studio.apply(SetOption{"pencil.material", OptionValue(std::string("chalk"))});

@@ -1,6 +1,7 @@
 #include "desktop/materials/own_materials.h"
 
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include <QDir>
 #include <QFile>
@@ -36,6 +37,20 @@ void write(const QString& path, const QByteArray& text) {
   QFile file(path);
   ASSERT_TRUE(file.open(QIODevice::WriteOnly));
   file.write(text);
+}
+
+// What lies in the folder of materials is looked at before there is a window.
+TEST(OwnMaterials, APipeForAPictureKeepsNobodyWaiting) {
+  forget_unsaved();
+  const QTemporaryDir home;
+  ASSERT_EQ(::mkfifo(home.filePath(QStringLiteral("pipe.png")).toLocal8Bit().constData(), 0600), 0);
+  write(home.filePath(QStringLiteral("a.toml")),
+        "kind = \"sheet\"\nid = \"piped\"\n[grain]\npicture = \"pipe.png\"\n");
+  OwnMaterials own({home.path().toStdString()});
+  EXPECT_TRUE(own.all().empty());
+  const QStringList problems = own.take_problems();
+  ASSERT_EQ(problems.size(), 1);
+  EXPECT_TRUE(problems.first().contains(QStringLiteral("pipe.png: is no file")));
 }
 
 TEST(OwnMaterials, WhatIsSavedIsThereAtTheNextStart) {

@@ -20,6 +20,11 @@ QString whole(double number) {
   return QLocale().toString(number, 'f', 0);
 }
 
+/// A height in micrometres: nobody feels a tenth of many.
+QString height(double um) {
+  return QLocale().toString(um, 'f', um < 10.0 ? 1 : 0);
+}
+
 StabilityLevel level_of_share(double share) {
   if (share >= kWhole) return StabilityLevel::kGiven;
   return share >= kHalf ? StabilityLevel::kLess : StabilityLevel::kNotGiven;
@@ -81,8 +86,8 @@ StabilityWords stability_words(const FeltWish& wish, const FeltFigures& figures,
     words.detail << text(QT_TRANSLATE_NOOP("Stability",
                                            "Grain: its hills are steeper than this loop can "
                                            "follow; felt are %1 of your %2 µm."))
-                        .arg(QLocale().toString(figures.grain_share * wish.sheet.grain_um, 'g', 2),
-                             QLocale().toString(wish.sheet.grain_um, 'g', 3));
+                        .arg(height(figures.grain_share * wish.sheet.grain_um),
+                             height(wish.sheet.grain_um));
   }
   tell_rest(figures, words.detail);
   return words;

@@ -51,4 +51,19 @@ Result<std::string> read_file(const std::string& path, std::size_t max_bytes) {
   return bytes;
 }
 
+Result<std::string> read_regular_file(const std::string& path, std::size_t max_bytes) {
+  // Opening a pipe would wait for its writer already.
+  const int fd = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NOCTTY | O_NONBLOCK);
+  if (fd < 0) return system_error(path, errno);
+  Result<std::string> bytes =
+      fail(ErrorCode::kUnsupported, path + ": is no file, but a pipe or a device");
+  struct stat info {};
+  // Of a folder the system itself says what it is.
+  if (::fstat(fd, &info) == 0 && (S_ISREG(info.st_mode) || S_ISDIR(info.st_mode))) {
+    bytes = read_all(fd, path, max_bytes);
+  }
+  ::close(fd);
+  return bytes;
+}
+
 }  // namespace felt

@@ -12,4 +12,8 @@ namespace felt {
 /// `max_bytes`; names the file and the reason.
 Result<std::string> read_file(const std::string& path, std::size_t max_bytes);
 
+/// The same of a file on a disk, for names that somebody else wrote: neither a pipe nor a device,
+/// which would be waited for or has no end, nor stdin. Error: also that it is one; names it.
+Result<std::string> read_regular_file(const std::string& path, std::size_t max_bytes);
+
 }  // namespace felt

@@ -63,6 +63,23 @@ Result<std::string> GrainMask::png(double dpi) const {
   return encode_png(*image, dpi);
 }
 
+std::optional<double> GrainMasks::dpi_for_all(std::span<const SketchStroke> strokes,
+                                              const Rect& area, double dpi) noexcept {
+  for (;;) {
+    const View page = View::at_dpi({area.x0, area.y0}, dpi);
+    double pixels = 0.0;
+    for (const SketchStroke& s : strokes) {
+      const PixelRect part = pixels_of(s.stroke.bounds(), area, page);
+      if (!part.empty()) pixels += 1.0 * part.width() * part.height();
+    }
+    if (pixels <= static_cast<double>(kMostPixels)) return dpi;
+    if (!(dpi > GrainPrint::kLeastDpi)) return std::nullopt;
+    // A little less than what they fit into: every mask is of whole pixels.
+    const double share = 0.98 * std::sqrt(static_cast<double>(kMostPixels) / pixels);
+    dpi = std::max(GrainPrint::kLeastDpi, dpi * share);
+  }
+}
+
 GrainMasks::GrainMasks(const GrainPrint& print, const Rect& area) noexcept
     : print_(print), area_(area) {}
 

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -10,6 +11,7 @@
 #include "felt/geometry/rect.h"
 #include "felt/render/grain.h"
 #include "felt/render/raster.h"
+#include "felt/stroke/sketch.h"
 #include "felt/stroke/stroke.h"
 
 namespace felt {
@@ -40,6 +42,11 @@ class GrainMasks {
  public:
   /// Pixels of all masks of a file.
   static constexpr std::int64_t kMostPixels = 200'000'000;
+
+  /// The finest resolution, `dpi` at most, at which the masks of all these strokes are made; none
+  /// where they have more than kMostPixels even at GrainPrint::kLeastDpi.
+  static std::optional<double> dpi_for_all(std::span<const SketchStroke> strokes, const Rect& area,
+                                           double dpi) noexcept;
 
   /// Of what is in `area` only.
   GrainMasks(const GrainPrint& print, const Rect& area) noexcept;

@@ -138,6 +138,28 @@ TEST(GrainMask, IsBounded) {
   EXPECT_THAT(mask.error().message, HasSubstr("200 million pixels at 1200 dots per inch"));
 }
 
+// One file has as fine a grain as all of its strokes can have.
+TEST(GrainMask, ForAllStrokesIsAsFineAsTheyFit) {
+  const Rect page{0, 0, 297, 210};
+  StrokeData data = wavy("pencil", 3.0).data();
+  const Rect ink = wavy("pencil", 3.0).bounds();
+  for (Point& p : data.points) {
+    p = {280.0 * (p.x - ink.x0) / ink.width(), 200.0 * (p.y - ink.y0) / ink.height()};
+  }
+  const Sketch one{{"s", Stroke::create(data).value()}};
+  EXPECT_EQ(GrainMasks::dpi_for_all({}, page, 300.0), 300.0);
+  EXPECT_EQ(GrainMasks::dpi_for_all(one, page, 300.0), 300.0);
+  const Sketch many(200, one.front());
+  const std::optional<double> dpi = GrainMasks::dpi_for_all(many, page, 300.0);
+  ASSERT_TRUE(dpi);
+  const auto mask = GrainMasks({grain_of("rough-paper"), *dpi}, page).of(one.front().stroke);
+  ASSERT_TRUE(mask && *mask);
+  const std::int64_t pixels = 200 * std::int64_t{(*mask)->width} * (*mask)->height;
+  EXPECT_LE(pixels, GrainMasks::kMostPixels);
+  EXPECT_GT(pixels, GrainMasks::kMostPixels * 9 / 10);
+  EXPECT_FALSE(GrainMasks::dpi_for_all(Sketch(20000, one.front()), page, 300.0));
+}
+
 TEST(GrainMask, Base64IsThatOfRfc4648) {
   EXPECT_EQ(base64_text(""), "");
   EXPECT_EQ(base64_text("f"), "Zg==");

@@ -228,7 +228,7 @@ Result<HeightPicture> decode_height_png(std::string_view bytes) {
 
 Result<HeightPicture> read_height_png(const std::string& path) {
   constexpr std::size_t kMostBytes = std::size_t{256} << 20;
-  auto bytes = read_file(path, kMostBytes);
+  auto bytes = read_regular_file(path, kMostBytes);
   if (!bytes) return tl::unexpected<Error>(std::move(bytes.error()));
   auto picture = decode_height_png(*bytes);
   if (!picture) return tl::unexpected<Error>(with_context(std::move(picture.error()), path));

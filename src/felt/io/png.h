@@ -34,7 +34,8 @@ Result<PngPicture> decode_png(std::string_view bytes);
 Result<HeightPicture> decode_height_png(std::string_view bytes);
 inline constexpr std::int64_t kMostHeightPixels = std::int64_t{1} << 26;
 
-/// The same from a file. Error: it cannot be read, is larger than 256 MiB, or the above; names it.
+/// The same from a file. Error: it cannot be read, is a pipe or a device, is larger than 256 MiB,
+/// or the above; names it.
 Result<HeightPicture> read_height_png(const std::string& path);
 
 }  // namespace felt

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <png.h>
+#include <sys/stat.h>
 
 #include <filesystem>
 #include <fstream>
@@ -125,6 +126,25 @@ TEST(Png, AReliefThatIsDamagedOrNotThereIsAnErrorWithItsName) {
   std::filesystem::remove(path);
   ASSERT_FALSE(bad);
   EXPECT_THAT(bad.error().message, HasSubstr(path));
+}
+
+// The name may stand in a material of somebody else: nothing waits, and nothing reads without end.
+TEST(Png, AReliefIsReadFromAFileOnly) {
+  const std::string pipe = scratch_path("relief-pipe.png"), link = scratch_path("relief-link.png");
+  ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+  std::filesystem::create_symlink("/dev/zero", link);
+  for (const std::string& path : {pipe, link}) {
+    const auto picture = read_height_png(path);
+    std::filesystem::remove(path);
+    ASSERT_FALSE(picture) << path;
+    EXPECT_EQ(picture.error().message, path + ": is no file, but a pipe or a device");
+  }
+  const auto standard_input = read_height_png("-");
+  ASSERT_FALSE(standard_input);
+  EXPECT_EQ(standard_input.error().code, ErrorCode::kNotFound);
+  const auto folder = read_height_png("/");
+  ASSERT_FALSE(folder);
+  EXPECT_THAT(folder.error().message, HasSubstr("/: cannot read: "));
 }
 
 TEST(Png, WritesAFile) {

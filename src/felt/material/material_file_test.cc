@@ -150,6 +150,17 @@ TEST(MaterialFile, RefusesWhatIsNoMaterial) {
   EXPECT_THAT(error_of(sheet_with("label = \"" + std::string(81, 'a') + "\"")), HasSubstr(":3:"));
 }
 
+// Some editors write it before everything.
+TEST(MaterialFile, ReadsATextWithAByteOrderMark) {
+  const std::string mark = "\xEF\xBB\xBF";
+  const std::string text = sheet_with("label = \"Bütten\"\ncolor = \"#d8d4cc\"");
+  EXPECT_EQ(sheet_of(mark + text), sheet_of(text));
+  EXPECT_EQ(error_of(mark + sheet_with("color = \"red\"")),
+            error_of(sheet_with("color = \"red\"")));
+  EXPECT_EQ(error_of(mark + mark + text),
+            "my-paper.toml:1: a letter that is not ASCII stands outside of a string");
+}
+
 TEST(MaterialFile, RefusesUnknownKeysAndSaysWhatThereIs) {
   EXPECT_EQ(error_of(sheet_with("[grain]\nhight_um = 2")),
             "my-paper.toml:4: grain.hight_um is unknown; [grain] of a sheet has picture, heights, "

@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cstdlib>
@@ -9,6 +10,8 @@
 #include <fstream>
 #include <iterator>
 #include <optional>
+
+#include "felt/base/read_file.h"
 
 namespace felt {
 namespace {
@@ -124,6 +127,30 @@ TEST(MaterialLibrary, NamesABadFileAndLoadsTheOthers) {
   EXPECT_THAT(library.problems[3], HasSubstr("e.toml: another file of this folder has the id"));
   EXPECT_THAT(library.problems[4], HasSubstr("f.toml"));
   EXPECT_EQ(*library.materials.find_surface("paper"), *find_surface("paper"));
+}
+
+// A pipe would be waited for, as a text and as the picture of one; a device has no end.
+TEST(MaterialLibrary, WaitsForNoPipe) {
+  const Folder own("pipe");
+  ASSERT_EQ(::mkfifo((own.path() + "/a.toml").c_str(), 0600), 0);
+  ASSERT_EQ(::mkfifo((own.path() + "/pipe.png").c_str(), 0600), 0);
+  fs::create_symlink("/dev/zero", own.path() + "/zero.png");
+  own.put("b.toml", sheet_text("of-pipe") + "[grain]\npicture = \"pipe.png\"\n");
+  own.put("c.toml", sheet_text("of-zero") + "[grain]\npicture = \"zero.png\"\n");
+  own.put("d.toml", sheet_text("good"));
+  const std::vector<std::string> folders{own.path()};
+  const MaterialLibrary library =
+      load_materials(folders, [](const std::string& path) -> Result<HeightPicture> {
+        const Result<std::string> bytes = read_regular_file(path, 1 << 20);
+        if (!bytes) return tl::unexpected(bytes.error());
+        return HeightPicture{};
+      });
+  EXPECT_THAT(ids_of(library), ElementsAre("good"));
+  const std::string why = ": is no file, but a pipe or a device";
+  EXPECT_THAT(
+      library.problems,
+      ElementsAre(own.path() + "/b.toml:6: grain.picture: " + own.path() + "/pipe.png" + why,
+                  own.path() + "/c.toml:6: grain.picture: " + own.path() + "/zero.png" + why));
 }
 
 TEST(MaterialLibrary, SavesOverTheFileOfThatIdAndDeletesIt) {

@@ -141,6 +141,10 @@ std::string toml_place(const std::string& name, int line) {
 
 Result<std::vector<TomlEntry>> read_toml(std::string_view text, const std::string& name) {
   if (!is_utf8(text)) return fail(ErrorCode::kInvalidData, name + ": is not UTF-8");
+  // The byte order mark, which some editors write before everything.
+  if (constexpr std::string_view kMark = "\xEF\xBB\xBF"; text.starts_with(kMark)) {
+    text.remove_prefix(kMark.size());
+  }
   if (const int line = line_of_stray_letter(text)) {
     return fail(ErrorCode::kInvalidData,
                 toml_place(name, line) + "a letter that is not ASCII stands outside of a string");
