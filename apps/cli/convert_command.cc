@@ -2,6 +2,7 @@
 
 #include "commands.h"
 #include "convert_drawing.h"
+#include "drawing_output.h"
 #include "felt/formats/file_format.h"
 #include "felt/formats/format_traits.h"
 #include "input.h"
@@ -67,14 +68,15 @@ void convert_whole(const Input& input, const ConvertArguments& args, Format form
   if (opened->drawing.document.stroke_count() == 0 && !opened->is_exact) {
     return console.error(input.name() + ": holds no strokes");
   }
-  const Result<void> done = choose_layers(args.layers, opened->drawing).and_then([&] {
-    return write_opened(args.output, *std::move(opened), format, picture);
-  });
+  const Result<void> done =
+      choose_layers(args.layers, opened->drawing)
+          .and_then([&] { return DrawingOutput::create(args.output, format, picture); })
+          .and_then([&](DrawingOutput output) { return output.write(*std::move(opened)); });
   if (!done) console.error(done.error().message);
 }
 
 void convert(const ConvertArguments& args, Format format, Console& console) {
-  const Result<PictureOptions> picture = args.picture.parse();
+  const Result<PictureOptions> picture = args.picture.parse(console);
   if (!picture) throw UsageError(picture.error().message);
   const Result<Input> input = Input::open(args.input);
   if (!input) return console.error(input_name(args.input) + ": " + input.error().message);

@@ -2,17 +2,10 @@
 
 #include <algorithm>
 #include <charconv>
-#include <memory>
 #include <utility>
 #include <vector>
 
-#include "felt/document/visible_strokes.h"
-#include "felt/formats/drawing_writer.h"
-#include "felt/formats/format_traits.h"
 #include "felt/formats/layered_drawing.h"
-#include "felt/io/svg_writer.h"
-#include "felt/render/page.h"
-#include "sketch_output.h"
 
 namespace felt::cli {
 namespace {
@@ -64,41 +57,6 @@ Result<std::vector<bool>> chosen_layers(const std::string& text,
   }
 }
 
-constexpr double kMarginMm = 5.0;
-
-/// All ink and a margin, as the streaming outputs show it.
-Rect ink_area(const Document& document, Format format) {
-  const Rect ink = ink_bounds(visible_strokes(document));
-  if (format == Format::kSvg) return svg_area(ink, SvgOptions{.margin_mm = kMarginMm});
-  return (ink.empty() ? Rect{0.0, 0.0, 0.0, 0.0} : ink).inflated(kMarginMm);
-}
-
-/// The part that a picture shows; none: the page, which becomes the sheet that was asked for.
-Result<std::optional<Rect>> shown_area(OpenedDrawing& opened, Format format,
-                                       const PictureOptions& picture) {
-  const bool is_picture = traits_of(format).picture;
-  if (!picture.sheet) {
-    const bool whole_ink = is_picture && (picture.fit || !opened.has_page);
-    return whole_ink ? std::optional(ink_area(opened.drawing.document, format)) : std::nullopt;
-  }
-  if (Result<SheetPage> page = sheet_page(*picture.sheet, opened.drawing.page.paper)) {
-    page->surface = opened.drawing.page.surface;
-    opened.drawing.page = *page;
-    return std::nullopt;
-  } else if (!is_picture) {
-    return tl::unexpected(page.error());
-  }
-  return picture.sheet;  // a picture may be of any size
-}
-
-/// As a stream of lines is written: what `convert` gives does not depend on what it was given.
-Result<void> write_lines(const std::string& path, const Sketch& sketch,
-                         const PictureOptions& picture) {
-  Result<std::unique_ptr<SketchOutput>> output = open_sketch_output(path, Format::kNdjson, picture);
-  if (!output) return tl::unexpected(output.error());
-  return write_strokes(sketch, Format::kNdjson, **output);
-}
-
 }  // namespace
 
 Result<void> choose_layers(const std::string& text, StoredDrawing& drawing) {
@@ -117,29 +75,6 @@ Result<void> choose_layers(const std::string& text, StoredDrawing& drawing) {
   drawing.document = std::move(result.document);
   drawing.layer = {};
   return {};
-}
-
-Result<void> write_opened(const std::string& path, OpenedDrawing opened, Format format,
-                          const PictureOptions& asked) {
-  PictureOptions picture = asked;
-  if (auto ok = use_surface_of(opened.drawing, picture); !ok) return ok;
-  WriteOptions options;
-  if (picture.wants_grain) options.grain_print = GrainPrint{picture.grain, picture.grain_dpi};
-  options.dpi = picture.dpi;
-  options.grain = picture.grain;
-  options.no_page = !opened.has_page && !picture.sheet;
-  const Result<std::optional<Rect>> area = shown_area(opened, format, picture);
-  if (!area) return tl::unexpected(area.error());
-  options.area = *area;
-  if (picture.paper) {
-    opened.drawing.page.paper = *picture.paper;
-  } else if (!opened.has_page && format != Format::kPng) {
-    options.paper = Rgba{255, 255, 255, 0};
-  }
-  if (format == Format::kNdjson) {
-    return write_lines(path, visible_strokes(opened.drawing.document), picture);
-  }
-  return write_drawing(path, opened.drawing, format, options);
 }
 
 }  // namespace felt::cli

@@ -135,7 +135,7 @@ struct FitPlan {
   int jobs = 1;
 };
 
-FitPlan plan_of(const FitArguments& args) {
+FitPlan plan_of(const FitArguments& args, Console& console) {
   if (args.output.empty() && args.stats.empty()) throw UsageError("fit needs -o OUT or --stats");
   if (args.output == "-" && !args.stats.empty()) {
     throw UsageError("-o - and --stats both want stdout");
@@ -155,7 +155,7 @@ FitPlan plan_of(const FitArguments& args) {
     if (!format) throw UsageError(format.error().message);
     plan.settings.format = *format;
   }
-  const Result<PictureOptions> picture = args.picture.parse();
+  const Result<PictureOptions> picture = args.picture.parse(console);
   if (!picture) throw UsageError(picture.error().message);
   plan.picture = *picture;
   const int cores = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
@@ -185,7 +185,7 @@ bool fit_all(const FitArguments& args, const FitPlan& plan, SketchOutput* output
 }
 
 void run_fit(const FitArguments& args, Console& console) {
-  const FitPlan plan = plan_of(args);
+  const FitPlan plan = plan_of(args, console);
   std::unique_ptr<SketchOutput> output;
   if (plan.settings.format) {
     Result<std::unique_ptr<SketchOutput>> opened =

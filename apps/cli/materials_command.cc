@@ -233,7 +233,7 @@ void add_materials_command(CLI::App& app, Console& console) {
   command->footer(
       examples("feltline materials\n"
                "feltline materials new my-paper --from rough-paper --save\n"
-               "feltline replay cat.ndjson -o cat.png --set sheet.material=my-paper") +
+               "feltline replay cat.ndjson -o cat.png --sheet my-paper --medium charcoal --grain") +
       "\n\nYour own are *.toml in feltline/materials of $XDG_DATA_HOME, which is ~/.local/share\n"
       "where it is not set, and of $XDG_DATA_DIRS. Format: docs/formats/material.md.");
   command->require_subcommand(0, 1);

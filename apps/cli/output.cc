@@ -63,4 +63,14 @@ Result<void> Output::commit() {
   return {};
 }
 
+Result<void> Output::write_all(std::string_view bytes) {
+  if (Result<void> written = write(bytes); !written) return written;
+  return commit();
+}
+
+Result<void> Output::save(std::string_view bytes) {
+  if (Result<void> written = write(bytes); !written || !file_) return written;
+  return file_->commit_verified(bytes);
+}
+
 }  // namespace felt::cli

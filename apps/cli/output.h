@@ -22,6 +22,10 @@ class Output {
   Result<void> write(std::string_view bytes);
   /// Everything is written: makes it the file of that name.
   Result<void> commit();
+  /// Both at once. `save` compares a file with these bytes before it counts as written, as for what
+  /// a person made and has nowhere else (save_file).
+  Result<void> write_all(std::string_view bytes);
+  Result<void> save(std::string_view bytes);
 
  private:
   explicit Output(std::string name) : name_(std::move(name)) {}

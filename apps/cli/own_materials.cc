@@ -21,21 +21,19 @@ const MaterialLibrary& known_materials(Console& console) {
   return library;
 }
 
-Result<SurfaceMaterial> find_sheet(const std::string& text) {
-  if (const SurfaceMaterial* sheet = find_surface(text)) return *sheet;
+Result<SurfaceMaterial> find_sheet(const std::string& text, const Materials& known) {
+  if (const SurfaceMaterial* sheet = known.find_surface(text)) return *sheet;
   if (text.ends_with(".toml")) {
     Result<AnyMaterial> material = read_material_file(text, load_height_picture);
     if (!material) return tl::unexpected(material.error());
     if (auto* sheet = std::get_if<SurfaceMaterial>(&*material)) return *std::move(sheet);
     return fail(ErrorCode::kInvalidArgument, text + " is a medium, not a sheet");
   }
-  const MaterialLibrary library = own_materials();
-  if (const SurfaceMaterial* sheet = library.materials.find_surface(text)) return *sheet;
-  std::string known;
-  for (const SurfaceMaterial& sheet : library.materials.surfaces()) {
-    known += (known.empty() ? "" : ", ") + sheet.id;
+  std::string names;
+  for (const SurfaceMaterial& sheet : known.surfaces()) {
+    names += (names.empty() ? "" : ", ") + sheet.id;
   }
-  return fail(ErrorCode::kNotFound, "'" + text + "' is not " + known);
+  return fail(ErrorCode::kNotFound, "'" + text + "' is not " + names);
 }
 
 }  // namespace felt::cli

@@ -11,8 +11,9 @@ MaterialLibrary own_materials();
 /// The same, read when first asked for; what is wrong with a file is a notice, once.
 const MaterialLibrary& known_materials(Console& console);
 
-/// A sheet by its id, or from a file NAME.toml. Error: there is none; the message begins with it.
-Result<SurfaceMaterial> find_sheet(const std::string& text);
+/// One of these sheets by its id, or one from a file NAME.toml. Error: there is none; the message
+/// begins with it.
+Result<SurfaceMaterial> find_sheet(const std::string& text, const Materials& known);
 
 /// A picture beside the text of a material.
 Result<HeightPicture> load_height_picture(const std::string& path);

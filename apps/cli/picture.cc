@@ -76,8 +76,7 @@ void PictureArguments::add_to(CLI::App& command) {
               surface_names() +
               "\n(smooth), one of your own, or a grey NAME.png: white is high, as wide as it says\n"
               "or 40 mm; without it, ink is solid. Ink pen and felt-tip, which are wet, show "
-              "none.\n"
-              "In an .svg or .pdf it shows with --grain")
+              "none")
       ->group("Pictures (.svg, .pdf, .png)");
 }
 
@@ -85,8 +84,8 @@ void PictureArguments::add_grain_to(CLI::App& command) {
   command
       .add_flag("--grain,--grain-mask", grain,
                 "Show the grain of the sheet in dry ink: that of --surface, else of the drawing's\n"
-                "own sheet, else of paper. In an .svg or .pdf strokes stay outlines, seen through\n"
-                "a picture of the grain")
+                "own sheet, else of paper. An .svg or .pdf shows it with this option alone: its\n"
+                "strokes stay outlines, seen through a picture of the grain")
       ->group("Pictures (.svg, .pdf, .png)");
   command
       .add_option("--grain-dpi", grain_dpi,
@@ -96,8 +95,10 @@ void PictureArguments::add_grain_to(CLI::App& command) {
       ->group("Pictures (.svg, .pdf, .png)");
 }
 
-Result<PictureOptions> PictureArguments::parse() const {
+Result<PictureOptions> PictureArguments::parse(Console& console) const {
   PictureOptions options;
+  // Where no grain is seen, nobody wants to hear of a material that is wrong.
+  if (grain || !surface.empty()) options.materials = known_materials(console).materials;
   options.dpi = dpi;
   options.wants_grain = grain;
   options.grain_dpi = grain_dpi;
@@ -142,6 +143,12 @@ Result<Rgba> parse_paper(const std::string& text) {
               "--paper: '" + text + "' is not #rrggbb, #rrggbbaa, white or transparent");
 }
 
+Rgba usual_color(std::uint32_t rgb) noexcept {
+  return {static_cast<std::uint8_t>(rgb >> 16U & 0xFFU),
+          static_cast<std::uint8_t>(rgb >> 8U & 0xFFU), static_cast<std::uint8_t>(rgb & 0xFFU),
+          255};
+}
+
 std::string surface_names() {
   std::string names;
   for (const SurfaceMaterial& surface : surface_materials()) {
@@ -155,14 +162,14 @@ std::string surface_names() {
 Result<void> parse_surface(const std::string& text, PictureOptions& options) {
   if (text.empty()) return {};
   if (!std::string_view(text).ends_with(".png")) {
-    const Result<SurfaceMaterial> surface = find_sheet(text);
+    const Result<SurfaceMaterial> surface = find_sheet(text, options.materials);
     if (!surface) {
       const bool is_file = text.ends_with(".toml");
       return fail(surface.error().code, "--surface: " + surface.error().message +
                                             (is_file ? "" : ", nor a .png or .toml"));
     }
     options.relief = surface_grain(*surface);
-    options.grain = Grain(options.relief);
+    options.grain = Grain(options.relief, options.materials);
     return {};
   }
   const Result<HeightPicture> picture = read_height_png(text);
@@ -173,17 +180,17 @@ Result<void> parse_surface(const std::string& text, PictureOptions& options) {
   if (!field) return tl::unexpected(with_context(field.error(), "--surface: " + text));
   options.own_relief = std::make_shared<const HeightField>(*std::move(field));
   options.relief = options.own_relief.get();
-  options.grain = Grain(options.relief);
+  options.grain = Grain(options.relief, options.materials);
   return {};
 }
 
 Result<void> use_surface_of(const StoredDrawing& drawing, PictureOptions& options) {
   if (options.has_surface) {
-    options.grain = Grain(options.relief, with_texts(drawing.materials));
+    options.grain = Grain(options.relief, with_texts(drawing.materials, options.materials));
     return {};
   }
   if (!options.wants_grain) return {};
-  const Result<Grain> grain = grain_of(drawing);
+  const Result<Grain> grain = grain_of(drawing, options.materials);
   if (!grain) {
     return fail(ErrorCode::kNotFound, "--grain: " + grain.error().message +
                                           "; say which with --surface: " + surface_names());

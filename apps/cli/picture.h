@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
@@ -7,6 +8,7 @@
 #include "felt/base/result.h"
 #include "felt/document/sheet_page.h"
 #include "felt/geometry/rect.h"
+#include "felt/material/materials.h"
 #include "felt/render/grain.h"
 #include "felt/store/felt_file.h"
 #include "felt/stroke/stroke.h"
@@ -16,6 +18,8 @@ class App;
 }
 
 namespace felt::cli {
+
+class Console;
 
 /// What pictures of a sketch (.png, .svg) look like.
 struct PictureOptions {
@@ -29,6 +33,8 @@ struct PictureOptions {
   bool has_surface = false;  ///< --surface says which relief
   bool wants_grain = false;  ///< --grain: in an .svg or .pdf too, and of the drawing's own sheet
   double grain_dpi = 200.0;  ///< in an .svg or .pdf
+  /// Known here; a person's own are among them where grain is to be seen.
+  Materials materials = Materials::built_in();
 };
 
 /// The options as written, before they are understood.
@@ -44,8 +50,9 @@ struct PictureArguments {
   void add_to(CLI::App& command);
   /// Adds --grain and --grain-dpi, of commands that have the drawing as a whole.
   void add_grain_to(CLI::App& command);
-  /// Error: one of them makes no sense; it is a usage error.
-  [[nodiscard]] Result<PictureOptions> parse() const;
+  /// What is wrong with a person's own materials is a notice. Error: an option makes no sense; it
+  /// is a usage error.
+  [[nodiscard]] Result<PictureOptions> parse(Console& console) const;
 };
 
 /// "" or "fit" (none), a DIN A size "A0".."A6" with "A4-landscape", or "WxH" in mm.
@@ -57,13 +64,16 @@ Result<SheetPage> sheet_page(const Rect& sheet, Rgba paper);
 /// "#rrggbb", "#rrggbbaa", "white" or "transparent".
 Result<Rgba> parse_paper(const std::string& text);
 
+/// The usual colour of a sheet or a medium, 0xRRGGBB, as ink and pages have it.
+Rgba usual_color(std::uint32_t rgb) noexcept;
+
 /// The ids of surface_materials(): "paper, rough-paper, ... or glass".
 std::string surface_names();
-/// Sets the relief to that of one of surface_materials(), of a person's own, by id, or of a file
-/// NAME.png, and the grain to it with Feltline's media; "" is none.
+/// Sets the relief to that of one of options.materials, by id, or of a file NAME.png or NAME.toml,
+/// and the grain to it with their media; "" is none.
 Result<void> parse_surface(const std::string& text, PictureOptions& options);
 
-/// The grain with the media that the drawing brings along; where grain was asked for and no
+/// The grain with the media that the drawing brings along, too; where grain was asked for and no
 /// surface, of the drawing's sheet, or of paper where it says none. Error: a sheet that is not
 /// known here.
 Result<void> use_surface_of(const StoredDrawing& drawing, PictureOptions& options);

@@ -7,6 +7,7 @@
 #include <memory>
 
 #include "commands.h"
+#include "drawing_output.h"
 #include "felt/io/event_writer.h"
 #include "felt/session/recorder.h"
 #include "felt/tools/tool.h"
@@ -17,6 +18,7 @@
 #include "question.h"
 #include "record_copy.h"
 #include "record_run.h"
+#include "replay_drawing.h"
 #include "sketch_output.h"
 
 namespace felt::cli {
@@ -47,8 +49,7 @@ constexpr const char* kRecordExamples =
 
 /// What a recording writes besides the sketch.
 struct RecordOutputs {
-  Format format = Format::kNdjson;
-  std::unique_ptr<SketchOutput> sketch;
+  std::optional<DrawingOutput> drawing;
   std::optional<Output> events;
   std::optional<ForcesCsv> forces;
   Result<void> written = {};  ///< of the events so far
@@ -58,13 +59,11 @@ Result<RecordOutputs> open_outputs(const RecordArguments& args, const Rect& page
   RecordOutputs outputs;
   const Result<Format> format = output_format(args.output, args.to);
   if (!format) throw UsageError(format.error().message);
-  outputs.format = *format;
   PictureOptions picture;
   picture.sheet = page;
-  Result<std::unique_ptr<SketchOutput>> sketch =
-      open_sketch_output(args.output, outputs.format, picture);
-  if (!sketch) return tl::unexpected(sketch.error());
-  outputs.sketch = *std::move(sketch);
+  Result<DrawingOutput> drawing = DrawingOutput::create(args.output, *format, picture);
+  if (!drawing) return tl::unexpected(drawing.error());
+  outputs.drawing.emplace(*std::move(drawing));
   if (!args.events.empty()) {
     Result<Output> events = Output::create(args.events);
     if (!events) return tl::unexpected(events.error());
@@ -113,7 +112,8 @@ Result<void> rescue(const Error& error, const Session& session) {
 }
 
 Result<void> write_outputs(RecordOutputs& outputs, Recorder& recorder, const Session& session) {
-  if (Result<void> done = write_strokes(session.sketch(), outputs.format, *outputs.sketch); !done) {
+  OpenedDrawing drawing = drawing_after({}, session, session.document());
+  if (Result<void> done = outputs.drawing->write(std::move(drawing)); !done) {
     return rescue(done.error(), session);
   }
   recorder.flush();

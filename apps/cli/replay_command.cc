@@ -3,13 +3,16 @@
 #include <chrono>
 #include <cmath>
 #include <memory>
+#include <utility>
+#include <vector>
 
 #include "commands.h"
-#include "felt/formats/drawing_writer.h"
+#include "drawing_output.h"
 #include "felt/formats/own_materials.h"
 #include "felt/io/limits.h"
 #include "felt/io/png.h"
 #include "felt/store/felt_recording.h"
+#include "felt/stroke/color_text.h"
 #include "force_plot.h"
 #include "forces_csv.h"
 #include "overlay_picture.h"
@@ -17,9 +20,9 @@
 #include "picture.h"
 #include "recording.h"
 #include "replay_arguments.h"
+#include "replay_drawing.h"
 #include "replay_run.h"
 #include "replay_sound.h"
-#include "sketch_output.h"
 
 namespace felt::cli {
 namespace {
@@ -62,7 +65,8 @@ void add_output_options(CLI::App& command, ReplayCommandArguments& args) {
   command.add_option("-o,--output", args.output,
                      "Where the sketch goes: .ndjson, .felt, .svg, .pdf, .png; '-' is stdout");
   command.add_option("--to", args.to, "Format of the output, instead of by its extension");
-  command.add_option("--on", args.on, "A drawing to begin with: .felt, .ndjson, .svg of Feltline");
+  command.add_option("--on", args.on,
+                     "A drawing to begin with, on its own sheet: .felt, .ndjson, .svg of Feltline");
   command.add_option("--forces", args.forces,
                      "Pose, force asked, force sent and each force term, a row a tick, .csv");
   command.add_option("--plot", args.plot, "The same over time as a picture, .png");
@@ -79,9 +83,12 @@ void add_options(CLI::App& command, ReplayCommandArguments& args) {
   command.add_option("--seed", args.seed, "Number of a tremor for raw strokes; 0 = none")
       ->capture_default_str();
   command.add_option("--sheet,--material", args.sheet,
-                     "What is drawn on:\n" + surface_names() + ", or one of your own");
+                     "What is drawn on:\n" + surface_names() +
+                         ", or one of your own;\n"
+                         "the page takes its usual colour, unless --paper says another one");
   command.add_option("--medium", args.medium,
-                     "What is drawn with, in its own widths: an id of 'feltline materials'");
+                     "What is drawn with, in its own widths and its usual colour: an id of\n"
+                     "'feltline materials'");
   command.add_option("--set", args.options, "TOOL.OPTION=VALUE before the first event")
       ->allow_extra_args(false);
   command
@@ -99,15 +106,16 @@ void add_options(CLI::App& command, ReplayCommandArguments& args) {
       ->check(number_between(1e-9, 1e9))
       ->capture_default_str();
   args.picture.add_to(command);
+  args.picture.add_grain_to(command);
 }
 
 /// What a replay writes; each may be absent.
 struct ReplayOutputs {
-  std::optional<Format> format;
-  std::unique_ptr<SketchOutput> sketch;
-  std::optional<Output> view;  ///< instead of `sketch` where the overlay is to be seen
+  std::optional<DrawingOutput> drawing;
+  std::optional<Output> view;  ///< instead of `drawing` where the overlay is to be seen
   PictureOptions picture;
-  std::optional<SessionView> stopped;  ///< what was in work when the play was stopped
+  std::optional<SessionView> stopped;        ///< what was in work when the play was stopped,
+  std::optional<Document> stopped_document;  ///< and the document with it
   std::optional<ForcesCsv> forces;
   std::optional<ForcePlot> plot;
   std::unique_ptr<ReplaySound> sound;  ///< large
@@ -140,13 +148,26 @@ void check_outputs(const ReplayCommandArguments& args) {
   }
 }
 
-Result<void> open_sketch(const ReplayCommandArguments& args, const ReplaySettings& settings,
-                         ReplayOutputs& outputs) {
-  if (args.recording) {
-    const Capabilities& device = settings.device.capabilities;
-    outputs.recorder.emplace("simulated " + args.pen.device, device.period_ns);
-    outputs.recorder->event({0, UseDevice{device}});
-    return {};
+/// The pictures' options; the page has the colour of the sheet that was asked for, unless another
+/// one was.
+PictureOptions picture_of(const ReplayCommandArguments& args, const Materials& known,
+                          Console& console) {
+  Result<PictureOptions> picture = args.picture.parse(console);
+  if (!picture) throw UsageError(picture.error().message);
+  const SurfaceMaterial* sheet = args.sheet.empty() ? nullptr : known.find_surface(args.sheet);
+  if (sheet && !picture->paper) picture->paper = usual_color(sheet->color_rgb);
+  return *std::move(picture);
+}
+
+/// What -o names.
+Result<void> open_drawing(const ReplayCommandArguments& args, const ReplaySettings& settings,
+                          Console& console, ReplayOutputs& outputs) {
+  const Result<Format> format = output_format(args.output, args.to);
+  if (!format) throw UsageError(format.error().message);
+  outputs.picture = picture_of(args, settings.materials, console);
+  if (args.overlay && *format != Format::kPng) throw UsageError("--overlay needs -o OUT.png");
+  if (args.recording && *format != Format::kFelt) {
+    throw UsageError("--recording needs -o OUT.felt");
   }
   if (args.overlay) {
     Result<Output> opened = Output::create(args.output);
@@ -154,34 +175,21 @@ Result<void> open_sketch(const ReplayCommandArguments& args, const ReplaySetting
     outputs.view.emplace(*std::move(opened));
     return {};
   }
-  Result<std::unique_ptr<SketchOutput>> opened =
-      open_sketch_output(args.output, *outputs.format, outputs.picture);
+  Result<DrawingOutput> opened = DrawingOutput::create(args.output, *format, outputs.picture);
   if (!opened) return tl::unexpected(opened.error());
-  outputs.sketch = *std::move(opened);
+  outputs.drawing.emplace(*std::move(opened));
+  if (!args.recording) return {};
+  const Capabilities& device = settings.device.capabilities;
+  outputs.recorder.emplace("simulated " + args.pen.device, device.period_ns);
+  outputs.recorder->event({0, UseDevice{device}});
   return {};
 }
 
-/// What -o names.
-Result<void> open_drawing(const ReplayCommandArguments& args, const ReplaySettings& settings,
-                          ReplayOutputs& outputs) {
-  const Result<Format> format = output_format(args.output, args.to);
-  if (!format) throw UsageError(format.error().message);
-  const Result<PictureOptions> picture = args.picture.parse();
-  if (!picture) throw UsageError(picture.error().message);
-  if (args.overlay && *format != Format::kPng) throw UsageError("--overlay needs -o OUT.png");
-  if (args.recording && *format != Format::kFelt) {
-    throw UsageError("--recording needs -o OUT.felt");
-  }
-  outputs.format = *format;
-  outputs.picture = *picture;
-  return open_sketch(args, settings, outputs);
-}
-
 Result<ReplayOutputs> open_outputs(const ReplayCommandArguments& args,
-                                   const ReplaySettings& settings) {
+                                   const ReplaySettings& settings, Console& console) {
   ReplayOutputs outputs;
   if (!args.output.empty()) {
-    if (Result<void> opened = open_drawing(args, settings, outputs); !opened) {
+    if (Result<void> opened = open_drawing(args, settings, console, outputs); !opened) {
       return tl::unexpected(opened.error());
     }
   }
@@ -202,18 +210,30 @@ Result<ReplayOutputs> open_outputs(const ReplayCommandArguments& args,
   return outputs;
 }
 
-void set_options(const ReplayCommandArguments& args, ReplayMachine& machine) {
+/// The medium, as a hand takes it up: with its own widths and its usual colour.
+std::vector<std::pair<std::string, std::string>> medium_options(const Medium& medium) {
+  return {{"pencil.material", medium.id},
+          {"pencil.min_width_mm", fmt::format("{}", medium.line.min_mm)},
+          {"pencil.max_width_mm", fmt::format("{}", medium.line.max_mm)},
+          {"pencil.gamma", fmt::format("{}", medium.line.gamma)},
+          {"sheet.color", color_to_text(usual_color(medium.color_rgb))}};
+}
+
+/// What the drawing of --on says, then what the command line does.
+void set_options(const ReplayCommandArguments& args, const StoredDrawing& start,
+                 ReplayMachine& machine) {
   const auto set = [&machine](const char* from, const std::string& id, const std::string& value) {
     const Result<void> done = machine.set_option(id, value);
     if (!done) throw UsageError(std::string(from) + ": " + done.error().message);
   };
+  const Materials& known = machine.session().materials();
+  for (const auto& [id, value] : options_of(start, known)) set("--on", id, value);
   if (!args.sheet.empty()) set("--sheet", "sheet.material", args.sheet);
   if (!args.medium.empty()) {
-    set("--medium", "pencil.material", args.medium);
-    const MediumLine line = machine.session().materials().find_medium(args.medium)->line;
-    set("--medium", "pencil.min_width_mm", fmt::format("{}", line.min_mm));
-    set("--medium", "pencil.max_width_mm", fmt::format("{}", line.max_mm));
-    set("--medium", "pencil.gamma", fmt::format("{}", line.gamma));
+    set("--medium", "pencil.material", args.medium);  // says what there is where it is none
+    for (const auto& [id, value] : medium_options(*known.find_medium(args.medium))) {
+      set("--medium", id, value);
+    }
   }
   for (const std::string& option : args.options) {
     const std::size_t equals = option.find('=');
@@ -242,21 +262,21 @@ Result<void> write_view(const SessionView& view, ReplayOutputs& outputs) {
   return outputs.view->commit();
 }
 
-/// The whole drawing, and how it was made.
-Result<void> write_recorded(const ReplayCommandArguments& args, FeltRecorder& recorder,
-                            const Session& session) {
-  StoredDrawing drawing;
-  drawing.document = session.document();
-  drawing.page.surface = session.sheet().material().id;
-  drawing.materials = texts_of_used(session.document(), drawing.page.surface, session.materials());
-  drawing.color = session.sheet().color();
-  drawing.layer = session.layer();
-  if (Result<void> added = add_recording(drawing, recorder.take()); !added) return added;
-  return write_drawing(args.output, drawing, FileFormat::kFelt);
+/// The whole drawing; with --recording, and how it was made.
+Result<void> write_replayed(OpenedDrawing start, const Session& session, ReplayOutputs& outputs) {
+  Document document = outputs.stopped_document ? *std::move(outputs.stopped_document)
+                      : outputs.recorder       ? session.document()
+                                               : seen_document(session);
+  OpenedDrawing drawing = drawing_after(std::move(start), session, std::move(document));
+  if (outputs.recorder) {
+    Result<void> added = add_recording(drawing.drawing, outputs.recorder->take());
+    if (!added) return added;
+  }
+  return outputs.drawing->write(std::move(drawing));
 }
 
-Result<void> write_outputs(const ReplayCommandArguments& args, ReplayOutputs& outputs,
-                           ReplayMachine& machine) {
+Result<void> write_outputs(const ReplayCommandArguments& args, OpenedDrawing start,
+                           ReplayOutputs& outputs, ReplayMachine& machine) {
   if (outputs.plot) {
     outputs.plot->set_title(
         "Replay", fmt::format("simulated {}, {} hand, {:.0f} Hz", args.pen.device, args.pen.hand,
@@ -271,12 +291,11 @@ Result<void> write_outputs(const ReplayCommandArguments& args, ReplayOutputs& ou
   if (outputs.sound) {
     if (Result<void> done = outputs.sound->finish(); !done) return done;
   }
-  if (!outputs.format) return {};
-  if (outputs.recorder) return write_recorded(args, *outputs.recorder, machine.session());
-  const SessionView view =
-      outputs.stopped ? *std::move(outputs.stopped) : view_of(machine.session(), std::nullopt);
-  if (outputs.view) return write_view(view, outputs);
-  return write_strokes(view.sketch, *outputs.format, *outputs.sketch);
+  if (outputs.drawing) return write_replayed(std::move(start), machine.session(), outputs);
+  if (!outputs.view) return {};
+  return write_view(
+      outputs.stopped ? *std::move(outputs.stopped) : view_of(machine.session(), std::nullopt),
+      outputs);
 }
 
 /// What a tick leaves in the outputs.
@@ -299,6 +318,7 @@ ReplayMachine::Observer observer_of(const ReplayCommandArguments& args, ReplayOu
     observer.until_ns = std::llround(1e6 * *args.until_ms);
     observer.stopped = [&outputs](const Session& session, const PenSample& pen) {
       outputs.stopped = view_of(session, on_sheet(pen.position));
+      outputs.stopped_document = seen_document(session);
     };
   }
   if (outputs.recorder) {
@@ -343,13 +363,45 @@ PenSample sample_of(std::int64_t time_ns, const PenEvent& pen) {
   return sample;
 }
 
+/// The drawing of --on, an empty one without it.
+Result<OpenedDrawing> start_of(const ReplayCommandArguments& args) {
+  return args.on.empty() ? OpenedDrawing() : read_start(args.on);
+}
+
+/// Begins a session on the sheet of a drawing, and with its colour.
+Result<void> take_up(const StoredDrawing& start, Session& session) {
+  for (const auto& [id, value] : options_of(start, session.materials())) {
+    if (Result<void> done = session.apply({0, SetOption{id, value}}); !done) return done;
+  }
+  return {};
+}
+
+/// Plays the recording, and leaves the drawing that comes of it. `heard`: what became of its sound.
+Result<void> draw_recorded(const ReplayCommandArguments& args, OpenedDrawing start,
+                           const Result<void>& heard, Session& session, ReplayOutputs& outputs) {
+  if (Result<void> begun = take_up(start.drawing, session); !begun) return begun;
+  if (outputs.sound) outputs.sound->begin(session);
+  Result<OpenedDrawing> frame = tell_recording(args.scripts.front(), session);
+  if (!frame) return tl::unexpected(frame.error());
+  if (!heard) return heard;
+  if (args.on.empty()) start = *std::move(frame);
+  if (outputs.sound) {
+    if (Result<void> done = outputs.sound->finish(); !done) return done;
+  }
+  if (!outputs.drawing) return {};
+  return outputs.drawing->write(drawing_after(std::move(start), session, session.document()));
+}
+
 void run_as_recorded(const ReplayCommandArguments& args, Console& console) {
-  Result<Document> start = args.on.empty() ? Document() : read_document(args.on);
+  Result<OpenedDrawing> start = start_of(args);
   if (!start) return console.error(start.error().message);
-  Result<ReplayOutputs> outputs = open_outputs(args, args.pen.settings());
+  Result<ReplayOutputs> outputs = open_outputs(args, args.pen.settings(), console);
   if (!outputs) return console.error(outputs.error().message);
   Result<void> heard;
-  SessionOptions options{.device = {}, .document = *std::move(start)};
+  SessionOptions options{
+      .device = {},
+      .materials = with_texts(start->drawing.materials, known_materials(console).materials),
+      .document = start->drawing.document};
   if (outputs->sound) {
     options.on_event = [&](const Event& event) {
       const auto* pen = std::get_if<PenEvent>(&event.what);
@@ -357,39 +409,30 @@ void run_as_recorded(const ReplayCommandArguments& args, Console& console) {
     };
   }
   Session session(make_tools(), std::move(options));
-  if (outputs->sound) outputs->sound->begin(session);
-  Result<void> done = tell_recording(args.scripts.front(), session);
-  if (done) done = heard;
-  if (done && outputs->sound) done = outputs->sound->finish();
-  if (done && outputs->sketch) {
-    done = write_strokes(session.sketch(), *outputs->format, *outputs->sketch);
-  }
+  const Result<void> done = draw_recorded(args, *std::move(start), heard, session, *outputs);
   if (!done) console.error(done.error().message);
 }
 
 void run_replay(const ReplayCommandArguments& args, Console& console) {
   check_outputs(args);
-  const auto start = std::chrono::steady_clock::now();
+  const auto begin = std::chrono::steady_clock::now();
+  Result<OpenedDrawing> start = start_of(args);
+  if (!start) return console.error(start.error().message);
+  if (!args.sheet.empty()) start->drawing.page.surface.clear();  // another one is chosen
   ReplaySettings settings = args.pen.settings();
-  settings.materials = known_materials(console).materials;
-  Document document;
-  if (!args.on.empty()) {
-    Result<Document> drawing = read_document(args.on);
-    if (!drawing) return console.error(drawing.error().message);
-    document = *std::move(drawing);
-  }
-  Result<ReplayOutputs> outputs = open_outputs(args, settings);
+  settings.materials = with_texts(start->drawing.materials, known_materials(console).materials);
+  Result<ReplayOutputs> outputs = open_outputs(args, settings, console);
   if (!outputs) return console.error(outputs.error().message);
-  ReplayMachine machine(settings, std::move(document), observer_of(args, *outputs, console));
+  ReplayMachine machine(settings, start->drawing.document, observer_of(args, *outputs, console));
   if (outputs->sound) outputs->sound->begin(machine.session());
-  set_options(args, machine);
+  set_options(args, start->drawing, machine);
   ReplayRun run(machine, args.mm_per_unit, args.seed);
   outputs->run = &run;
   Result<void> done = play_scripts(args, run);
   console.end_progress();
-  if (done) done = write_outputs(args, *outputs, machine);
+  if (done) done = write_outputs(args, *std::move(start), *outputs, machine);
   if (!done) return console.error(done.error().message);
-  const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - start;
+  const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - begin;
   if (args.stats.empty()) return;
   ReplayStats stats = machine.take_stats();
   stats.wall_s = wall.count();

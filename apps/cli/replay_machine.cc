@@ -39,10 +39,10 @@ const Medium* pencil_medium(const Session& session) {
   return id ? session.materials().find_medium(*id) : nullptr;
 }
 
-/// The document of an input that is no stream of lines.
-Result<Document> read_whole(const Input& input) {
+/// An input that is no stream of lines.
+Result<OpenedDrawing> read_whole(const Input& input) {
   Result<OpenedDrawing> opened = input.read_drawing({});
-  if (opened) return std::move(opened->drawing.document);
+  if (opened) return opened;
   return fail(opened.error().code, input.name() + ": " + opened.error().message);
 }
 
@@ -270,19 +270,23 @@ void ReplayMachine::compare_ink() {
   ink_.clear();
 }
 
-Result<Document> read_document(const std::string& path) {
+Result<OpenedDrawing> read_start(const std::string& path) {
   const Result<Input> input = Input::open(path);
   if (!input) return fail(input.error().code, input_name(path) + ": " + input.error().message);
-  if (input->is_lines()) {
-    return read_lines(*input).map([](const Sketch& sketch) { return document_of(sketch); });
-  }
-  return read_whole(*input);
+  if (!input->is_lines()) return read_whole(*input);
+  return read_lines(*input).map([](const Sketch& sketch) {
+    OpenedDrawing opened;
+    opened.drawing.document = document_of(sketch);
+    return opened;
+  });
 }
 
 Result<Sketch> read_sketch(const std::string& path) {
   const Result<Input> input = Input::open(path);
   if (!input) return fail(input.error().code, input_name(path) + ": " + input.error().message);
-  return input->is_lines() ? read_lines(*input) : read_whole(*input).map(visible_strokes);
+  if (input->is_lines()) return read_lines(*input);
+  return read_whole(*input).map(
+      [](const OpenedDrawing& opened) { return visible_strokes(opened.drawing.document); });
 }
 
 }  // namespace felt::cli

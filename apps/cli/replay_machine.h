@@ -9,6 +9,7 @@
 
 #include "felt/base/result.h"
 #include "felt/devices/simulated/simulated_stylus.h"
+#include "felt/formats/drawing_reader.h"
 #include "felt/session/player.h"
 #include "felt/session/session.h"
 #include "felt/stroke/width_map.h"
@@ -119,7 +120,8 @@ class ReplayMachine {
 /// with "PATH:LINE: " or "PATH: ".
 Result<Sketch> read_sketch(const std::string& path);
 
-/// The same as a document: of a .felt file as it is, layers and ids included; else one layer.
-Result<Document> read_document(const std::string& path);
+/// The same as a drawing: of a .felt file as it is, layers, ids and materials included; of lines
+/// one layer.
+Result<OpenedDrawing> read_start(const std::string& path);
 
 }  // namespace felt::cli

@@ -18,19 +18,19 @@ rsvg-convert --width 1000 "$scratch/detail.svg" -o "$here/detail.png"
 cp "$scratch/demo/sketch.png" "$here/demo.png"
 cp "$scratch/demo/forces.png" "$here/forces.png"
 
-# cat_with N SHEET MEDIUM COLOUR PAPER: the cat as a hand draws it with that, its grain seen.
+# cat_with N SHEET MEDIUM: the cat as a hand draws it with that, its grain seen, in their usual colours.
 cat_with() {
-  "$feltline" --quiet replay "$samples/cat.ndjson" --sheet "$2" --medium "$3" --set sheet.color="$4" \
-    -o "$scratch/cat$1.felt" --recording
-  "$feltline" render "$scratch/cat$1.felt" --grain --paper "$5" --page fit --dpi 120 -o "$scratch/cat$1.png"
+  "$feltline" --quiet replay "$samples/cat.ndjson" --sheet "$2" --medium "$3" -o "$scratch/cat$1.felt"
+  "$feltline" render "$scratch/cat$1.felt" --grain --page fit --dpi 120 -o "$scratch/cat$1.png"
 }
-cat_with 1 paper pencil-soft '#232427' '#fbfaf6'
-cat_with 2 rough-paper charcoal '#1d1b1a' '#f6f2e8'
-cat_with 3 blackboard chalk '#eeeae0' '#2b352f'
+sheets=(paper rough-paper blackboard)
+cat_with 1 "${sheets[0]}" pencil-soft
+cat_with 2 "${sheets[1]}" charcoal
+cat_with 3 "${sheets[2]}" chalk
 {
   echo '<svg xmlns="http://www.w3.org/2000/svg" width="1290" height="500" viewBox="0 0 1290 500">'
   for n in 1 2 3; do
-    paper=$(sed -n "s/^cat_with $n .*'\(#[0-9a-f]*\)'$/\1/p" "$0")
+    paper=$("$feltline" materials show "${sheets[n - 1]}" | sed -n 's/^color = "\(#[0-9a-f]*\)".*/\1/p')
     printf '<rect x="%d" width="420" height="500" fill="%s"/>' $((435 * n - 435)) "$paper"
     printf '<image href="cat%d.png" x="%d" y="10" width="400" height="480"/>\n' "$n" $((435 * n - 425))
   done

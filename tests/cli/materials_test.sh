@@ -98,6 +98,95 @@ run 0 "$feltline" replay in.ndjson -o run.felt --recording --set sheet.material=
 run 0 env XDG_DATA_HOME="$work/nobody" "$feltline" replay run.felt -o there.ndjson --as-recorded
 has there.ndjson '"my-chalk"'
 
+# A medium of one's own looks like itself, wherever its figures come from: the drawing or the folder.
+run 0 "$feltline" materials new faint --from chalk --save
+sed -i 's/^opacity_light = [0-9.]*/opacity_light = 0.05/; s/^opacity_heavy = [0-9.]*/opacity_heavy = 0.2/
+  s/^color = "[^"]*"/color = "#202020"/' "$XDG_DATA_HOME/feltline/materials/faint.toml"
+sed -i 's/^height_um = [0-9.]*/height_um = 90/; s/^color = "[^"]*"/color = "#ffffff"/' \
+  "$XDG_DATA_HOME/feltline/materials/my-paper.toml"
+run 0 "$feltline" replay in.ndjson -o faint.ndjson --medium faint
+sed 's/"faint"/"pencil"/' faint.ndjson >as_pencil.ndjson
+for way in "--surface canvas" "--surface canvas --grain"; do
+  # shellcheck disable=SC2086  # options and their values
+  for name in faint as_pencil; do
+    run 0 "$feltline" render $name.ndjson -o $name.png --dpi 50 --page A4 $way
+  done
+  cmp -s faint.png as_pencil.png && fail "$way: a medium of one's own looks like the pencil"
+done
+run 0 "$feltline" replay in.ndjson -o faint.felt --medium faint
+run 0 env XDG_DATA_HOME="$work/nobody" "$feltline" render faint.felt -o there.png --dpi 50 --page A4 --surface canvas
+same there.png faint.png
+run 0 "$feltline" replay in.ndjson -o played.png --dpi 50 --page A4 --medium faint --surface canvas
+same played.png faint.png
+# Where a drawing says otherwise than the folder, its own figures hold in it.
+run 0 "$feltline" replay in.ndjson -o own_text.felt --medium faint --sheet my-paper
+run 0 "$feltline" render own_text.felt -o before.png --dpi 50 --grain
+sed -i 's/^opacity_heavy = [0-9.]*/opacity_heavy = 0.9/' "$XDG_DATA_HOME/feltline/materials/faint.toml"
+sed -i 's/^height_um = [0-9.]*/height_um = 5/' "$XDG_DATA_HOME/feltline/materials/my-paper.toml"
+run 0 "$feltline" render own_text.felt -o after.png --dpi 50 --grain
+same before.png after.png
+# A drawing that names a sheet without its text.
+run 0 "$feltline" convert faint.felt -o named.svg
+sed -i 's/felt:surface="paper"/felt:surface="my-paper"/' named.svg
+run 0 "$feltline" render named.svg -o named.png --dpi 50 --grain
+run 1 env XDG_DATA_HOME="$work/nobody" "$feltline" render named.svg -o named.png --grain
+has err "'my-paper' is not known here"
+
+# The drawing says its sheet and its materials, with a recording or without one.
+for sheet in wood my-paper; do
+  run 0 "$feltline" replay in.ndjson -o kept.felt --sheet $sheet --medium faint --recording
+  run 0 "$feltline" replay in.ndjson -o plain.felt --sheet $sheet --medium faint
+  for name in kept plain; do
+    run 0 "$feltline" convert $name.felt -o $name.svg
+    has $name.svg "felt:surface=\"$sheet\""
+    run 0 env XDG_DATA_HOME="$work/nobody" "$feltline" render $name.felt -o $name.png --dpi 50 --grain
+  done
+  same plain.svg kept.svg
+  same plain.png kept.png
+  run 0 "$feltline" replay in.ndjson -o plain.svg --sheet $sheet --medium faint
+  has plain.svg "felt:surface=\"$sheet\""
+  has plain.svg "id = &quot;faint&quot;"
+done
+run 0 "$feltline" convert plain.svg -o back.felt
+run 0 "$feltline" convert back.felt -o back.svg
+has back.svg 'felt:surface="my-paper"'
+run 0 "$feltline" replay in.ndjson -o grain.png --dpi 50 --page A4 --medium faint --sheet my-paper --grain
+run 0 "$feltline" replay in.ndjson -o solid.png --dpi 50 --page A4 --medium faint --sheet my-paper
+cmp -s grain.png solid.png && fail "replay --grain shows none"
+
+# A drawing to begin with is gone on with on its own sheet, with what it brings.
+run 0 env XDG_DATA_HOME="$work/nobody" "$feltline" replay in.ndjson --on plain.felt --medium faint \
+  -o on.felt --forces on.csv
+run 0 env XDG_DATA_HOME="$work/nobody" "$feltline" convert on.felt -o on.svg
+has on.svg 'felt:surface="my-paper"'
+has on.svg "id = &quot;faint&quot;"
+run 0 "$feltline" replay in.ndjson --sheet wood --forces wood.csv --set pencil.snap=off
+run 0 "$feltline" replay in.ndjson -o wood.felt --sheet wood
+run 0 "$feltline" replay in.ndjson --on wood.felt --forces on.csv --set pencil.snap=off
+same on.csv wood.csv
+run 0 "$feltline" replay in.ndjson --on wood.felt --sheet glass -o glass.felt
+run 0 "$feltline" convert glass.felt -o glass.svg
+has glass.svg 'felt:surface="glass"'
+sed 's/my-paper/moon-dust/' named.svg >moon.svg
+run 0 "$feltline" replay in.ndjson --on moon.svg -o moon_on.svg
+has moon_on.svg 'felt:surface="moon-dust"'
+
+# Sheet and medium bring their usual colours, unless others are asked for.
+run 0 "$feltline" replay in.ndjson -o board.felt --sheet blackboard --medium chalk
+run 0 "$feltline" info board.felt --json
+has out '"paper":"#34463e"'
+run 0 "$feltline" convert board.felt -o board.ndjson
+has board.ndjson '"color":"#f4f1e6"'
+run 0 "$feltline" replay in.ndjson -o board.felt --sheet blackboard --medium chalk --paper white \
+  --set sheet.color=#102030
+run 0 "$feltline" info board.felt --json
+has out '"paper":"#ffffff"'
+run 0 "$feltline" convert board.felt -o board.ndjson
+has board.ndjson '"color":"#102030"'
+run 0 "$feltline" replay in.ndjson -o board.png --dpi 50 --sheet blackboard --medium chalk
+run 0 "$feltline" replay in.ndjson -o board2.png --dpi 50 --sheet blackboard --medium chalk --paper '#34463e'
+same board.png board2.png
+
 # A script says so in its own words.
 { printf '{"t_ms":0,"event":"material","text":"kind = \\"medium\\"\\nid = \\"told\\"\\n"}\n'
   printf '{"t_ms":0,"event":"option","id":"pencil.material","value":"told"}\n'; cat in.ndjson; } >script.ndjson

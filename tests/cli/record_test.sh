@@ -25,6 +25,17 @@ FAKE_LIBHD_HAND=circles run 0 "$feltline" record --device openhaptics -o circle.
 [ "$(wc -l <circle.ndjson)" -ge 1 ] || fail "no ink of the hand's circles: $(cat err)"
 has err " strokes in circle.ndjson"
 
+# The drawing says what it was drawn on, and brings it along.
+mkdir -p home/.local/share
+unset XDG_DATA_HOME
+run 0 "$feltline" materials new my-paper --from rough-paper --save
+run 0 "$feltline" record --device openhaptics -o own.svg --set sheet.material=my-paper --seconds 0.5 --yes
+has own.svg 'felt:surface="my-paper"'
+has own.svg 'id = &quot;my-paper&quot;'
+run 0 "$feltline" record --device openhaptics -o own.felt --set sheet.material=my-paper --seconds 0.5 --yes
+run 0 "$feltline" convert own.felt -o back.svg
+has back.svg 'felt:surface="my-paper"'
+
 # Forces need a person who agrees.
 run 1 "$feltline" record --device openhaptics -o no.ndjson --forces-on --seconds 1 </dev/null
 has err "nobody agreed"

@@ -168,7 +168,7 @@ cat >far.ndjson <<'END'
 {"event":"hand","t_ms":1000,"x":-1e9,"y":1,"z":-3}
 END
 run 1 "$feltline" replay far.ndjson -o far.svg
-has err "stroke s1 of the sketch: "
+has err "far.svg: layer 1: stroke 1"
 [ ! -e far.svg ] || fail "a sketch that failed was written"
 
 # A recording in a drawing: the same drawing as without, to the last bit, and again when it is played.
@@ -183,6 +183,16 @@ cut -d, -f2- played.ndjson >played.shapes
 same played.shapes kept.shapes
 cut -d, -f2- plain.ndjson >plain.shapes
 same plain.shapes kept.shapes
+# ... on the same sheet, of the same page and colours, and so with the same grain.
+run 0 "$feltline" replay events.ndjson --recording -o sheet.felt --sheet rough-paper --medium charcoal --page A5
+run 0 "$feltline" replay sheet.felt --as-recorded -o again.felt
+for name in sheet again; do
+  run 0 "$feltline" convert $name.felt -o $name.svg
+  run 0 "$feltline" render $name.felt -o $name.png --dpi 50 --grain
+done
+has again.svg 'felt:surface="rough-paper"'
+same again.svg sheet.svg
+same again.png sheet.png
 run 1 "$feltline" replay played.felt --as-recorded -o x.ndjson
 has err "has no recording"
 run 2 "$feltline" replay events.ndjson --recording -o x.svg

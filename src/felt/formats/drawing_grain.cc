@@ -3,13 +3,12 @@
 #include <string>
 
 #include "felt/formats/own_materials.h"
-#include "felt/material/materials.h"
 #include "felt/material/relief.h"
 
 namespace felt {
 
-Result<Grain> grain_of(const StoredDrawing& drawing) {
-  const Materials known = with_texts(drawing.materials);
+Result<Grain> grain_of(const StoredDrawing& drawing, const Materials& here) {
+  const Materials known = with_texts(drawing.materials, here);
   const std::string& id = drawing.page.surface;
   const SurfaceMaterial* surface = id.empty() ? &known.surfaces().front() : known.find_surface(id);
   if (surface) return Grain(surface_grain(*surface), known);

@@ -1,5 +1,7 @@
 #include "felt/formats/drawing_writer.h"
 
+#include <utility>
+
 #include "felt/base/atomic_file.h"
 #include "felt/document/visible_strokes.h"
 #include "felt/formats/layered_drawing.h"
@@ -26,11 +28,16 @@ Result<std::string> png_bytes(const StoredDrawing& drawing, const WriteOptions& 
   return encode_png(*image, options.dpi);
 }
 
+void leave_out_page(LayeredSketch& sketch) {
+  if (sketch.page) sketch.surface = std::move(sketch.page->surface);
+  sketch.page.reset();
+}
+
 /// All layers, on a sheet of the colour that was asked for.
 LayeredSketch sheet_with(const StoredDrawing& drawing, const WriteOptions& options) {
   LayeredSketch sketch = layered_sketch(drawing);
   sketch.page->paper = options.paper.value_or(drawing.page.paper);
-  if (options.no_page) sketch.page.reset();
+  if (options.no_page) leave_out_page(sketch);
   return sketch;
 }
 
@@ -38,7 +45,7 @@ LayeredSketch sheet_with(const StoredDrawing& drawing, const WriteOptions& optio
 Result<std::string> svg_bytes(const StoredDrawing& drawing, const WriteOptions& options) {
   LayeredSketch sketch = sheet_with(drawing, options);
   const Rgba paper = options.paper.value_or(drawing.page.paper);
-  if (options.area) sketch.page.reset();
+  if (options.area) leave_out_page(sketch);
   return svg_text(sketch,
                   SvgOptions{.sheet = options.area, .paper = paper, .grain = options.grain_print});
 }

@@ -52,7 +52,7 @@ LayerState state_of(const SketchLayer& layer, std::size_t number) {
 }
 
 SheetPage sheet_of(const LayeredSketch& sketch) {
-  const SheetPage page = sketch.page.value_or(SheetPage{});
+  const SheetPage page = sketch.page.value_or(SheetPage{.surface = sketch.surface});
   const auto fits = [](double mm) { return mm >= SheetPage::kLeastMm && mm <= SheetPage::kMostMm; };
   const bool is_sheet = fits(page.width_mm) && fits(page.height_mm);
   SheetPage sheet = is_sheet ? page : SheetPage{.paper = page.paper, .surface = page.surface};

@@ -29,8 +29,7 @@ std::vector<std::string> texts_of_used(const Document& document, std::string_vie
   return texts;
 }
 
-Materials with_texts(std::span<const std::string> texts) {
-  Materials known = Materials::built_in();
+Materials with_texts(std::span<const std::string> texts, Materials known) {
   for (const std::string& text : texts) {
     if (Result<AnyMaterial> material = read_material(text)) put(known, *std::move(material));
   }

@@ -18,9 +18,9 @@ std::vector<std::string> texts_of_used(const Document& document, std::string_vie
                                        const Materials& known,
                                        std::span<const std::string> also = {});
 
-/// The built-in materials, and those that a drawing brings along. A text that says none is passed
-/// over.
-Materials with_texts(std::span<const std::string> texts);
+/// The known materials, those that a drawing brings along in their place where ids are the same:
+/// in it they are what it says. A text that says none is passed over.
+Materials with_texts(std::span<const std::string> texts, Materials known = Materials::built_in());
 
 /// Removes texts that say no material; `report` names each with the reason. For drawings that were
 /// read: nobody vouches for them.

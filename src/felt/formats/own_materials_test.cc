@@ -3,11 +3,14 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <utility>
+
 #include "felt/formats/drawing_grain.h"
 #include "felt/formats/drawing_reader.h"
 #include "felt/formats/drawing_writer.h"
 #include "felt/formats/layered_drawing.h"
 #include "felt/material/material_file.h"
+#include "felt/material/relief.h"
 #include "felt/stroke/random_stroke.h"
 
 namespace felt {
@@ -100,6 +103,39 @@ TEST(OwnMaterials, TheGrainIsThatOfTheSheet) {
   EXPECT_THAT(grain_of(drawing).error().message, HasSubstr("'my-paper' is not known"));
   drawing.materials = {write_material(my_paper())};
   EXPECT_FALSE(grain_of(drawing).value().is_smooth());
+}
+
+TEST(OwnMaterials, WhatIsKnownHereCountsWhereTheDrawingSaysNothing) {
+  Materials here = Materials::built_in();
+  here.put(my_paper());
+  here.put(my_pen("my-pen"));
+  StoredDrawing drawing = drawing_of("my-pen", "my-paper");
+  EXPECT_EQ(grain_of(drawing, here).value(), Grain(surface_grain(my_paper()), here));
+
+  SurfaceMaterial smooth = my_paper();
+  smooth.grain_um = 0.0;
+  Medium other = my_pen("my-pen");
+  other.look.opacity_heavy = 0.25;
+  drawing.materials = {write_material(smooth), write_material(other)};
+  const Materials known = with_texts(drawing.materials, here);
+  EXPECT_EQ(*known.find_medium("my-pen"), other);
+  EXPECT_TRUE(grain_of(drawing, here).value().is_smooth());
+}
+
+// A picture of a part of the sheet, or one whose size nobody chose, names what it is drawn on.
+TEST(OwnMaterials, TheSheetIsNamedWithoutAPage) {
+  const StoredDrawing drawing = drawing_of("pencil", "wood");
+  WriteOptions part;
+  part.area = Rect{0, 0, 50, 40};
+  for (const auto& [format, options] :
+       {std::pair{FileFormat::kSvg, part},
+        std::pair{FileFormat::kSvg, WriteOptions{.no_page = true}},
+        std::pair{FileFormat::kInkml, WriteOptions{.no_page = true}}}) {
+    const std::string bytes = drawing_bytes(drawing, format, options).value();
+    const OpenedDrawing opened = parse_drawing(bytes, "-").value();
+    EXPECT_FALSE(opened.has_page);
+    EXPECT_EQ(opened.drawing.page.surface, "wood");
+  }
 }
 
 }  // namespace

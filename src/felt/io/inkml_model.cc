@@ -214,10 +214,10 @@ std::optional<SheetPage> page_of_text(std::string_view text) {
 Result<void> append_sheet(std::string& out, const LayeredSketch& drawing) {
   if (drawing.page) {
     out += " felt:page=\"" + page_text(*drawing.page) + '"';
-    const std::string& surface = drawing.page->surface;
-    if (!surface.empty()) {
-      if (auto ok = append_name(out, "surface", surface); !ok) return ok;
-    }
+  }
+  const std::string& surface = drawing.page ? drawing.page->surface : drawing.surface;
+  if (!surface.empty()) {
+    if (auto ok = append_name(out, "surface", surface); !ok) return ok;
   }
   for (std::size_t i = 0; i < drawing.materials.size(); ++i) {
     out += " felt:material" + std::to_string(i + 1) + "=\"";
@@ -232,7 +232,7 @@ bool read_sheet(const pugi::xml_node& root, const std::string& prefix, LayeredSk
     return std::string_view(root.attribute((prefix + key).c_str()).value());
   };
   drawing.page = page_of_text(ours("page"));
-  if (drawing.page) drawing.page->surface = ours("surface");
+  (drawing.page ? drawing.page->surface : drawing.surface) = ours("surface");
   bool all = true;
   for (std::size_t i = 1; i <= limits::kMaxMaterialTexts; ++i) {
     const std::string_view text = ours("material" + std::to_string(i));

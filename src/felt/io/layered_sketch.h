@@ -27,6 +27,8 @@ struct LayeredSketch {
   /// Texts of the materials that it uses and that Feltline does not bring (is_material_text), as
   /// their own files have them; no format looks into them.
   std::vector<std::string> materials{};
+  /// SheetPage::surface where there is no page: what it is drawn on is known, not how large it is.
+  std::string surface{};
 
   friend bool operator==(const LayeredSketch&, const LayeredSketch&) = default;
 };

@@ -18,7 +18,9 @@ inline LayeredSketch random_layers(std::uint64_t seed) {
     drawing.page->width_mm = random.uniform(SheetPage::kLeastMm, SheetPage::kMostMm);
     drawing.page->height_mm = random.uniform(SheetPage::kLeastMm, SheetPage::kMostMm);
     drawing.page->paper.a = static_cast<std::uint8_t>(random.pick(0, 255));
-    if (random.chance(0.5)) drawing.page->surface = "my <\"paper\"> & co";
+  }
+  if (random.chance(0.5)) {
+    (drawing.page ? drawing.page->surface : drawing.surface) = "my <\"paper\"> & co";
   }
   for (int k = random.chance(0.5) ? random.pick(1, 3) : 0; k > 0; --k) {
     drawing.materials.push_back("id = \"m" + std::to_string(k) + "\"\r\n\t# <&> \xC3\xA9\n");

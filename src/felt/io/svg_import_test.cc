@@ -44,7 +44,9 @@ LayeredSketch random_drawing(std::uint64_t seed) {
     drawing.page = SheetPage{10.0 + static_cast<double>(random() % 100000) / 37.0,
                              10.0 + static_cast<double>(random() % 100000) / 37.0,
                              {byte(), byte(), byte(), byte()}};
-    if (random() % 2 == 0) drawing.page->surface = "B\xC3\xBCtten \"<&>\"";
+  }
+  if (random() % 2 == 0) {
+    (drawing.page ? drawing.page->surface : drawing.surface) = "B\xC3\xBCtten \"<&>\"";
   }
   for (std::uint64_t i = 3 * (random() % 2); i > 0; --i) {
     drawing.materials.push_back("id = \"m" + std::to_string(i) + "\"\n# <&>\t\r\n");

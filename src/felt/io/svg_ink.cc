@@ -92,7 +92,8 @@ void SvgInk::root(const SvgRoot& root) {
   }
   if (root.is_ours && has_page_attribute_) {
     imported_.drawing.page = written_page(root.page);
-    if (imported_.drawing.page) imported_.drawing.page->surface = root.surface;
+    std::optional<SheetPage>& page = imported_.drawing.page;
+    (page ? page->surface : imported_.drawing.surface) = root.surface;
     return;
   }
   if (!root.begins_at_zero || !root.width_mm || !root.height_mm) return;

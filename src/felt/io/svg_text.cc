@@ -325,8 +325,9 @@ Result<std::string> svg_model_text(const LayeredSketch& drawing) {
     out += "\" ";
     return ok ? ok : tl::unexpected(with_context(ok.error(), "the drawing's " + name));
   };
-  if (drawing.page && !drawing.page->surface.empty()) {
-    if (auto ok = attribute("surface", drawing.page->surface); !ok) {
+  const std::string& surface = drawing.page ? drawing.page->surface : drawing.surface;
+  if (!surface.empty()) {
+    if (auto ok = attribute("surface", surface); !ok) {
       return tl::unexpected(ok.error());
     }
   }
