@@ -31,13 +31,13 @@ Result<std::optional<Rect>> shown_area(OpenedDrawing& opened, Format format,
     const bool whole_ink = is_picture && (picture.fit || !opened.has_page);
     return whole_ink ? std::optional(ink_area(opened.drawing.document, format)) : std::nullopt;
   }
-  if (Result<SheetPage> page = sheet_page(*picture.sheet, opened.drawing.page.paper)) {
+  Result<SheetPage> page = sheet_page(*picture.sheet, opened.drawing.page.paper);
+  if (page) {
     page->surface = opened.drawing.page.surface;
     opened.drawing.page = *page;
     return std::nullopt;
-  } else if (!is_picture) {
-    return tl::unexpected(page.error());
   }
+  if (!is_picture) return tl::unexpected(page.error());
   return picture.sheet;  // a picture may be of any size
 }
 

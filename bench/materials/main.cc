@@ -28,6 +28,10 @@ bool draw(const std::string& path, std::span<const std::string_view> media) {
 int main(int argc, char** argv) {
   constexpr std::string_view kDry[] = {"pencil-hard", "pencil", "pencil-soft", "charcoal", "chalk"};
   constexpr std::string_view kWet[] = {"crayon", "felt-tip", "ink-pen", "brush-pen"};
+  if (argc > 3 || (argc > 1 && argv[1][0] == '-')) {
+    std::fputs("usage: bench_materials [FILE [PICTURE]]\n", stderr);
+    return 2;
+  }
   const std::string path = argc > 1 ? argv[1] : "docs/materials.md";
   const std::string picture = argc > 2 ? argv[2] : "docs/images/surfaces.png";
   if (!picture.empty()) {
