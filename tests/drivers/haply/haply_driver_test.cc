@@ -234,6 +234,25 @@ TEST(HaplyDriver, ForcesDoNotPileUpBeforeAServiceThatStandsStill) {
   }
 }
 
+// Looking for home forgets what is owed; the force that waits there is not forgotten.
+TEST(HaplyDriver, AfterLookingForHomeBeforeAServiceThatStandsStillNoForceGoesUnasked) {
+  Table table({}, {{InjectedFault::kNoAnswer, 50 * kMs, 250 * kMs}});
+  ASSERT_TRUE(table.open());
+  for (std::int64_t t = 0; t < 60 * kMs; t += kMs) {
+    table.service.tick(t);
+    (void)table.device->read(t);
+    (void)table.device->write({3, 0, 0});
+  }
+  (void)table.device->find_home();
+  (void)table.device->write({3, 0, 0});  // without a read(), which would ask
+  for (std::int64_t t = 60 * kMs; t < 300 * kMs; t += kMs) {
+    table.service.tick(t);
+    (void)table.device->read(t);
+    (void)table.device->write({});
+  }
+  EXPECT_LE(table.service.largest_asked_n(), 3.0 + 1e-9);
+}
+
 // It stands still again and again, for some ticks at a time.
 TEST(HaplyDriver, ForcesDoNotPileUpBeforeAServiceThatStutters) {
   for (std::uint32_t seed = 1; seed <= 300; ++seed) {

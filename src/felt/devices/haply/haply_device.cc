@@ -96,10 +96,17 @@ void HaplyDevice::send_nothing() noexcept {
   if (settles_) {
     if (missed_ < kSettleTicks) return;
     settles_ = false;
-    unanswered_ = 0;  // the next read() asks, and only after its answer a force goes
+    ask_anew();
   } else if (unanswered_ < kMostUnanswered || missed_ % kMostUnanswered == 0) {
     send({});
   }
+}
+
+// What is unanswered is forgotten, though a force may lie among it before a service that stands
+// still, and would be added to the next: none goes before something is answered.
+void HaplyDevice::ask_anew() noexcept {
+  unanswered_ = 0;
+  has_answered_ = false;
 }
 
 bool HaplyDevice::send(const Force& force) noexcept {
@@ -122,6 +129,7 @@ HaplyDevice::Heard HaplyDevice::hear(std::int64_t within_ns) noexcept {
     return message.error() == SocketFault::kTimedOut ? Heard::kNothing : Heard::kClosed;
   }
   if (unanswered_ > 0) --unanswered_;
+  has_answered_ = true;
   settles_ = unanswered_ > 0;
   return read_state(*message, inventory_.id, grip_id_, state_) ? Heard::kState : Heard::kBad;
 }
@@ -265,7 +273,7 @@ tl::expected<void, DeviceFault> HaplyDevice::write(const Force& force) noexcept 
   const ForceGate::Passed passed = gate_.pass(force, now_ns_);
   const bool is_off = brake_is_on_ || force_stopped_.has_value();
   if (is_off) gate_.let_go();
-  if (unanswered_ > 0) {
+  if (unanswered_ > 0 || !has_answered_) {
     send_nothing();
   } else {
     send(is_off ? Force{} : passed.force);
@@ -300,7 +308,7 @@ Result<void> HaplyDevice::find_home() {
     if (unanswered_ == 0) send({});
     const Heard heard = hear_all(kHomingWaitNs);
     if (heard == Heard::kClosed) gone("The connection was closed.");
-    if (heard == Heard::kNothing) unanswered_ = 0;  // asked anew, without a force
+    if (heard == Heard::kNothing) ask_anew();
     if (is_gone_) break;
     if (state_.calibrated.value_or(is_calibrated_)) {
       is_calibrated_ = true;

@@ -79,6 +79,7 @@ class HaplyDevice final : public DriverDevice {
 
   bool send(const Force& force) noexcept;
   void send_nothing() noexcept;  ///< instead of a force, to a service that is behind
+  void ask_anew() noexcept;
   Heard hear(std::int64_t within_ns) noexcept;
   Heard hear_all(std::int64_t within_ns) noexcept;
   void hear_events() noexcept;
@@ -104,9 +105,10 @@ class HaplyDevice final : public DriverDevice {
   std::optional<Vec3> axis_;  // of the grip, as of sample_
   bool has_sample_ = false;
   bool is_calibrated_;
-  int unanswered_ = 0;    // messages that no state came for; the oldest may bear a force
-  bool settles_ = false;  // a state has come, others are still owed: these bear no force
-  int missed_ = 0;        // ticks without a state
+  int unanswered_ = 0;        // messages that no state came for; the oldest may bear a force
+  bool settles_ = false;      // a state has come, others are still owed: these bear no force
+  bool has_answered_ = true;  // since ask_anew()
+  int missed_ = 0;            // ticks without a state
   bool is_gone_ = false;
   bool brake_is_on_ = false;
   bool events_are_over_ = false;
