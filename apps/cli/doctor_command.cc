@@ -64,6 +64,14 @@ bool is_agreed(const PlannedFix& fix, bool agreed_to_all, Console& console) {
   return false;
 }
 
+void say_that_nothing_is_missing() {
+  fmt::print("There is nothing that Feltline could write to mend anything.\n");
+  if (geteuid() != 0) return;
+  fmt::print(
+      "Root may do all of it already: run this as the person who draws. It asks for root by itself "
+      "where it needs it.\n");
+}
+
 void fix(const DoctorReport& report, const DoctorArguments& args, Console& console) {
   const Result<std::vector<PlannedFix>> plan = plan_fixes(report, this_system(), args.prefix);
   if (!plan) return console.error(plan.error().message);
@@ -71,15 +79,7 @@ void fix(const DoctorReport& report, const DoctorArguments& args, Console& conso
     return fix.state == PlannedFix::State::kSame;
   });
   fmt::print("{}", plan_text(*plan));
-  if (is_done) {
-    fmt::print("There is nothing that Feltline could write to mend anything.\n");
-    if (geteuid() == 0) {
-      fmt::print(
-          "Root may do all of it already: run this as the person who draws. It asks for "
-          "root by itself where it needs it.\n");
-    }
-    return;
-  }
+  if (is_done) return say_that_nothing_is_missing();
   if (args.dry_run) {
     fmt::print("Nothing was written (--dry-run).\n");
     return;

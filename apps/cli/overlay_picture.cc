@@ -43,8 +43,8 @@ std::string ascii(const std::string& text) {
   std::string plain;
   for (std::size_t i = 0; i < text.size(); ++i) {
     const std::string_view rest = std::string_view(text).substr(i);
-    const auto spelled = std::find_if(kSpelled.begin(), kSpelled.end(),
-                                      [&](const auto& s) { return rest.starts_with(s.first); });
+    const auto* const spelled = std::find_if(
+        kSpelled.begin(), kSpelled.end(), [&](const auto& s) { return rest.starts_with(s.first); });
     if (spelled != kSpelled.end()) {
       plain += spelled->second;
       i += spelled->first.size() - 1;

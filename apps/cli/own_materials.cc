@@ -13,12 +13,12 @@ MaterialLibrary own_materials() {
 }
 
 const MaterialLibrary& known_materials(Console& console) {
-  static const MaterialLibrary library = [&console] {
+  static const MaterialLibrary kLibrary = [&console] {
     MaterialLibrary read = own_materials();
     for (const std::string& problem : read.problems) console.notice(problem);
     return read;
   }();
-  return library;
+  return kLibrary;
 }
 
 Result<SurfaceMaterial> find_sheet(const std::string& text, const Materials& known) {
@@ -26,7 +26,7 @@ Result<SurfaceMaterial> find_sheet(const std::string& text, const Materials& kno
   if (text.ends_with(".toml")) {
     Result<AnyMaterial> material = read_material_file(text, load_height_picture);
     if (!material) return tl::unexpected(material.error());
-    if (auto* sheet = std::get_if<SurfaceMaterial>(&*material)) return *std::move(sheet);
+    if (auto* sheet = std::get_if<SurfaceMaterial>(&*material)) return std::move(*sheet);
     return fail(ErrorCode::kInvalidArgument, text + " is a medium, not a sheet");
   }
   std::string names;

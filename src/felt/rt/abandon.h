@@ -15,8 +15,8 @@ namespace felt {
 template <class... Owned>
 void abandon(Owned&&... owned) {
   // Reachable and never freed: a tool that looks for leaks has nothing to say.
-  static auto* const kept = new std::vector<void*>();
-  kept->push_back(new std::tuple<std::decay_t<Owned>...>(std::forward<Owned>(owned)...));
+  static auto* const kKept = new std::vector<void*>();
+  kKept->push_back(new std::tuple<std::decay_t<Owned>...>(std::forward<Owned>(owned)...));
 }
 
 }  // namespace felt
