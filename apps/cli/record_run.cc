@@ -124,7 +124,7 @@ Result<void> RecordRun::draw() {
   }
   end_loop();
   console_.end_progress();
-  const Result<void> finished = session_.finish();
+  Result<void> finished = session_.finish();
   if (!done) return done;
   if (!finished || !hangs_) return finished;
   return fail(ErrorCode::kIo, device_.found.label +
@@ -247,24 +247,31 @@ Result<void> RecordRun::reconnect(const std::string& why) {
       refusal.reset();  // plugged in anew it is tried anew
       continue;
     }
-    // What a person said no to waits for them; a port that is not free yet is tried by itself.
-    const bool needs_person = refusal && refusal->code == ErrorCode::kUnsupported;
-    if (needs_person && !is_enter_pressed()) continue;
     last_ns_ = lost_ns + std::chrono::nanoseconds(Clock::now() - lost).count();
-    const Result<void> begun = begin();
-    if (begun) {
-      console_.notice(std::string("The device is back.") +
-                      (had_forces ? " Its forces are off: Enter allows them again." : ""));
-      return {};
-    }
-    const bool is_new = !refusal || refusal->message != begun.error().message;
-    refusal = begun.error();
-    if (!is_new && !needs_person) continue;
-    console_.notice(refusal->message + (refusal->code == ErrorCode::kUnsupported
+    if (!tries_again(refusal)) continue;
+    console_.notice(std::string("The device is back.") +
+                    (had_forces ? " Its forces are off: Enter allows them again." : ""));
+    return {};
+  }
+  return {};
+}
+
+/// Begins anew; false: not now, for this reason, which is told once. What a person said no to waits
+/// for them; a port that is not free yet is tried by itself.
+bool RecordRun::tries_again(std::optional<Error>& refusal) {
+  const auto waits = [](const Error& error) { return error.code == ErrorCode::kUnsupported; };
+  const bool has_waited = refusal && waits(*refusal);
+  if (has_waited && !is_enter_pressed()) return false;
+  const Result<void> begun = begin();
+  if (begun) return true;
+  const bool is_told = refusal && !has_waited && refusal->message == begun.error().message;
+  refusal = begun.error();
+  if (!is_told) {
+    console_.notice(refusal->message + (waits(*refusal)
                                             ? ". Enter, or the device plugged in anew, tries again."
                                             : ". It is tried again."));
   }
-  return {};
+  return false;
 }
 
 bool RecordRun::is_back() const {

@@ -60,6 +60,7 @@ class RecordRun {
   void end_loop();
   Result<void> pause();
   Result<void> reconnect(const std::string& why);
+  bool tries_again(std::optional<Error>& refusal);
   [[nodiscard]] bool is_back() const;
   [[nodiscard]] bool is_enter_pressed() const;
   [[nodiscard]] std::int64_t elapsed_ns() const;
