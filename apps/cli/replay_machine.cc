@@ -59,10 +59,11 @@ Result<Sketch> read_lines(const Input& input) {
     for (std::size_t i = 0; i < batch.size(); ++i) {
       const NdjsonLine line = batch.line(i);
       Result<std::optional<SketchStroke>> stroke = strokes.read(line);
-      if (stroke && *stroke) sketch.push_back(**std::move(stroke));
-      if (stroke) continue;
-      return fail(stroke.error().code,
-                  fmt::format("{}:{}: {}", input.name(), line.number(), stroke.error().message));
+      if (!stroke) {
+        return fail(stroke.error().code,
+                    fmt::format("{}:{}: {}", input.name(), line.number(), stroke.error().message));
+      }
+      if (*stroke) sketch.push_back(**std::move(stroke));
     }
   }
 }

@@ -17,8 +17,6 @@
 
 #include "felt/base/atomic_file.h"
 
-extern char** environ;
-
 namespace felt::cli {
 namespace {
 
@@ -37,19 +35,22 @@ bool is_allowed(std::string_view path) {
   return false;
 }
 
+/// A file that several devices need a line in is written once.
+void add_fix(std::vector<SystemFix>& fixes, const SystemFix& fix) {
+  const auto same = std::find_if(fixes.begin(), fixes.end(),
+                                 [&fix](const SystemFix& other) { return other.path == fix.path; });
+  if (same == fixes.end()) {
+    fixes.push_back(fix);
+  } else if (same->content.find(fix.content) == std::string::npos) {
+    same->content += fix.content;
+  }
+}
+
 std::vector<SystemFix> fixes_of(const DoctorReport& report) {
   std::vector<SystemFix> fixes;
   const auto gather = [&fixes](const std::vector<Finding>& findings) {
     for (const Finding& finding : findings) {
-      if (!finding.fix) continue;
-      const auto same = std::find_if(fixes.begin(), fixes.end(), [&](const SystemFix& fix) {
-        return fix.path == finding.fix->path;
-      });
-      if (same == fixes.end()) {
-        fixes.push_back(*finding.fix);
-      } else if (same->content.find(finding.fix->content) == std::string::npos) {
-        same->content += finding.fix->content;
-      }
+      if (finding.fix) add_fix(fixes, *finding.fix);
     }
   };
   for (const DriverLook& look : report.drivers) gather(look.findings);
@@ -81,6 +82,7 @@ std::string shown(const std::vector<std::string>& command) {
 Result<void> run(const std::vector<std::string>& command) {
   fmt::print(stderr, "  {}\n", shown(command));
   std::vector<char*> words;
+  words.reserve(command.size() + 1);
   for (const std::string& word : command) words.push_back(const_cast<char*>(word.c_str()));
   words.push_back(nullptr);
   pid_t pid = -1;
