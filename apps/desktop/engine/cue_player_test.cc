@@ -88,7 +88,7 @@ class TapeDriver final : public Driver {
 };
 
 class CuePlayerTest : public testing::Test {
- protected:
+ public:
   CuePlayerTest() : studio_(options()) {
     Settings::the().reset(QString::fromLatin1(kCueDeviceKey));
     number_ = add_cue_driver(std::make_shared<TapeDriver>(tape_));
@@ -98,6 +98,8 @@ class CuePlayerTest : public testing::Test {
     remove_cue_driver(number_);
     Settings::the().reset(QString::fromLatin1(kCueDeviceKey));
   }
+
+ protected:
   static StudioOptions options() {
     StudioOptions options;
     options.live = false;

@@ -54,7 +54,7 @@ struct DriverWatch::Looking {
   std::vector<std::shared_ptr<Slot>> slots;
   std::atomic<std::size_t> at{0};  // the one that is asked
   std::mutex mutex;
-  DriverWatch* watch;  // null: nobody waits for it any more
+  DriverWatch* watch = nullptr;  // null: nobody waits for it any more
 
   /// Asks all that answer, one after the other.
   template <class Ask>
@@ -222,6 +222,7 @@ void DriverWatch::take(std::vector<DeviceDescriptor> found) {
   }
   const auto ids = [](const std::vector<PenDeviceInfo>& list) {
     std::vector<std::pair<QString, bool>> all;
+    all.reserve(list.size());
     for (const PenDeviceInfo& info : list) all.emplace_back(info.id, info.is_connected);
     return all;
   };
