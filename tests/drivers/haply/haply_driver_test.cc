@@ -253,6 +253,19 @@ TEST(HaplyDriver, AfterLookingForHomeBeforeAServiceThatStandsStillNoForceGoesUna
   EXPECT_LE(table.service.largest_asked_n(), 3.0 + 1e-9);
 }
 
+// Given up, it goes on after all, with the force that waited there: stop() lets go of it.
+TEST(HaplyDriver, AServiceThatWasGivenUpIsToldToLetGoWhenItGoesOn) {
+  const std::int64_t stands_ms = HaplyDevice::kMostSilentTicks + 100;
+  Table table({.watchdog_ns = 10'000 * kMs},
+              {{InjectedFault::kNoAnswer, 50 * kMs, (50 + stands_ms) * kMs}});
+  ASSERT_TRUE(table.open().has_value());
+  for (std::int64_t i = 0; i < 50 + stands_ms; ++i) table.tick({3, 0, 0});
+  ASSERT_EQ(table.tick().read.error(), DeviceFault::kDisconnected);
+  table.tick();
+  table.device->stop();
+  EXPECT_EQ(table.world.held_force(), Force{});
+}
+
 // It stands still again and again, for some ticks at a time.
 TEST(HaplyDriver, ForcesDoNotPileUpBeforeAServiceThatStutters) {
   for (std::uint32_t seed = 1; seed <= 300; ++seed) {

@@ -81,10 +81,15 @@ tl::unexpected<DeviceFault> HaplyDevice::gone(std::string_view words) noexcept {
     is_gone_ = true;
     gone_words_ = ShortText(words);
     gate_.let_go();
-    // Whatever is left of the connection is told once more to let go.
-    static_cast<void>(control_->send(write_command(inventory_.id, key_, {}, command_.data()), 0));
+    tell_to_let_go();
   }
   return failed(DeviceFault::kDisconnected, gone_words_);
+}
+
+// Whatever is left of the connection is told: a service that stood still and was given up may go on
+// after all, with a force that waited there.
+void HaplyDevice::tell_to_let_go() noexcept {
+  static_cast<void>(control_->send(write_command(inventory_.id, key_, {}, command_.data()), 0));
 }
 
 // The service is behind. It is asked for a state all the same, since answers may have been lost:
@@ -290,7 +295,11 @@ tl::expected<void, DeviceFault> HaplyDevice::write(const Force& force) noexcept 
 
 void HaplyDevice::stop() noexcept {
   gate_.let_go();
-  if (!is_gone_) send({});
+  if (is_gone_) {
+    tell_to_let_go();
+  } else {
+    send({});
+  }
 }
 
 Homing HaplyDevice::homing() noexcept {

@@ -80,6 +80,7 @@ class HaplyDevice final : public DriverDevice {
   bool send(const Force& force) noexcept;
   void send_nothing() noexcept;  ///< instead of a force, to a service that is behind
   void ask_anew() noexcept;
+  void tell_to_let_go() noexcept;
   Heard hear(std::int64_t within_ns) noexcept;
   Heard hear_all(std::int64_t within_ns) noexcept;
   void hear_events() noexcept;
