@@ -413,7 +413,7 @@ TEST(DevicePage, APersonsLimitsHoldForADeviceWithoutAPlane) {
   ASSERT_TRUE(page.choose(driver.info.id));
   auto* settings = page.findChild<DeviceSettings*>();
   ASSERT_TRUE(settings->isVisible());
-  QDoubleSpinBox* limit = settings->findChild<QDoubleSpinBox*>();
+  auto* limit = settings->findChild<QDoubleSpinBox*>();
   EXPECT_TRUE(limit->isVisible());
   EXPECT_EQ(limit->value(), 0.7);
   EXPECT_FALSE(settings->findChild<QComboBox*>()->isVisible()) << "a hand is of a plane";

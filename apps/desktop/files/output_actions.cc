@@ -29,7 +29,7 @@ constexpr double kPrintToleranceMm = 0.005;
 constexpr double kPrintGrainDpi = 300.0;
 
 QColor color_of(Rgba c) {
-  return QColor(c.r, c.g, c.b, c.a);
+  return {c.r, c.g, c.b, c.a};
 }
 
 QPainterPath path_of(const Stroke& stroke) {
@@ -154,15 +154,17 @@ void OutputActions::ask_export() {
 void OutputActions::export_to(const QString& path, const ExportOptions& options) {
   files_.worker().start([this, path, options, drawing = files_.drawing()]() -> FileWorker::Answer {
     const Result<void> done = export_drawing(path, drawing, options);
-    return [this, path, done] {
-      if (!done) {
-        files_.dialogs().show_error(window_,
-                                    tr("“%1” was not exported").arg(QFileInfo(path).fileName()),
-                                    QString::fromStdString(done.error().message));
-      }
-      Q_EMIT exported(path, done.has_value());
-    };
+    return [this, path, done] { tell_exported(path, done); };
   });
+}
+
+void OutputActions::tell_exported(const QString& path, const Result<void>& done) {
+  if (!done) {
+    files_.dialogs().show_error(window_,
+                                tr("“%1” was not exported").arg(QFileInfo(path).fileName()),
+                                QString::fromStdString(done.error().message));
+  }
+  Q_EMIT exported(path, done.has_value());
 }
 
 void OutputActions::ask_page() {
