@@ -13,8 +13,6 @@ constexpr const char* kToolTexts[] = {
         "A line drawn round what is to be selected, or a rectangle from corner to corner."),
     QT_TRANSLATE_NOOP("tools", "A line farther from the pen than this is not taken hold of."),
     QT_TRANSLATE_NOOP("tools",
-                      "A line goes where the eraser covers its ink, instead of its middle."),
-    QT_TRANSLATE_NOOP("tools",
                       "A short touch selects the whole nearest line within this distance."),
     QT_TRANSLATE_NOOP("tools",
                       "Above 1 a light hand stays pale for longer, below 1 it darkens sooner."),
@@ -28,7 +26,6 @@ constexpr const char* kToolTexts[] = {
     QT_TRANSLATE_NOOP("tools", "Attraction"),
     QT_TRANSLATE_NOOP("tools", "Blackboard"),
     QT_TRANSLATE_NOOP("tools", "Brightness of the sound"),
-    QT_TRANSLATE_NOOP("tools", "Broad lines sooner"),
     QT_TRANSLATE_NOOP("tools", "Broadest line"),
     QT_TRANSLATE_NOOP("tools",
                       "Brush: thicker or thinner under the pen. Retrace: drawing along a line "
@@ -64,6 +61,9 @@ constexpr const char* kToolTexts[] = {
                       "Ends and corners go along, instead of staying unless taken hold of; the "
                       "first modifier turns this round for one gesture."),
     QT_TRANSLATE_NOOP("tools", "Eraser"),
+    QT_TRANSLATE_NOOP("tools",
+                      "Erases the ink that the ring covers. Off: cuts a line where the ring covers "
+                      "its middle, whatever its width."),
     QT_TRANSLATE_NOOP("tools",
                       "Erases what it covers, lines up to their next crossings, or whole lines."),
     QT_TRANSLATE_NOOP("tools", "False for what rubs out: it is no choice for drawing."),
@@ -275,6 +275,7 @@ constexpr const char* kToolTexts[] = {
                       "Width of a line at full pressure; at least that of the thinnest line."),
     QT_TRANSLATE_NOOP("tools", "Width of a line without pressure."),
     QT_TRANSLATE_NOOP("tools", "Width of a retraced line without pressure."),
+    QT_TRANSLATE_NOOP("tools", "Width of ink counts"),
     QT_TRANSLATE_NOOP("tools", "Width of the grain"),
     QT_TRANSLATE_NOOP(
         "tools", "With nothing selected, a touch takes the nearest line within this distance."),

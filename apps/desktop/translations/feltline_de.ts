@@ -4428,8 +4428,8 @@ Doppelklick benennt um, Ziehen verschiebt</translation>
         <translation>Eine Linie, die weiter weg vom Stift ist, wird nicht gefasst.</translation>
     </message>
     <message>
-        <source>A line goes where the eraser covers its ink, instead of its middle.</source>
-        <translation>Eine Linie verschwindet, wo ihre Tinte bedeckt ist, nicht erst ihre Mitte.</translation>
+        <source>Erases the ink that the ring covers. Off: cuts a line where the ring covers its middle, whatever its width.</source>
+        <translation>Radiert die Tinte, die der Ring bedeckt. Aus: trennt eine Linie dort, wo der Ring ihre Mitte bedeckt, wie breit sie auch ist.</translation>
     </message>
     <message>
         <source>A short touch selects the whole nearest line within this distance.</source>
@@ -4456,8 +4456,8 @@ Doppelklick benennt um, Ziehen verschiebt</translation>
         <translation>Tafel</translation>
     </message>
     <message>
-        <source>Broad lines sooner</source>
-        <translation>Breite Linien eher</translation>
+        <source>Width of ink counts</source>
+        <translation>Breite der Tinte zählt</translation>
     </message>
     <message>
         <source>Broadest line</source>

@@ -4428,8 +4428,8 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen</translation>
         <translation>Een lijn die verder van de pen ligt, wordt niet gepakt.</translation>
     </message>
     <message>
-        <source>A line goes where the eraser covers its ink, instead of its middle.</source>
-        <translation>Een lijn verdwijnt waar haar inkt bedekt is, in plaats van haar midden.</translation>
+        <source>Erases the ink that the ring covers. Off: cuts a line where the ring covers its middle, whatever its width.</source>
+        <translation>Gumt de inkt die de ring bedekt. Uit: knipt een lijn waar de ring haar midden bedekt, hoe breed ze ook is.</translation>
     </message>
     <message>
         <source>A short touch selects the whole nearest line within this distance.</source>
@@ -4456,8 +4456,8 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen</translation>
         <translation>Schoolbord</translation>
     </message>
     <message>
-        <source>Broad lines sooner</source>
-        <translation>Brede lijnen eerder</translation>
+        <source>Width of ink counts</source>
+        <translation>Breedte van de inkt telt</translation>
     </message>
     <message>
         <source>Broadest line</source>

@@ -72,6 +72,9 @@ std::int64_t StrokeIndex::line_of(double mm) const noexcept {
 }
 
 void StrokeIndex::add(StrokeId id, const Stroke& stroke) {
+  for (const WidthKnot& k : stroke.widths()) {
+    widest_half_mm_ = std::max(widest_half_mm_, 0.5 * k.width_mm);
+  }
   if (stroke.closed()) return;
   for (StrokeTip tip : kTips) {
     const Point p = tip_point(stroke, tip);

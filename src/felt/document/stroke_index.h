@@ -74,6 +74,9 @@ class StrokeIndex {
   [[nodiscard]] std::optional<TipHit> nearest_tip(const Document& document, Point place,
                                                   double radius_mm,
                                                   std::span<const TipId> except = {}) const;
+  /// Half of the largest width of any stroke that was ever indexed: how far ink reaches beyond the
+  /// boxes of for_each_segment_in(), at most.
+  [[nodiscard]] double widest_half_mm() const noexcept { return widest_half_mm_; }
   /// Number of ends known.
   [[nodiscard]] std::size_t tip_count() const noexcept { return tips_; }
 
@@ -100,6 +103,7 @@ class StrokeIndex {
   double cell_mm_;
   std::map<Cell, std::vector<Entry>> cells_;
   std::size_t tips_ = 0;
+  double widest_half_mm_ = 0.0;
 };
 
 }  // namespace felt

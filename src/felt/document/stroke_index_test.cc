@@ -79,6 +79,24 @@ TEST(StrokeIndex, FindsTheNearestTipAfterAnyEdits) {
   EXPECT_GT(hits, 5000);
 }
 
+TEST(StrokeIndex, KnowsHowFarInkReachesBeyondItsLines) {
+  Document d;
+  StrokeIndex index(d);
+  EXPECT_EQ(index.widest_half_mm(), 0.0);
+  for (const double width : {1.0, 60.0, 3.0}) {
+    const Edit edit{
+        "Add",
+        {{d.new_id(),
+          nullptr,
+          std::make_shared<const Stroke>(testing::straight_stroke({0, 0}, {9, 0}, 0.5, width)),
+          {},
+          {LayerId{1}, 0}}}};
+    ASSERT_TRUE(d.apply(edit));
+    index.update(edit, d);
+  }
+  EXPECT_EQ(index.widest_half_mm(), 30.0);
+}
+
 TEST(StrokeIndex, HiddenLayersAndClosedStrokesDoNotAttract) {
   Document d;
   EditBuilder edit(d);

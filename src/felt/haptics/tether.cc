@@ -56,6 +56,18 @@ Tether Tether::scale(Point centre, Point grab, double sum_of_radii_mm) noexcept 
   return tether;
 }
 
+Tether Tether::constrained() const noexcept {
+  Tether tether = *this;
+  tether.constrained_ = true;
+  return tether;
+}
+
+Tether Tether::with_least_scale(double factor) const noexcept {
+  Tether tether = *this;
+  tether.least_scale_ = factor;
+  return tether;
+}
+
 Tether Tether::with_law(const ForceLaw& law) const noexcept {
   Tether tether = *this;
   tether.law_ = law;
@@ -67,9 +79,38 @@ double Tether::size_n(double sum_mm, double way_mm) const noexcept {
 }
 
 Vec Tether::translation_pull(Point pen) const noexcept {
-  const Vec moved = pen - grab_;
+  Vec moved = pen - grab_;
+  double limit_n = law_.gain * law_.most_n;
+  if (constrained_) {
+    const double x = std::abs(moved.x), y = std::abs(moved.y);
+    (x >= y ? moved.y : moved.x) = 0.0;
+    const double from_diagonal = std::abs(x - y) / std::sqrt(2.0);
+    limit_n = std::min(limit_n, 1e-3 * law_.gain * law_.cap_n_per_m * from_diagonal);
+  }
   const double way = norm(moved);
-  return way < kNoArmMm ? Vec{} : -size_n(sum_ * way, way) / way * moved;
+  if (way < kNoArmMm) return {};
+  return -std::min(limit_n, size_n(sum_ * way, way)) / way * moved;
+}
+
+double Tether::turn_size_n(double turn_rad, double radius_mm) const noexcept {
+  // Inside the fading circle the way is that on its rim. th/sqrt(1 + th^2) instead of th: the force
+  // turns with the arm by F/r as the pen goes, which is a slope as well; so both together keep to
+  // Kcap, since (1 + th^2)^-3 + th^2/(1 + th^2) <= 1.
+  const double way =
+      std::max(radius_mm, kCentreMm) * turn_rad / std::sqrt(1.0 + turn_rad * turn_rad);
+  return centre_fade(radius_mm) * size_n(sum_ * turn_rad, way);
+}
+
+double Tether::stepped_size_n(double turn_rad, double radius_mm) const noexcept {
+  const double step = std::round(turn_rad / kTurnStepRad);
+  if (step < 1.0) return 0.0;
+  const double here = turn_size_n(step * kTurnStepRad, radius_mm);
+  const double last = turn_size_n((step - 1.0) * kTurnStepRad, radius_mm);
+  // Steeper by no more than what the turning of the force leaves of Kcap, as above.
+  const double slope = 1e-3 * law_.gain * law_.cap_n_per_m * centre_fade(radius_mm) /
+                       std::sqrt(1.0 + turn_rad * turn_rad);
+  const double since_mm = std::max(radius_mm, kCentreMm) * (turn_rad - (step - 0.5) * kTurnStepRad);
+  return std::min(here, last + slope * since_mm);
 }
 
 Vec Tether::rotation_pull(Point pen, ForceMemory& memory) const noexcept {
@@ -83,11 +124,7 @@ Vec Tether::rotation_pull(Point pen, ForceMemory& memory) const noexcept {
   memory.turn_rad = unwrapped_turn_rad(grab_ - centre_, arm, memory.turn_rad);
   if (radius < kNoArmMm) return {};
   const double turn = std::abs(memory.turn_rad);
-  // Inside the fading circle the way is that on its rim. th/sqrt(1 + th^2) instead of th: the force
-  // turns with the arm by F/r as the pen goes, which is a slope as well; so both together keep to
-  // Kcap, since (1 + th^2)^-3 + th^2/(1 + th^2) <= 1.
-  const double way = std::max(radius, kCentreMm) * turn / std::sqrt(1.0 + turn * turn);
-  const double size = centre_fade(radius) * size_n(sum_ * turn, way);
+  const double size = constrained_ ? stepped_size_n(turn, radius) : turn_size_n(turn, radius);
   return (memory.turn_rad > 0.0 ? -size : size) / radius * perp(arm);
 }
 
@@ -95,7 +132,7 @@ Vec Tether::scale_pull(Point pen) const noexcept {
   const Vec arm = pen - centre_;
   const double radius = norm(arm);
   if (radius < kNoArmMm) return {};
-  const double s = scale_factor(grab_ - centre_, arm);
+  const double s = std::max(least_scale_, scale_factor(grab_ - centre_, arm));
   const double way = norm(grab_ - centre_) * (1.0 - std::min(s, 1.0 / s));
   const double size = centre_fade(radius) * size_n(sum_ * std::abs(std::log(s)), way);
   return (s > 1.0 ? -size : size) / radius * arm;

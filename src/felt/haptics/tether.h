@@ -25,6 +25,11 @@ namespace felt {
 /// r |th|/sqrt(1 + th^2), th counted on beyond full turns; r0 (1 - min(s, 1/s)), the same for s and
 /// 1/s (R37). Within 5 mm of the centre turning and scaling have no direction to speak of, and F
 /// fades with r/5 mm. s is kept to 0.05..20. Damping Bed while it acts.
+///
+/// A constrained tether holds only what really moves (constrained()): a translation along the axis
+/// of the larger component, a rotation by whole steps of kTurnStepRad. Where the axis or the step
+/// changes the force starts from what it was, by Kcap times the distance from there: no jump, and
+/// nothing that pushes before something has moved.
 class Tether {
  public:
   /// No anchors: no force.
@@ -38,6 +43,10 @@ class Tether {
   Force operator()(const PenSample& sample, ForceMemory& memory) const noexcept;
   [[nodiscard]] Slopes slopes() const noexcept;
 
+  /// The same for a constrained transform; nothing else for a scale.
+  [[nodiscard]] Tether constrained() const noexcept;
+  /// The same for a scale that goes no further down than this factor.
+  [[nodiscard]] Tether with_least_scale(double factor) const noexcept;
   /// kTransformLaw, unless a device cannot bear 1 N for long (ForceLaw::gain).
   [[nodiscard]] Tether with_law(const ForceLaw& law) const noexcept;
 
@@ -48,14 +57,21 @@ class Tether {
   [[nodiscard]] Vec rotation_pull(Point pen, ForceMemory& memory) const noexcept;
   [[nodiscard]] Vec scale_pull(Point pen) const noexcept;
   [[nodiscard]] double size_n(double sum_mm, double way_mm) const noexcept;
+  [[nodiscard]] double turn_size_n(double turn_rad, double radius_mm) const noexcept;
+  [[nodiscard]] double stepped_size_n(double turn_rad, double radius_mm) const noexcept;
 
   ForceLaw law_ = kTransformLaw;
   Kind kind_ = Kind::kNone;
   Point centre_{};
   Point grab_{};
   double sum_ = 0.0;
+  double least_scale_ = 0.0;
   std::uint32_t gesture_ = 0;
+  bool constrained_ = false;
 };
+
+/// A constrained rotation goes by steps of 15 degrees.
+inline constexpr double kTurnStepRad = 15.0 * 3.14159265358979323846 / 180.0;
 
 /// The angle by which `arm` is turned from `first_arm`, rad, counted on from the angle of a moment
 /// ago so that full turns add up: the value nearest to `last_rad`. An arm of no length keeps it.

@@ -118,6 +118,44 @@ TEST(Tether, R37_ScaleIsTheSameBothWaysAndRadial) {
   EXPECT_EQ(norm(pull(tether, {0, 0})), 0.0);
 }
 
+TEST(Tether, R35_AConstrainedMoveIsHeldOnlyAlongItsAxis) {
+  const Tether free = Tether::translation({0, 0}, 4), held = free.constrained();
+  for (const Point pen : {Point{-10, -9}, Point{-10, 3}, Point{12, 0}, Point{7, 6}}) {
+    const Force force = pull(held, pen);
+    EXPECT_EQ(force.y, 0.0) << "nothing moves along y";
+    EXPECT_LT(force.x * pen.x, 0.0);
+    const Force along_x = pull(free, {pen.x, 0});
+    const double from_diagonal = (std::abs(pen.x) - std::abs(pen.y)) / std::numbers::sqrt2;
+    EXPECT_NEAR(std::abs(force.x), std::min(std::abs(along_x.x), 0.3 * from_diagonal), 1e-12);
+    const Force across = pull(held, {pen.y, pen.x});
+    EXPECT_EQ(across.x, 0.0);
+    EXPECT_EQ(across.y, force.x);
+  }
+  EXPECT_EQ(norm(pull(held, {10, 10})), 0.0) << "either axis may be next";
+}
+
+TEST(Tether, R36_AConstrainedTurnIsHeldOnlyByTheStepsItMade) {
+  const double degree = kTau / 360.0;
+  const auto at = [&](const Tether& tether, double degrees) {
+    return pull(tether, {30 * std::cos(degrees * degree), 30 * std::sin(degrees * degree)});
+  };
+  const Tether free = Tether::rotation({0, 0}, {30, 0}, 100.0, 1), held = free.constrained();
+  for (const double degrees : {-7.4, -3.0, 0.0, 6.0, 7.4}) {
+    EXPECT_EQ(norm(at(held, degrees)), 0.0) << degrees << ": nothing has turned";
+  }
+  for (const double degrees : {12.0, 15.0, 20.0, 22.4}) {
+    EXPECT_NEAR(norm(at(held, degrees)), norm(at(free, 15.0)), 1e-9) << degrees;
+    EXPECT_NEAR(norm(at(held, -degrees)), norm(at(free, 15.0)), 1e-9) << degrees;
+  }
+  EXPECT_NEAR(norm(at(held, 88.0)), norm(at(free, 90.0)), 1e-9);
+}
+
+TEST(Tether, R37_AScaleThatStandsStillPushesNoHarder) {
+  const Tether held = Tether::scale({0, 0}, {50, 0}, 100.0).with_least_scale(0.5);
+  EXPECT_GT(pull(held, {25, 0}).x, 0.0);
+  EXPECT_NEAR(pull(held, {12, 0}).x, pull(held, {25, 0}).x, 1e-12);
+}
+
 TEST(Tether, R38_IsNeverStifferThan300) {
   // Along the motion that does the work: any for a translation, across the arm for a rotation,
   // along it for a scale; and across that a little more is allowed (the arm turns with the pen).
@@ -129,7 +167,9 @@ TEST(Tether, R38_IsNeverStifferThan300) {
       const double radii = anchors * 25.0;
       const Tether tethers[] = {Tether::translation({grab, 0}, anchors),
                                 Tether::rotation({0, 0}, {grab, 0}, radii, 1),
-                                Tether::scale({0, 0}, {grab, 0}, radii)};
+                                Tether::scale({0, 0}, {grab, 0}, radii),
+                                Tether::translation({grab, 0}, anchors).constrained(),
+                                Tether::rotation({0, 0}, {grab, 0}, radii, 1).constrained()};
       for (int i = 0; i < 3000; ++i) {
         // Denser near the grab point and the centre.
         const double r = 100.0 * (i % 60) * (i % 60) / 3600.0 + 0.013;
@@ -137,9 +177,9 @@ TEST(Tether, R38_IsNeverStifferThan300) {
         const Point near{(i % 2 == 0 ? grab : 0.0) + r * std::cos(angle), r * std::sin(angle)};
         if (near.x < 0.0 && std::abs(near.y) < 2 * kH) continue;  // where the angle wraps
         const Vec arm = normalized(near - Point{});
-        for (int kind = 0; kind < 3; ++kind) {
-          const Vec way =
-              kind == 0 ? Vec{std::cos(1.3 * i), std::sin(1.3 * i)} : (kind == 1 ? perp(arm) : arm);
+        for (int kind = 0; kind < 5; ++kind) {
+          const Vec way = kind % 3 == 0 ? Vec{std::cos(1.3 * i), std::sin(1.3 * i)}
+                                        : (kind % 3 == 1 ? perp(arm) : arm);
           const Force here = pull(tethers[kind], near);
           along = std::max(along, norm(pull(tethers[kind], near + kH * way) - here) / kH);
           const Vec other = perp(way);

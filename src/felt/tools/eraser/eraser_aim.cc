@@ -60,7 +60,8 @@ void EraserAim::aim_at_part(Point pen, const EraserSettings& settings, const Sce
 
 void EraserAim::aim_at_strokes(Point pen, const EraserSettings& settings, const Scene& scene) {
   const Capsule ring{pen, pen, settings.radius_mm, settings.include_width};
-  const Rect area = ring.bounds().inflated(ring.adds_half_width ? Erasing::kWidestHalfMm : 0.0);
+  const Rect area =
+      ring.bounds().inflated(ring.adds_half_width ? scene.index.widest_half_mm() : 0.0);
   std::vector<StrokeId> met;
   ParameterSet covered;
   scene.index.for_each_segment_in(area, [&](StrokeId id, int segment) {

@@ -38,11 +38,12 @@ inline constexpr std::array<OptionSpec, EraserOption::kCount> kEraserOptions = {
      .fallback = 2.0,
      .help = "Radius of the eraser."},
     {.id = "include_width",
-     .label = "Broad lines sooner",
+     .label = "Width of ink counts",
      .unit = "",
      .kind = OptionKind::kSwitch,
-     .fallback = 0,
-     .help = "A line goes where the eraser covers its ink, instead of its middle."},
+     .fallback = 1,
+     .help = "Erases the ink that the ring covers. Off: cuts a line where the ring covers its "
+             "middle, whatever its width."},
     strength_option("Share of friction and grain that is felt; the sheet stays as hard as it is."),
 }};
 
@@ -50,7 +51,7 @@ inline constexpr std::array<OptionSpec, EraserOption::kCount> kEraserOptions = {
 struct EraserSettings {
   EraserMode mode = EraserMode::kTouched;
   double radius_mm = 2.0;
-  bool include_width = false;
+  bool include_width = true;
   double strength = 1.0;
 };
 

@@ -68,10 +68,12 @@ TEST(Eraser, R40_AHoleInALineLeavesTwoInItsPlace) {
   EXPECT_EQ(strokes[0], before.find(below));
   EXPECT_EQ(strokes[3], before.find(above));
   EXPECT_FALSE(e.desk.document.find(line)) << "the pieces have new ids";
-  EXPECT_NEAR(strokes[1]->position(1).x, 28.0, 1e-6);
-  EXPECT_NEAR(strokes[2]->position(0).x, 32.0, 1e-6);
-  EXPECT_NEAR(strokes[1]->width_mm(1), before.find(line)->width_mm(28.0 / 60), 1e-9);
-  EXPECT_NEAR(strokes[2]->width_mm(0), before.find(line)->width_mm(32.0 / 60), 1e-9);
+  const double left = strokes[1]->position(1).x, right = strokes[2]->position(0).x;
+  EXPECT_NEAR(left, 28.0 - 0.5 * strokes[1]->width_mm(1), 1e-6) << "its cap ends at the rim";
+  EXPECT_NEAR(right, 32.0 + 0.5 * strokes[2]->width_mm(0), 1e-6);
+  EXPECT_NEAR(strokes[1]->width_mm(1), before.find(line)->width_mm(left / 60), 1e-9);
+  EXPECT_NEAR(strokes[2]->width_mm(0), before.find(line)->width_mm(right / 60), 1e-9);
+  EXPECT_EQ(strokes[1]->widths().size(), 2u) << "no more breakpoints than needed";
   e.desk.undo();
   EXPECT_EQ(e.desk.document, before);
   e.desk.redo();
@@ -93,11 +95,11 @@ TEST(Eraser, R39_WhatIsLeftIsTheOriginalOutsideOfTheSweep) {
       const double n = piece->segment_count();
       for (double u = 0.0; u <= n; u += 0.04) {
         const Point p = piece->position(u);
-        double off = 1e300;
-        for (const StrokePtr& s : before) off = std::min(off, distance_to(*s, p));
-        ASSERT_LE(off, 1e-6) << "seed " << seed;
-        ASSERT_GE(std::sqrt(nearest_on_polyline(path, p).distance_squared), 2.0 - 1e-3)
-            << "seed " << seed;
+        double moved = 1e300;
+        for (const StrokePtr& s : before) moved = std::min(moved, distance_to(*s, p));
+        ASSERT_LE(moved, 1e-6) << "seed " << seed;
+        const double off = std::sqrt(nearest_on_polyline(path, p).distance_squared);
+        ASSERT_GE(off, 2.0 + 0.5 * piece->width_mm(u) - 0.01) << "seed " << seed;
       }
     }
     if (e.pen.commits > 0) e.desk.undo();
@@ -211,14 +213,53 @@ TEST(Eraser, DotsGoAndClosedStrokesOpen) {
   EXPECT_EQ(e.desk.strokes().size(), 1u) << "wholly inside: nothing is left of it";
 }
 
-TEST(Eraser, BroadInkGoesWhereItIsTouchedIfAsked) {
-  for (const bool include : {false, true}) {
-    Eraser e;
-    e.set("include_width", include);
-    e.desk.add(straight_stroke({0, 0}, {60, 0}, 6, 6));
-    e.pen.line(way({20, 4}, {40, 4}));
-    EXPECT_EQ(e.desk.strokes().size(), include ? 2u : 1u);
-  }
+TEST(Eraser, R39_TheMiddleOfALineDecidesIfAsked) {
+  Eraser e;
+  e.set("include_width", false);
+  e.desk.add(straight_stroke({0, 0}, {60, 0}, 6, 6));
+  const Document before = e.desk.document;
+  e.pen.line(way({20, 4}, {40, 4}));
+  EXPECT_EQ(e.desk.document, before) << "it covered a third of the ink, but not the middle";
+  e.pen.line(way({30, -20}, {30, 20}));
+  ASSERT_EQ(e.desk.strokes().size(), 2u);
+  EXPECT_NEAR(e.desk.strokes()[0]->position(1).x, 28.0, 1e-6);
+  EXPECT_NEAR(e.desk.strokes()[1]->position(0).x, 32.0, 1e-6);
+}
+
+TEST(Eraser, R39_ALineThatLosesItsRimBecomesNarrowerThere) {
+  Eraser e;
+  e.desk.add(straight_stroke({0, 0}, {60, 0}, 6, 6));
+  e.pen.line(way({20, 4}, {40, 4}));  // 1 mm of the rim
+  ASSERT_EQ(e.desk.strokes().size(), 1u);
+  const Stroke& line = *e.desk.strokes()[0];
+  EXPECT_EQ(line.segment_count(), 1);
+  EXPECT_NEAR(line.width_mm(0.5), 4.0, 0.02);
+  EXPECT_EQ(line.width_mm(0.2), 6.0);
+  EXPECT_EQ(line.width_mm(0.8), 6.0);
+}
+
+TEST(Eraser, R39_AClosedLineIsNarrowedAndCutThroughItsSeam) {
+  const Stroke ring =
+      Stroke::create({.points = {{0, 0}, {0, 27}, {40, 27}, {40, 0}, {40, -27}, {0, -27}, {0, 0}},
+                      .joints = {JointKind::kSmooth, JointKind::kSmooth},
+                      .closed = true,
+                      .widths = {{0, 6}, {2, 6}}})
+          .value();
+  Eraser e;
+  e.desk.add(ring);
+  e.pen.line({{-4.0, 0}});
+  ASSERT_EQ(e.desk.strokes().size(), 1u);
+  const Stroke& narrowed = *e.desk.strokes()[0];
+  EXPECT_TRUE(narrowed.closed());
+  EXPECT_NEAR(narrowed.width_mm(0.0), 4.0, 0.02);
+  EXPECT_EQ(narrowed.width_mm(0.0), narrowed.width_mm(2.0));
+  EXPECT_EQ(narrowed.width_mm(0.5), 6.0);
+  e.pen.line({{-1.0, 0}});
+  ASSERT_EQ(e.desk.strokes().size(), 1u);
+  EXPECT_FALSE(e.desk.strokes()[0]->closed());
+  e.set("radius_mm", 50.0);
+  e.pen.line({{20, 0}});
+  EXPECT_TRUE(e.desk.strokes().empty());
 }
 
 /// Three rails along x, three posts across them.

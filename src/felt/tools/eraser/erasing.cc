@@ -7,7 +7,7 @@
 namespace felt {
 
 std::optional<StrokeHit> aimed_at(Point pen, const EraserSettings& settings, const Scene& scene) {
-  const double more = settings.include_width ? Erasing::kWidestHalfMm : 0.0;
+  const double more = settings.include_width ? scene.index.widest_half_mm() : 0.0;
   const auto hit = scene.index.nearest(pen, settings.radius_mm + more);
   if (!hit || !settings.include_width) return hit;
   const StrokePtr stroke = scene.document.find(hit->stroke);
@@ -63,7 +63,8 @@ void Erasing::sweep(Point from, Point to, const Scene& scene) {
   const bool crossing = mode_ == EraserMode::kCrossing;
   const Capsule capsule{from, to, crossing ? kPointMm : settings_.radius_mm,
                         settings_.include_width && !crossing, from != to && !crossing};
-  const Rect area = capsule.bounds().inflated(capsule.adds_half_width ? kWidestHalfMm : 0.0);
+  const Rect area =
+      capsule.bounds().inflated(capsule.adds_half_width ? scene.index.widest_half_mm() : 0.0);
   looked_at_ = nullptr;
   const std::size_t before = pending_.size();
   scene.index.for_each_segment_in(
@@ -75,41 +76,54 @@ void Erasing::sweep(Point from, Point to, const Scene& scene) {
             });
 }
 
-void Erasing::meet(StrokeId id, int segment, const Capsule& capsule, const Scene& scene) {
+void Erasing::meet_touched(StrokeId id, int segment, const Capsule& capsule, const Scene& scene) {
   const auto known = lines_.find(id);
-  const double u = segment;
-  if (known != lines_.end() && known->second.erased.contains({u, u + 1.0})) return;
-  if (known != lines_.end() && mode_ == EraserMode::kTouched) {
-    if (add_swept(*known->second.stroke, segment, capsule, known->second.erased)) {
-      mark(id, known->second);
-    }
-    return;
+  const StrokePtr& stroke = known != lines_.end() ? known->second.stroke : looked_at(id, scene);
+  covered_ = {};
+  if (!stroke || !add_swept(*stroke, segment, capsule, covered_)) return;
+  Line& line = line_of(id, scene);
+  bool changed = false;
+  if (line.ink) {
+    changed = line.ink->add(segment, covered_, capsule);
+  } else {
+    for (const auto& part : covered_.intervals()) changed |= line.erased.add(part);
   }
+  if (changed) mark(id, line);
+}
+
+const StrokePtr& Erasing::looked_at(StrokeId id, const Scene& scene) {
   if (!looked_at_ || looked_at_id_ != id) {
     looked_at_ = scene.document.find(id);
     looked_at_id_ = id;
   }
-  covered_ = {};
-  if (!looked_at_ || !add_swept(*looked_at_, segment, capsule, covered_)) return;
-  switch (mode_) {
-    case EraserMode::kTouched:
-      for (const auto& part : covered_.intervals()) erase(id, part, scene);
-      break;
-    case EraserMode::kStroke:
-      erase(id, {0.0, static_cast<double>(looked_at_->segment_count())}, scene);
-      break;
-    case EraserMode::kCrossing:
-      for (const auto& part : covered_.intervals()) {
-        pending_.push_back({id, part, SpanSearch(part)});
-      }
-      break;
+  return looked_at_;
+}
+
+void Erasing::meet(StrokeId id, int segment, const Capsule& capsule, const Scene& scene) {
+  const auto known = lines_.find(id);
+  const double u = segment;
+  if (known != lines_.end() && known->second.erased.contains({u, u + 1.0})) return;
+  if (mode_ == EraserMode::kTouched) {
+    meet_touched(id, segment, capsule, scene);
+    return;
   }
+  covered_ = {};
+  if (!looked_at(id, scene) || !add_swept(*looked_at_, segment, capsule, covered_)) return;
+  if (mode_ == EraserMode::kStroke) {
+    erase(id, {0.0, static_cast<double>(looked_at_->segment_count())}, scene);
+    return;
+  }
+  for (const auto& part : covered_.intervals()) pending_.push_back({id, part, SpanSearch(part)});
 }
 
 Erasing::Line& Erasing::line_of(StrokeId id, const Scene& scene) {
   const auto known = lines_.find(id);
-  return known != lines_.end() ? known->second
-                               : lines_.emplace(id, scene.document.find(id)).first->second;
+  if (known != lines_.end()) return known->second;
+  const StrokePtr stroke = scene.document.find(id);
+  if (mode_ == EraserMode::kTouched && settings_.include_width) {
+    return lines_.try_emplace(id, stroke, settings_.radius_mm).first->second;
+  }
+  return lines_.try_emplace(id, stroke).first->second;
 }
 
 void Erasing::mark(StrokeId id, Line& line) {
@@ -149,7 +163,12 @@ void Erasing::cut(int most, const Scene& scene) {
     to_cut_.pop_front();
     Line& line = lines_.at(id);
     line.waits = false;
-    line.remains.cut(line.erased);
+    if (line.ink) {
+      InkClearance::Result left = line.ink->result();
+      line.remains.cut(left.holes, std::move(left.widths));
+    } else {
+      line.remains.cut(line.erased);
+    }
     if (line.remains.is_whole()) {
       divisions_.unset(id);
     } else {

@@ -9,6 +9,7 @@
 #include "felt/document/stroke_divisions.h"
 #include "felt/tools/eraser/crossing_span.h"
 #include "felt/tools/eraser/eraser_options.h"
+#include "felt/tools/eraser/ink_clearance.h"
 #include "felt/tools/eraser/remains.h"
 #include "felt/tools/eraser/swept.h"
 #include "felt/tools/scene.h"
@@ -26,9 +27,6 @@ namespace felt {
 /// that was erased so far, so it is made as often as eyes can tell, and less often when it is long.
 class Erasing {
  public:
-  /// Half of the width of ink that is looked for with adds_half_width: broader ink counts as this
-  /// broad when the eraser does not come nearer to its middle.
-  static constexpr double kWidestHalfMm = 6.0;
   /// How near to a line the pen's way must come to cross it: as good as through it, and less than a
   /// resting hand trembles.
   static constexpr double kPointMm = 0.1;
@@ -61,10 +59,16 @@ class Erasing {
  private:
   struct Line {
     explicit Line(StrokePtr s) : stroke(s), remains(std::move(s)) {}
+    /// For what the eraser covers of its ink.
+    Line(StrokePtr s, double radius_mm)
+        : stroke(s),
+          remains(s, Remains::Crumbs::kOfInk),
+          ink(std::in_place, std::move(s), radius_mm) {}
 
     StrokePtr stroke;
     ParameterSet erased;
     Remains remains;
+    std::optional<InkClearance> ink;
     std::optional<StrokeCrossings> crossings;
     bool waits = false;  // to be cut
   };
@@ -76,9 +80,11 @@ class Erasing {
 
   void sweep(Point from, Point to, const Scene& scene);
   void meet(StrokeId id, int segment, const Capsule& capsule, const Scene& scene);
+  void meet_touched(StrokeId id, int segment, const Capsule& capsule, const Scene& scene);
   void erase(StrokeId id, ParameterSet::Interval part, const Scene& scene);
   void search(int budget, const Scene& scene);
   Line& line_of(StrokeId id, const Scene& scene);
+  const StrokePtr& looked_at(StrokeId id, const Scene& scene);
   void mark(StrokeId id, Line& line);
   void cut(int most, const Scene& scene);
   bool shows(std::int64_t time_ns);

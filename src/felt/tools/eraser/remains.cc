@@ -98,7 +98,9 @@ std::shared_ptr<const Stroke> Remains::make(Interval part) const {
   const double n = stroke_->segment_count();
   const double middle = 0.5 * (part.from + part.to);
   const double width = stroke_->width_mm(middle > n ? middle - n : middle);
-  if (!is_as_long_as(*stroke_, part, std::max(kLeastPieceMm, 0.5 * width))) return nullptr;
+  const double least = crumbs_ == Crumbs::kOfLine ? std::max(kLeastPieceMm, 0.5 * width)
+                                                  : std::max(kMinSegmentMm, kLeastPieceMm - width);
+  if (!is_as_long_as(*stroke_, part, least)) return nullptr;
   auto piece = sub_stroke_of(*stroke_, part);
   if (!piece) {
     // Rounding kilometres away from the sheet: whole segments are copied bit for bit.
@@ -110,16 +112,32 @@ std::shared_ptr<const Stroke> Remains::make(Interval part) const {
   return std::make_shared<const Stroke>(*std::move(piece));
 }
 
-void Remains::cut(const ParameterSet& erased) {
+void Remains::cut(const ParameterSet& erased, std::vector<WidthKnot> widths) {
+  const auto before = std::exchange(stroke_, whole_stroke_);
+  if (!widths.empty()) {
+    StrokeData data = whole_stroke_->data();
+    data.widths = std::move(widths);
+    auto narrowed = Stroke::create(std::move(data));
+    if (narrowed) stroke_ = std::make_shared<const Stroke>(*std::move(narrowed));
+  }
+  const bool same_widths = std::ranges::equal(before->widths(), stroke_->widths());
   const auto parts = gaps(erased);
   const std::vector<Piece> old = std::exchange(pieces_, {});
-  whole_ = !parts;
+  whole_ = !parts && stroke_ == whole_stroke_;
   if (whole_) return;
+  if (!parts) {
+    pieces_.push_back({0.0, static_cast<double>(stroke_->segment_count()), stroke_});
+    return;
+  }
   for (const Interval& part : *parts) {
     const auto same = std::lower_bound(old.begin(), old.end(), part.from,
                                        [](const Piece& p, double from) { return p.from < from; });
     const bool stays = same != old.end() && same->from == part.from && same->to == part.to;
-    pieces_.push_back({part.from, part.to, stays ? same->stroke : make(part)});
+    Piece piece{part.from, part.to, stays && same_widths ? same->stroke : make(part)};
+    if (stays && piece.stroke && same->stroke && *piece.stroke == *same->stroke) {
+      piece.stroke = same->stroke;
+    }
+    pieces_.push_back(std::move(piece));
   }
 }
 

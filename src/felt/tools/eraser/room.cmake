@@ -6,6 +6,7 @@ tool_room(eraser
     eraser_options.cc
     eraser_tool.cc
     erasing.cc
+    ink_clearance.cc
     parameter_set.cc
     remains.cc
     swept.cc
@@ -17,6 +18,7 @@ tool_room(eraser
     eraser_options.h
     eraser_tool.h
     erasing.h
+    ink_clearance.h
     parameter_set.h
     remains.h
     swept.h

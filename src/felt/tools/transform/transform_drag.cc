@@ -38,6 +38,7 @@ TransformDrag::TransformDrag(TransformKind kind, Point centre, Point grab,
 
 void TransformDrag::update(Point pen, bool constrained) noexcept {
   now_ = kind_;
+  constrained_ = constrained;
   const Vec first = grab_ - centre_;
   if (constrained && kind_ == TransformKind::kScale) now_ = TransformKind::kStretch;
   if (constrained && kind_ == TransformKind::kStretch) {
@@ -72,10 +73,9 @@ void TransformDrag::move(Vec way, bool constrained) noexcept {
 }
 
 void TransformDrag::rotate(Point pen, bool constrained) noexcept {
-  const double step = kStepDeg * std::numbers::pi / 180.0;
   // Exactly nothing where it began: cosine and sine of a rounding error are not.
   const double turn = pen == grab_ && std::fabs(turn_rad_) < 1e-12 ? 0.0 : turn_rad_;
-  shown_turn_rad_ = constrained ? step * std::round(turn / step) : turn;
+  shown_turn_rad_ = constrained ? kTurnStepRad * std::round(turn / kTurnStepRad) : turn;
   map_ = shown_turn_rad_ == 0.0 ? Affine{} : rotation(shown_turn_rad_, centre_);
 }
 

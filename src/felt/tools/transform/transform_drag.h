@@ -24,7 +24,6 @@ enum class TransformKind : std::uint8_t {
 /// axis that is stretched through the centre stays at the least factor, nothing is mirrored.
 class TransformDrag {
  public:
-  static constexpr double kStepDeg = 15.0;
   static constexpr double kLeastScale = 0.05;
 
   TransformDrag() = default;
@@ -32,7 +31,7 @@ class TransformDrag {
   TransformDrag(TransformKind kind, Point centre, Point grab,
                 double least_scale = kLeastScale) noexcept;
 
-  /// The pen is here now. Constrained: moves along one axis, turns in steps of kStepDeg; kScale
+  /// The pen is here now. Constrained: moves along one axis, turns in steps of kTurnStepRad; kScale
   /// stretches both axes, kStretch only the one along which it was grabbed farther out.
   void update(Point pen, bool constrained) noexcept;
 
@@ -44,6 +43,9 @@ class TransformDrag {
   [[nodiscard]] TransformKind kind() const noexcept { return now_; }
   [[nodiscard]] Point centre() const noexcept { return centre_; }
   [[nodiscard]] Point grab() const noexcept { return grab_; }
+  /// Whether the last update was constrained.
+  [[nodiscard]] bool is_constrained() const noexcept { return constrained_; }
+  [[nodiscard]] double least_scale() const noexcept { return least_scale_; }
   /// "12.5, -3.0 mm", "37 deg", "x 1.25", "x 1.25, 0.80".
   [[nodiscard]] std::string text() const;
   /// "Move", "Rotate", "Scale", "Stretch".
@@ -58,6 +60,7 @@ class TransformDrag {
   TransformKind kind_ = TransformKind::kMove, now_ = TransformKind::kMove;
   Point centre_, grab_;
   double least_scale_ = kLeastScale;
+  bool constrained_ = false;
   double turn_rad_ = 0.0;  // unwrapped, unconstrained
   Affine map_;
   Vec way_;

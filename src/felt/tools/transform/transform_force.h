@@ -23,7 +23,7 @@ class StretchTether {
  public:
   StretchTether() noexcept = default;
   StretchTether(TransformKind kind, Point centre, Point grab, std::span<const Point> anchors,
-                ForceLaw law) noexcept
+                ForceLaw law, double least_scale) noexcept
       : centre_(centre), grab_(grab) {
     double sum_x = 0.0, sum_y = 0.0;
     for (const Point p : anchors) {
@@ -32,8 +32,14 @@ class StretchTether {
     }
     const bool x = stretches_x(kind, centre, grab), y = stretches_y(kind, centre, grab);
     if (x && y) law.gain /= std::numbers::sqrt2;
-    if (x) x_ = Tether::scale(centre, {grab.x, centre.y}, sum_x).with_law(law);
-    if (y) y_ = Tether::scale(centre, {centre.x, grab.y}, sum_y).with_law(law);
+    if (x)
+      x_ = Tether::scale(centre, {grab.x, centre.y}, sum_x)
+               .with_law(law)
+               .with_least_scale(least_scale);
+    if (y)
+      y_ = Tether::scale(centre, {centre.x, grab.y}, sum_y)
+               .with_law(law)
+               .with_least_scale(least_scale);
   }
 
   Force operator()(const PenSample& sample, ForceMemory& memory) const noexcept {
@@ -72,6 +78,8 @@ struct TransformHold {
   Point centre, grab;
   std::span<const Point> anchors;
   std::uint32_t gesture = 0;
+  bool constrained = false;  ///< along one axis, by steps of a turn (Tether::constrained)
+  double least_scale = TransformDrag::kLeastScale;
 };
 
 /// The sheet, with little friction; and, while a selection is held, its tethers.
@@ -93,26 +101,29 @@ inline ForceModel make_transform_force(const Scene& scene, double strength,
   double radii = 0.0;
   for (const Point p : hold->anchors) radii += distance(p, hold->centre);
   id.with(static_cast<std::uint64_t>(hold->kind)).with(std::uint64_t{hold->gesture});
+  id.with(std::uint64_t{hold->constrained ? 1U : 0U});
+  const auto with_tether = [&](const Tether& tether) {
+    const Tether held = tether.with_law(law).with_least_scale(hold->least_scale);
+    return ForceModel(Compose(sheet, hold->constrained ? held.constrained() : held));
+  };
   ForceModel model;
   switch (hold->kind) {
     case TransformKind::kMove: {
       const auto count = static_cast<int>(std::min<std::size_t>(hold->anchors.size(), 1'000'000));
-      model = ForceModel(Compose(sheet, Tether::translation(hold->grab, count).with_law(law)));
+      model = with_tether(Tether::translation(hold->grab, count));
       break;
     }
     case TransformKind::kRotate:
-      model = ForceModel(Compose(
-          sheet, Tether::rotation(hold->centre, hold->grab, radii, hold->gesture).with_law(law)));
+      model = with_tether(Tether::rotation(hold->centre, hold->grab, radii, hold->gesture));
       break;
     case TransformKind::kScale:
-      model =
-          ForceModel(Compose(sheet, Tether::scale(hold->centre, hold->grab, radii).with_law(law)));
+      model = with_tether(Tether::scale(hold->centre, hold->grab, radii));
       break;
     case TransformKind::kStretch:
     case TransformKind::kStretchX:
     case TransformKind::kStretchY:
-      model = ForceModel(
-          Compose(sheet, StretchTether(hold->kind, hold->centre, hold->grab, hold->anchors, law)));
+      model = ForceModel(Compose(sheet, StretchTether(hold->kind, hold->centre, hold->grab,
+                                                      hold->anchors, law, hold->least_scale)));
       break;
   }
   model.set_fade_id(id.value());

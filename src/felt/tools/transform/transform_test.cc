@@ -431,6 +431,22 @@ TEST(Transform, R35_MoreLinesHoldHarderAndWholeOnesNotAtAll) {
   }
 }
 
+TEST(Transform, R35_AConstrainedMoveIsNotHeldAlongTheOtherAxis) {
+  for (const bool constrained : {false, true}) {
+    Transform t;
+    t.select(t.add(straight_stroke({0, 0}, {60, 0}, 1, 1)), {1, 1, 0, 0});
+    t.pen.up({5, 0});
+    for (const Point p : way({5, 0}, {-5, -9})) t.down(p, constrained ? kFirstModifier : 0);
+    ForceMemory memory;
+    memory.begin_tick(0.001);
+    PenSample s;
+    s.position = {-5, -9, 1.0};  // clear of the sheet's friction
+    const Force force = t.tool.force(t.desk.scene())(s, memory);
+    EXPECT_GT(force.x, 0.15);
+    EXPECT_EQ(force.y != 0.0, !constrained) << force.y;
+  }
+}
+
 TEST(Transform, ManyTethersAreDrawnInPart) {
   Transform t;
   for (int i = 0; i < 200; ++i) {
