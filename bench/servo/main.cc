@@ -49,8 +49,9 @@ ForceModel everything(const Capabilities& device, std::uint32_t fade_id) {
   const SurfaceMaterial& paper = surface_materials()[0];
   const std::array<Point, 4> targets{Point{70, 50}, Point{75, 50}, Point{70, 55}, Point{60, 50}};
   ForceModel model(Compose(make_sheet_force(paper, media()[0], device, surface_grain(paper)),
-                           EditSpring(Point{70, 50}), SweepSpring(fade_id), Wells(targets),
-                           Damping({.where = DampingWhere::kEverywhere})));
+                           EditSpring(Point{70, 50}),
+                           SweepSpring({.pen = {70, 50}, .curve = {70, 50}, .normal = {0, 1}}),
+                           Wells(targets), Damping({.where = DampingWhere::kEverywhere})));
   model.set_fade_id(fade_id);
   return model;
 }

@@ -110,7 +110,9 @@ class AllBricks final : public Scribble {
       case 1:
         return publish(Compose(sheet, EditSpring(here)), id);
       case 2:
-        return publish(Compose(sheet, SweepSpring(id)), id);
+        return publish(Compose(sheet, SweepSpring({.pen = here, .curve = here, .normal = {0, 1}}),
+                               PushSpring({.pen = here, .normal = {0, 1}, .displacement_mm = 3.0})),
+                       id);
       case 3:
         return publish(Compose(sheet, Towed()), id);
       default:

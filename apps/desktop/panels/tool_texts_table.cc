@@ -13,6 +13,9 @@ constexpr const char* kToolTexts[] = {
         "A line drawn round what is to be selected, or a rectangle from corner to corner."),
     QT_TRANSLATE_NOOP("tools", "A line farther from the pen than this is not taken hold of."),
     QT_TRANSLATE_NOOP("tools",
+                      "A line touched from beside keeps its distance from the pen, instead of "
+                      "coming to the pen over the first millimetres."),
+    QT_TRANSLATE_NOOP("tools",
                       "A short touch selects the whole nearest line within this distance."),
     QT_TRANSLATE_NOOP("tools",
                       "Above 1 a light hand stays pale for longer, below 1 it darkens sooner."),
@@ -126,6 +129,7 @@ constexpr const char* kToolTexts[] = {
     QT_TRANSLATE_NOOP("tools",
                       "Joins ends of lines, or closes a line: drag an end onto another, or tap "
                       "where two ends are near."),
+    QT_TRANSLATE_NOOP("tools", "Keep distance from the pen"),
     QT_TRANSLATE_NOOP("tools", "Keep lines separate"),
     QT_TRANSLATE_NOOP("tools", "Largest distance between the pen's way and the line."),
     QT_TRANSLATE_NOOP("tools", "Lasso"),

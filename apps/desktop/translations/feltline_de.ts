@@ -4432,6 +4432,10 @@ Doppelklick benennt um, Ziehen verschiebt</translation>
         <translation>Radiert die Tinte, die der Ring bedeckt. Aus: trennt eine Linie dort, wo der Ring ihre Mitte bedeckt, wie breit sie auch ist.</translation>
     </message>
     <message>
+        <source>A line touched from beside keeps its distance from the pen, instead of coming to the pen over the first millimetres.</source>
+        <translation>Eine Linie, die daneben berührt wird, behält ihren Abstand zum Stift, statt auf den ersten Millimetern zum Stift zu kommen.</translation>
+    </message>
+    <message>
         <source>A short touch selects the whole nearest line within this distance.</source>
         <translation>Eine kurze Berührung wählt die ganze nächste Linie in diesem Abstand.</translation>
     </message>
@@ -4590,6 +4594,10 @@ Doppelklick benennt um, Ziehen verschiebt</translation>
     <message>
         <source>Joins ends of lines, or closes a line: drag an end onto another, or tap where two ends are near.</source>
         <translation>Verbindet Linienenden oder schließt eine Linie: ein Ende auf ein anderes ziehen oder tippen, wo zwei Enden nah sind.</translation>
+    </message>
+    <message>
+        <source>Keep distance from the pen</source>
+        <translation>Abstand zum Stift behalten</translation>
     </message>
     <message>
         <source>Keep lines separate</source>

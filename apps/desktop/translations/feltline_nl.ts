@@ -4432,6 +4432,10 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen</translation>
         <translation>Gumt de inkt die de ring bedekt. Uit: knipt een lijn waar de ring haar midden bedekt, hoe breed ze ook is.</translation>
     </message>
     <message>
+        <source>A line touched from beside keeps its distance from the pen, instead of coming to the pen over the first millimetres.</source>
+        <translation>Een lijn die ernaast wordt aangeraakt, houdt haar afstand tot de pen, in plaats van in de eerste millimeters naar de pen te komen.</translation>
+    </message>
+    <message>
         <source>A short touch selects the whole nearest line within this distance.</source>
         <translation>Een korte aanraking selecteert de hele dichtstbijzijnde lijn binnen deze afstand.</translation>
     </message>
@@ -4590,6 +4594,10 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen</translation>
     <message>
         <source>Joins ends of lines, or closes a line: drag an end onto another, or tap where two ends are near.</source>
         <translation>Verbindt lijneinden, of sluit een lijn: sleep een eind op een ander, of tik waar twee einden dicht bij elkaar zijn.</translation>
+    </message>
+    <message>
+        <source>Keep distance from the pen</source>
+        <translation>Afstand tot de pen houden</translation>
     </message>
     <message>
         <source>Keep lines separate</source>

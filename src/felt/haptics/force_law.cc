@@ -30,8 +30,15 @@ double ForceLaw::potential_mj(double distance_mm) const noexcept {
   return gain * energy;
 }
 
+ForceLaw ForceLaw::softened(double share) const noexcept {
+  ForceLaw law = *this;
+  law.cap_n_per_m *= share;
+  return law;
+}
+
 double ForceLaw::max_slope_n_per_m() const noexcept {
-  return gain * std::max(cap_n_per_m, 1e3 * (most_n - least_n) / spread_mm);
+  // l is concave and above 0 at 0, so where it meets the spring it is flatter than the spring.
+  return gain * cap_n_per_m;
 }
 
 }  // namespace felt

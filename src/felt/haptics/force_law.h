@@ -15,7 +15,7 @@ struct ForceLaw {
   double cap_n_per_m = 300.0;  ///< Kcap, and the largest slope
   double least_n = 0.2;
   double most_n = 1.0;  ///< never reached
-  double gain = 1.0;    ///< 0..1, below 1 where the motors do not stand 1 N for long
+  double gain = 1.0;    ///< 0..1: the strength that the user chose for a tool
 
   /// phi in N; 0 at d <= 0.
   [[nodiscard]] double force_n(double distance_mm) const noexcept;
@@ -23,6 +23,9 @@ struct ForceLaw {
   [[nodiscard]] double level_n(double distance_mm) const noexcept;
   /// Integral of phi from 0, in mJ: what the hand has stored at a distance.
   [[nodiscard]] double potential_mj(double distance_mm) const noexcept;
+  /// The same law with a share (0..1) of its slope: the spring at the start is softer, the level
+  /// beyond is the same.
+  [[nodiscard]] ForceLaw softened(double share) const noexcept;
   /// Upper bound of d phi/dd, N/m.
   [[nodiscard]] double max_slope_n_per_m() const noexcept;
 };

@@ -96,8 +96,7 @@ struct ForceMemory {
   double turn_rad = 0.0;  ///< angle of a rotation about its centre, unwrapped (tether)
   std::uint32_t turn_gesture = 0;
   bool turn_is_set = false;
-  Follower swept;  ///< the curve point that a sweep drags along (spring)
-  Follower nib;    ///< the nib that the pen tows or that has inertia (stabiliser)
+  Follower nib;  ///< the nib that the pen tows or that has inertia (stabiliser)
 
   ForceTerms terms;  ///< of this tick
 

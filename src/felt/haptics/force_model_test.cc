@@ -17,8 +17,9 @@ namespace felt {
 namespace {
 
 static_assert(ForceFunctor<Plane> && ForceFunctor<Friction> && ForceFunctor<Texture>);
-static_assert(ForceFunctor<EditSpring> && ForceFunctor<SweepSpring> && ForceFunctor<Wells>);
-static_assert(ForceFunctor<Tether> && ForceFunctor<Damping> && ForceFunctor<Towed>);
+static_assert(ForceFunctor<EditSpring> && ForceFunctor<SweepSpring> && ForceFunctor<PushSpring>);
+static_assert(ForceFunctor<Wells> && ForceFunctor<Tether> && ForceFunctor<Damping> &&
+              ForceFunctor<Towed>);
 static_assert(ForceFunctor<Inertia> && ForceFunctor<SheetForce>);
 static_assert(ForceFunctor<ForceModel> == false, "a model is no brick: it would be 2 KiB in 2 KiB");
 static_assert(std::is_trivially_copyable_v<ForceModel>);
@@ -27,8 +28,9 @@ static_assert(std::is_trivially_copyable_v<ForceModel>);
 auto all_bricks(const Capabilities& device = {}) {
   const SurfaceMaterial& paper = surface_materials()[0];
   return Compose(make_sheet_force(paper, media()[0], device, surface_grain(paper)),
-                 EditSpring({-3, 1}), SweepSpring(1), Wells(Point{1, 1}),
-                 Tether::translation({2, 0}, 3), Damping({.where = DampingWhere::kEverywhere}));
+                 EditSpring({-3, 1}), SweepSpring({.pen = {0, 1}, .normal = {0, 1}}),
+                 Wells(Point{1, 1}), Tether::translation({2, 0}, 3),
+                 Damping({.where = DampingWhere::kEverywhere}));
 }
 
 /// A pen on some way, for comparisons.

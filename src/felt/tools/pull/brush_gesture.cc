@@ -19,15 +19,17 @@ Point place_of(const PenSample& pen) noexcept {
 class BrushGesture final : public PullGesture {
  public:
   BrushGesture(const PenSample& touch, const Scene& scene, const StrokeHit& hit,
-               const BrushOptions& options)
+               const BrushOptions& options, TouchOffset offset)
       : stroke_(scene.document, hit.stroke),
         pull_(stroke_.before(), hit.u, options),
         radius_mm_(options.radius_mm),
         start_(place_of(touch)),
+        offset_(start_ - pull_.origin()),
+        mode_(offset),
         shown_(stroke_.before()) {}
 
   std::optional<Edit> move(const PenSample& pen, const Scene& /*scene*/) override {
-    const Vec displacement = place_of(pen) - start_;
+    const Vec displacement = curve_displacement(place_of(pen) - start_, offset_, mode_);
     if (displacement == displacement_) return std::nullopt;
     Result<Stroke> pulled = pull_.at(displacement);
     if (!pulled) return std::nullopt;  // the last good shape stays
@@ -70,6 +72,8 @@ class BrushGesture final : public PullGesture {
   BrushPull pull_;
   double radius_mm_;
   Point start_;
+  Vec offset_;  // from the curve to the pen, at the touch
+  TouchOffset mode_;
   Vec displacement_{};
   StrokePtr shown_;
 };
@@ -77,8 +81,9 @@ class BrushGesture final : public PullGesture {
 }  // namespace
 
 std::unique_ptr<PullGesture> make_brush(const PenSample& touch, const Scene& scene,
-                                        const StrokeHit& hit, const BrushOptions& options) {
-  return std::make_unique<BrushGesture>(touch, scene, hit, options);
+                                        const StrokeHit& hit, const BrushOptions& options,
+                                        TouchOffset offset) {
+  return std::make_unique<BrushGesture>(touch, scene, hit, options, offset);
 }
 
 }  // namespace felt

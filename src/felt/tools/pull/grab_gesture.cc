@@ -16,14 +16,16 @@ Point place_of(const PenSample& pen) noexcept {
 class GrabGesture final : public PullGesture {
  public:
   GrabGesture(const PenSample& touch, const Scene& scene, const StrokeHit& hit,
-              const GrabOptions& options)
+              const GrabOptions& options, TouchOffset offset)
       : stroke_(scene.document, hit.stroke),
         pull_(stroke_.before(), hit.u, options),
         start_(place_of(touch)),
+        offset_(start_ - pull_.origin()),
+        mode_(offset),
         shown_(stroke_.before()) {}
 
   std::optional<Edit> move(const PenSample& pen, const Scene& /*scene*/) override {
-    const Vec displacement = place_of(pen) - start_;
+    const Vec displacement = curve_displacement(place_of(pen) - start_, offset_, mode_);
     if (displacement == displacement_) return std::nullopt;
     Result<Stroke> bent = pull_.at(displacement);
     if (!bent) return std::nullopt;  // the last good shape stays
@@ -63,6 +65,8 @@ class GrabGesture final : public PullGesture {
   StrokeReplacement stroke_;
   GrabPull pull_;
   Point start_;
+  Vec offset_;  // from the curve to the pen, at the touch
+  TouchOffset mode_;
   Vec displacement_{};
   StrokePtr shown_;
 };
@@ -70,8 +74,9 @@ class GrabGesture final : public PullGesture {
 }  // namespace
 
 std::unique_ptr<PullGesture> make_grab(const PenSample& touch, const Scene& scene,
-                                       const StrokeHit& hit, const GrabOptions& options) {
-  return std::make_unique<GrabGesture>(touch, scene, hit, options);
+                                       const StrokeHit& hit, const GrabOptions& options,
+                                       TouchOffset offset) {
+  return std::make_unique<GrabGesture>(touch, scene, hit, options, offset);
 }
 
 }  // namespace felt

@@ -5,6 +5,7 @@
 #include "felt/document/stroke_index.h"
 #include "felt/tools/pull/grab_pull.h"
 #include "felt/tools/pull/pull_gesture.h"
+#include "felt/tools/pull/touch_offset.h"
 
 namespace felt {
 
@@ -12,10 +13,11 @@ namespace felt {
 /// of the stroke at the touch and of how far the pen has come since, so going back undoes it and
 /// the rate of samples means nothing (R23). Feels like EditSpring about the place of the touch.
 ///
-/// `hit` is what scene.index found under the touch. The touch itself moves nothing: the point that
-/// was taken hold of keeps its distance from the pen. A shape that would break an invariant is not
-/// shown, the last good one stays.
+/// `hit` is what scene.index found under the touch. The touch itself moves nothing; `offset` says
+/// whether the curve then comes to the pen (curve_displacement). A shape that would break an
+/// invariant is not shown, the last good one stays.
 std::unique_ptr<PullGesture> make_grab(const PenSample& touch, const Scene& scene,
-                                       const StrokeHit& hit, const GrabOptions& options);
+                                       const StrokeHit& hit, const GrabOptions& options,
+                                       TouchOffset offset = TouchOffset::kBlendedOut);
 
 }  // namespace felt

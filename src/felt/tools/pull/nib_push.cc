@@ -15,6 +15,9 @@ namespace {
 /// Handles longer than this part of their segment's length make loops (specification 5c, sweep).
 constexpr double kLongestHandle = 1.5;
 
+/// R27: the stroke is no nearer than the radius less this, mm.
+constexpr double kClearMm = 1e-6;
+
 /// What a correction beyond the usual number adds to the radius, mm.
 constexpr double kRoomMm = 1e-3;
 
@@ -102,7 +105,7 @@ bool NibPush::move(Point from, Point to, Vec came_from) {
   bool moved = false;
   for (int k = 1; k <= steps.count; ++k) {
     const Point p = steps.at(k);
-    const auto met = deepest(p);
+    const auto met = nearest_to(p, radius_mm_ - kContactMm);
     if (!met && !steps.may_jump) continue;
     if (!before) before = strand_;
     if (steps.may_jump) moved = catch_jumped(steps.at(k - 1), p) || moved;
@@ -119,9 +122,8 @@ bool NibPush::move(Point from, Point to, Vec came_from) {
   return true;
 }
 
-std::optional<NibPush::Nearest> NibPush::deepest(Point p) const {
-  const double near = radius_mm_ - kContactMm;
-  double best = near * near;
+std::optional<NibPush::Nearest> NibPush::nearest_to(Point p, double within_mm) const {
+  double best = within_mm * within_mm;
   std::optional<Nearest> found;
   for (int i = 0; i < strand_.count(); ++i) {
     const Cubic c = strand_.segment(i);
@@ -134,10 +136,17 @@ std::optional<NibPush::Nearest> NibPush::deepest(Point p) const {
   return found;
 }
 
+std::optional<NibPush::Under> NibPush::under(Point p, double within_mm) const {
+  const auto near = nearest_to(p, within_mm);
+  if (!near) return std::nullopt;
+  const Point was = strand_.snapshot()->position(u_of(near->place));
+  return Under{near->point, distance(near->point, was)};
+}
+
 bool NibPush::clear(Point p, Vec came_from) {
   bool moved = false;
   for (int k = 0; k < kCorrections; ++k) {
-    const auto met = deepest(p);
+    const auto met = nearest_to(p, radius_mm_ - kContactMm);
     if (!met) break;
     const double depth = distance(p, met->point);
     Vec n = depth > 1e-9 ? (p - met->point) / depth : came_from;
@@ -278,8 +287,16 @@ bool NibPush::displace_within(double reach, const Nearest& at, Point target) {
   return true;
 }
 
-Result<Stroke> NibPush::finished() const {
-  return with_good_shapes(strand_);
+Result<Stroke> NibPush::finished(Point pen) const {
+  Result<Stroke> refitted = with_good_shapes(strand_);
+  if (!refitted) return refitted;
+  // The refit may have moved the stroke towards the nib by kRefitToleranceMm: once more.
+  NibPush again(std::make_shared<const Stroke>(*std::move(refitted)), radius_mm_);
+  again.move(pen, pen);
+  if (again.nearest_to(pen, radius_mm_ - kClearMm) && !nearest_to(pen, radius_mm_ - kClearMm)) {
+    return strand_.stroke();
+  }
+  return *again.stroke();
 }
 
 }  // namespace felt

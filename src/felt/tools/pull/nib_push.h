@@ -50,10 +50,18 @@ class NibPush {
   bool move(Point from, Point to, Vec came_from = {});
   /// The stroke as it is now.
   [[nodiscard]] const StrokePtr& stroke() const noexcept { return stroke_; }
+  /// The point of the stroke nearest to a place, and how far it has been pushed; nothing if it is
+  /// farther than `within_mm`.
+  struct Under {
+    Point point;
+    double displacement_mm = 0.0;
+  };
+  [[nodiscard]] std::optional<Under> under(Point p, double within_mm) const;
   /// Where the last move touched it, if it did.
   [[nodiscard]] const std::optional<Point>& contact() const noexcept { return contact_; }
-  /// The stroke with what changed in good shape (refit.h), for the end.
-  [[nodiscard]] Result<Stroke> finished() const;
+  /// The stroke with what changed in good shape (refit.h), for the end; as clear of the nib at
+  /// `pen` as it is now.
+  [[nodiscard]] Result<Stroke> finished(Point pen) const;
 
  private:
   struct Nearest {
@@ -72,7 +80,7 @@ class NibPush {
     double weight = 0.0, slope = 0.0;
   };
 
-  [[nodiscard]] std::optional<Nearest> deepest(Point p) const;
+  [[nodiscard]] std::optional<Nearest> nearest_to(Point p, double within_mm) const;
   bool clear(Point p, Vec came_from);
   bool catch_jumped(Point from, Point to);
   bool displace(Nearest at, Point target);

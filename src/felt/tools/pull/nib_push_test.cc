@@ -160,7 +160,7 @@ TEST(NibPush, WhatIsFarFromTheNibStaysBitForBit) {
   const StrokePtr stroke = line(20, 12.0, 3.0);
   NibPush push(stroke, kRadius);
   go(push, {{120, -20}, {120, 2}}, 0.5, [](Point, bool) {});
-  const Result<Stroke> done = push.finished();
+  const Result<Stroke> done = push.finished({120, 2});
   ASSERT_TRUE(done);
   for (const Stroke& now : {*push.stroke(), *done}) {
     for (int i = 0; i < 5; ++i) {

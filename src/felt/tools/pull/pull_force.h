@@ -11,9 +11,9 @@
 namespace felt {
 
 /// What the hand feels with the pull tool (paper, eq. 8 and 9; R29, R30): the sheet, and while
-/// something is held the counter-force, back to where the pen took hold or, in modes that remember
-/// their way, to the line that gives way. One feel lasts as long as the gesture, so that nothing is
-/// cross-faded in between.
+/// something is held the counter-force: back to where the pen took hold, or, in modes that remember
+/// their path, that of the line as it is now. One feel lasts as long as the gesture, so that
+/// nothing is cross-faded in between.
 inline ForceModel make_pull_force(const PullSettings& settings, const Scene& scene,
                                   const PullFeel& feel) {
   const Medium material =
@@ -34,13 +34,15 @@ inline ForceModel make_pull_force(const PullSettings& settings, const Scene& sce
       id.with("spring").with(feel.origin.x).with(feel.origin.y);
       model = ForceModel(Compose(sheet, EditSpring(feel.origin, edit)));
       break;
-    case PullFeel::Kind::kSweep: {
-      const double seconds =
-          settings.mode == PullMode::kSweep ? settings.sweep.time_constant_s : 0.050;
-      id.with("sweep").with(std::uint64_t{feel.gesture}).with(seconds);
-      model = ForceModel(Compose(sheet, SweepSpring(feel.gesture, edit, seconds)));
+    case PullFeel::Kind::kSweep:
+      id.with("sweep").with(settings.sweep.time_constant_s).with(std::uint64_t{feel.leaps});
+      model =
+          ForceModel(Compose(sheet, SweepSpring(feel.curve, edit, settings.sweep.time_constant_s)));
       break;
-    }
+    case PullFeel::Kind::kPush:
+      id.with("push");
+      model = ForceModel(Compose(sheet, PushSpring(feel.line, edit)));
+      break;
   }
   model.set_fade_id(id.value());
   return model;

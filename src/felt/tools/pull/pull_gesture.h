@@ -7,6 +7,7 @@
 #include "felt/document/edit.h"
 #include "felt/document/stroke_index.h"
 #include "felt/haptics/pen_sample.h"
+#include "felt/haptics/spring.h"
 #include "felt/tools/overlay.h"
 #include "felt/tools/scene.h"
 
@@ -17,13 +18,14 @@ struct PullFeel {
   enum class Kind : std::uint8_t {
     kNone,    ///< the sheet alone: nothing has been taken hold of
     kSpring,  ///< EditSpring: back to where the gesture took hold
-    kSweep,   ///< SweepSpring: back to a curve that gives way with a time constant
+    kSweep,   ///< SweepSpring: to a curve that gives way with a time constant
+    kPush,    ///< PushSpring: against what the nib pushes
   };
   Kind kind = Kind::kNone;
-  Point origin{};             ///< kSpring: where the pen was when it took hold
-  std::uint32_t gesture = 0;  ///< kSweep: another number begins afresh
-
-  friend bool operator==(const PullFeel&, const PullFeel&) noexcept = default;
+  Point origin{};           ///< kSpring: where the pen was when it took hold
+  CurveNear curve{};        ///< kSweep
+  std::uint32_t leaps = 0;  ///< kSweep: another number is another place, and faded over to
+  LineUnderNib line{};      ///< kPush
 };
 
 /// One gesture of one mode of the pull tool: what the pen has made of the strokes so far. Modes

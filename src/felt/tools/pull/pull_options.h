@@ -9,6 +9,7 @@
 #include "felt/tools/pull/grab_pull.h"
 #include "felt/tools/pull/push_gesture.h"
 #include "felt/tools/pull/sweep_gesture.h"
+#include "felt/tools/pull/touch_offset.h"
 #include "felt/tools/tool_options.h"
 
 namespace felt {
@@ -25,6 +26,7 @@ struct PullOption {
     kMode,
     kRadius,
     kFreeEnds,
+    kKeepOffset,
     kGrabRadius,
     kTolerance,
     kWeights,
@@ -60,6 +62,14 @@ inline constexpr std::array<OptionSpec, PullOption::kCount> kPullOptions = {{
      .fallback = 0,
      .help = "Ends and corners go along, instead of staying unless taken hold of; the first "
              "modifier turns this round for one gesture.",
+     .when = "mode=brush|grab"},
+    {.id = "keep_offset",
+     .label = "Keep distance from the pen",
+     .unit = "",
+     .kind = OptionKind::kSwitch,
+     .fallback = 0,
+     .help = "A line touched from beside keeps its distance from the pen, instead of coming to the "
+             "pen over the first millimetres.",
      .when = "mode=brush|grab"},
     {.id = "grab_radius_mm",
      .label = "Grab radius",
@@ -123,6 +133,7 @@ struct PullSettings {
   GrabOptions grab;
   PushOptions push;
   SweepOptions sweep;
+  TouchOffset offset = TouchOffset::kBlendedOut;
   double grab_radius_mm = 8.0;
   double strength = 1.0;
 };

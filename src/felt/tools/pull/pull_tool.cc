@@ -68,7 +68,7 @@ ToolResult PullTool::begin(const PenSample& sample, const Scene& scene) {
     case PullMode::kGrab: {
       GrabOptions grab = settings_.grab;
       grab.pins_joints = !brush.free_ends;
-      gesture_ = make_grab(sample, scene, *hit, grab);
+      gesture_ = make_grab(sample, scene, *hit, grab, settings_.offset);
       break;
     }
     case PullMode::kSweep:
@@ -76,7 +76,7 @@ ToolResult PullTool::begin(const PenSample& sample, const Scene& scene) {
       break;
     case PullMode::kBrush:
     case PullMode::kPush:
-      gesture_ = make_brush(sample, scene, *hit, brush);
+      gesture_ = make_brush(sample, scene, *hit, brush, settings_.offset);
       break;
   }
   return {};

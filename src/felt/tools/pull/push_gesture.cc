@@ -1,5 +1,6 @@
 #include "felt/tools/pull/push_gesture.h"
 
+#include <algorithm>
 #include <map>
 #include <utility>
 
@@ -10,6 +11,8 @@ namespace felt {
 namespace {
 
 constexpr const char* kLabel = "Push";
+/// A line farther from the nib than this is not felt: the law falls to zero within 1 N/Kcap.
+constexpr double kFeltMm = 4.0;
 
 Point place_of(const PenSample& pen) noexcept {
   return {pen.position.x, pen.position.y};
@@ -31,13 +34,10 @@ class PushGesture final : public PullGesture {
     // A pen that lands exactly on a line came from where it was before.
     const Vec came_from = -normalized({pen.velocity.x, pen.velocity.y});
     meet(scene, last_, now);
-    bool moved = false, touching = false;
+    bool moved = false;
     for (auto& [id, pushed] : pushed_) {
       moved = pushed.push.move(last_, now, came_from) || moved;
-      touching = touching || pushed.push.contact().has_value();
     }
-    if (touching && !touching_) ++contacts_;
-    touching_ = touching;
     last_ = now;
     if (!moved) return std::nullopt;
     Edit edit{.label = kLabel, .changes = {}};
@@ -49,7 +49,7 @@ class PushGesture final : public PullGesture {
     Edit edit{.label = kLabel, .changes = {}};
     for (const auto& [id, pushed] : pushed_) {
       if (pushed.push.stroke() == pushed.place.before()) continue;
-      Result<Stroke> done = pushed.push.finished();
+      Result<Stroke> done = pushed.push.finished(last_);
       add(pushed, done ? std::make_shared<const Stroke>(*std::move(done)) : pushed.push.stroke(),
           edit);
     }
@@ -57,8 +57,9 @@ class PushGesture final : public PullGesture {
   }
 
   [[nodiscard]] PullFeel feel() const override {
-    if (!touching_) return {};
-    return {.kind = PullFeel::Kind::kSweep, .gesture = contacts_};
+    PullFeel feel{.kind = PullFeel::Kind::kPush};
+    feel.line = line_under_nib();
+    return feel;
   }
 
   void draw(Overlay& overlay) const override {
@@ -85,6 +86,39 @@ class PushGesture final : public PullGesture {
     });
   }
 
+  /// All lines near the nib as one: each counts by the force that it has at this place, so that a
+  /// line comes and goes without a jump.
+  [[nodiscard]] LineUnderNib line_under_nib() const {
+    LineUnderNib sum{.pen = last_}, nearest{.pen = last_, .gap_mm = kFeltMm};
+    Vec normals{};
+    double all_n = 0.0;
+    for (const auto& [id, pushed] : pushed_) {
+      const auto under = pushed.push.under(last_, radius_mm_ + kFeltMm);
+      if (!under) continue;
+      const double gap = std::max(0.0, distance(last_, under->point) - radius_mm_);
+      const Vec normal = normalized(last_ - under->point);
+      const double spring_n = kEditLaw.force_n(under->displacement_mm);
+      const double felt_n = std::max(0.0, spring_n - 1e-3 * kEditLaw.max_slope_n_per_m() * gap);
+      if (felt_n > 0.0) {
+        normals += felt_n * normal;
+        all_n += felt_n;
+        sum.gap_mm += felt_n * gap;
+        sum.displacement_mm += felt_n * under->displacement_mm;
+      } else if (gap < nearest.gap_mm) {
+        nearest.normal = normal;
+        nearest.gap_mm = gap;
+        nearest.displacement_mm = under->displacement_mm;
+      }
+    }
+    // Not felt yet, but the pen may get there before the next sample.
+    if (all_n == 0.0) return nearest;
+    sum.normal = normalized(normals);
+    sum.share = norm(normals) / all_n;
+    sum.gap_mm /= all_n;
+    sum.displacement_mm /= all_n;
+    return sum;
+  }
+
   static void add(const Pushed& pushed, StrokePtr after, Edit& edit) {
     if (after == pushed.place.before()) return;
     Edit one = pushed.place.with(std::move(after), kLabel);
@@ -94,8 +128,6 @@ class PushGesture final : public PullGesture {
   double radius_mm_;
   Point last_;
   std::map<StrokeId, Pushed> pushed_;
-  bool touching_ = false;
-  std::uint32_t contacts_ = 0;
 };
 
 }  // namespace

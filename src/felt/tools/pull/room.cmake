@@ -31,8 +31,10 @@ tool_room(pull
     strand.h
     sweep_gesture.h
     sweep_pull.h
+    touch_offset.h
   TESTS
     brush_pull_test.cc
+    pull_force_test.cc
     pull_test.cc
     edit_weights_test.cc
     grab_pull_test.cc

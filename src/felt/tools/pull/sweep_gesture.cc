@@ -30,7 +30,9 @@ class SweepGesture final : public PullGesture {
         shown_(stroke_.before()),
         time_constant_ns_(1e9 * options.time_constant_s),
         last_(place_of(touch)),
-        last_ns_(touch.time_ns) {}
+        last_ns_(touch.time_ns),
+        stepped_(last_),
+        stepped_ns_(touch.time_ns) {}
 
   std::optional<Edit> move(const PenSample& pen, const Scene& /*scene*/) override {
     const Point now = place_of(pen);
@@ -58,7 +60,10 @@ class SweepGesture final : public PullGesture {
   }
 
   [[nodiscard]] PullFeel feel() const override {
-    return {.kind = PullFeel::Kind::kSweep, .gesture = 0};
+    PullFeel feel{.kind = PullFeel::Kind::kSweep, .curve = sweep_.near(), .leaps = sweep_.leaps()};
+    feel.curve.pen = stepped_;
+    feel.curve.time_ns = stepped_ns_;
+    return feel;
   }
 
   void draw(Overlay& overlay) const override {
@@ -79,7 +84,9 @@ class SweepGesture final : public PullGesture {
     bool moved = false;
     double at = next_ns_;  // from the last sample on
     for (; at <= passed_ns; at += step) {
-      moved = sweep_.step(lerp(last_, now, at / passed_ns), part) || moved;
+      stepped_ = lerp(last_, now, at / passed_ns);
+      stepped_ns_ = last_ns_ + static_cast<std::int64_t>(at);
+      moved = sweep_.step(stepped_, part) || moved;
     }
     next_ns_ = at - passed_ns;
     return moved;
@@ -92,6 +99,8 @@ class SweepGesture final : public PullGesture {
   Point last_;
   std::int64_t last_ns_;
   double next_ns_ = kStepNs;  // until the next step, from the last sample on
+  Point stepped_;             // where the pen was at the last step, and when
+  std::int64_t stepped_ns_;
 };
 
 }  // namespace

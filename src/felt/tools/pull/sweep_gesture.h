@@ -14,7 +14,7 @@ struct SweepOptions {
 
 /// Draws a stroke over again along the pen's way (specification 5c, "Sweep"): what is nearest to
 /// the pen relaxes towards it, and what is nearest wanders along with the pen. Not undone by moving
-/// back: it remembers its way. Feels like SweepSpring.
+/// back: it remembers its path. Feels like SweepSpring about the curve as it is now.
 ///
 /// `hit` is what scene.index found under the touch. The rate of samples means nothing: the pen's
 /// way is walked in steps of 1 ms from the touch on, whatever samples it comes in.

@@ -24,6 +24,14 @@ Point SweepPull::point() const noexcept {
   return evaluate(strand_.segment(place_.segment), place_.t);
 }
 
+CurveNear SweepPull::near() const noexcept {
+  const auto [i, t] = place_;
+  const Cubic c = strand_.segment(i);
+  const bool is_end = (t <= 0.0 && strand_.joint(i) != JointKind::kSmooth) ||
+                      (t >= 1.0 && strand_.joint(i + 1) != JointKind::kSmooth);
+  return {.curve = point(), .normal = perp(tangent(c, t)), .is_end = is_end};
+}
+
 void SweepPull::track(Point pen) {
   const int here = place_.segment;
   double best = std::numeric_limits<double>::infinity();
@@ -54,9 +62,11 @@ void SweepPull::keep_short() {
 }
 
 bool SweepPull::step(Point pen, double part) {
+  const Point was = point();
   track(pen);
   keep_short();
   track(pen);
+  if (distance(was, point()) > kLeapMm) ++leaps_;
   const auto [i, t] = place_;
   const Vec pull = part * (pen - point());
   if (pull == Vec{}) return false;

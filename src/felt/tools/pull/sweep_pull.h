@@ -1,7 +1,10 @@
 #pragma once
 
+#include <cstdint>
+
 #include "felt/base/result.h"
 #include "felt/document/edit.h"
+#include "felt/haptics/spring.h"
 #include "felt/tools/pull/strand.h"
 
 namespace felt {
@@ -20,6 +23,7 @@ class SweepPull {
   static constexpr double kPieceMm = 8.0;
   static constexpr int kMostSegments = 300;
   static constexpr double kLongestHandle = 1.5;
+  static constexpr double kLeapMm = 1.0;
 
   /// Takes hold at u0, clamped to the stroke.
   SweepPull(StrokePtr snapshot, double u0);
@@ -29,6 +33,10 @@ class SweepPull {
   /// The point that follows the pen.
   [[nodiscard]] Point point() const noexcept;
   [[nodiscard]] StrandPlace place() const noexcept { return place_; }
+  /// Where that point is on the curve: its normal, whether it is an end or a corner.
+  [[nodiscard]] CurveNear near() const noexcept;
+  /// How often what is nearest has leapt by more than kLeapMm, where the stroke is folded.
+  [[nodiscard]] std::uint32_t leaps() const noexcept { return leaps_; }
   [[nodiscard]] Result<Stroke> stroke() const { return strand_.stroke(); }
   /// With what changed in good shape (refit.h), for the end.
   [[nodiscard]] Result<Stroke> finished() const;
@@ -39,6 +47,7 @@ class SweepPull {
 
   Strand strand_;
   StrandPlace place_;
+  std::uint32_t leaps_ = 0;
 };
 
 }  // namespace felt
