@@ -93,6 +93,7 @@ Result<void> RecordRun::begin() {
   loop_ = *std::move(loop);
   told_faults_ = 0;
   told_device_fault_.reset();
+  told_notice_.reset();
   offset_ns_ = last_ns_ - loop_->thread().now_ns();
   if (last_ns_ == 0) offset_ns_ = 0;
   console_.notice(describe(loop_->thread().status()));
@@ -197,6 +198,11 @@ void RecordRun::tell_faults(const TickReport& report) {
                       " The ink so far is kept.");
     }
   }
+  // What it said when it was opened is no news.
+  if (told_notice_.value_or(status.notice) != status.notice && !status.notice.empty()) {
+    console_.notice(std::string(status.notice.view()));
+  }
+  told_notice_ = status.notice;
   const SafetyReport& safety = report.safety;
   const std::uint32_t faults = safety.soft_faults + safety.hard_faults;
   if (faults == told_faults_) return;

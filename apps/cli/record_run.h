@@ -78,6 +78,7 @@ class RecordRun {
   std::int64_t last_forces_ns_ = -1;
   std::uint32_t told_faults_ = 0;  // of this loop
   std::optional<DeviceFault> told_device_fault_;
+  std::optional<ShortText> told_notice_;
   bool wants_forces_ = false;
   bool has_agreed_ = false;
   bool hangs_ = false;

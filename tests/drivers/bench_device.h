@@ -44,6 +44,10 @@ class BenchDevice final : public Device {
     if (!device_) return tl::unexpected(DeviceFault::kDisconnected);
     return device_->write(force);
   }
+  [[nodiscard]] std::optional<Force> held_force() const noexcept override {
+    return device_ ? device_->held_force() : std::nullopt;
+  }
+  [[nodiscard]] bool is_arm() const noexcept override { return device_ && device_->is_arm(); }
   void stop() noexcept override {
     if (device_) device_->stop();
   }

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -69,6 +70,11 @@ class DriverBench {
   [[nodiscard]] virtual std::int64_t notice_ns() const noexcept { return 0; }
   /// The other side lets go of the motors by itself when it hears nothing for so long; 0: never.
   [[nodiscard]] virtual std::int64_t watchdog_ns() const noexcept { return 0; }
+  /// The force, in the sheet's frame, that the newest message to the other side asked for; nullopt
+  /// if the fake does not record it. Exact to 10^-5 N.
+  [[nodiscard]] virtual std::optional<Force> last_asked() const { return std::nullopt; }
+  /// How long a device takes no force after this fault is over, though it is read again.
+  [[nodiscard]] virtual std::int64_t stays_off_ns(InjectedFault) const noexcept { return 0; }
   /// The other side stands still: what it is told, a stop() too, waits until it goes on; meanwhile
   /// only its watchdog lets go.
   [[nodiscard]] virtual bool stands_still() const noexcept { return false; }

@@ -87,11 +87,13 @@ class EvdevBench final : public DriverBench {
   /// that nobody moves. It knows neither warmth nor the loss of its zero, and that it takes no
   /// force it says only when it is asked for one (evdev_test.cc).
   [[nodiscard]] bool shows(InjectedFault fault) const noexcept override {
+    if (is_of_a_service(fault)) return false;
     switch (fault) {
       case InjectedFault::kNotFinite:
       case InjectedFault::kInfinite:
       case InjectedFault::kTimeBackwards:
       case InjectedFault::kJump:
+      case InjectedFault::kJumpOften:
       case InjectedFault::kSignFlip:
       case InjectedFault::kNoAnswer:
       case InjectedFault::kForcesOff:

@@ -59,6 +59,20 @@ std::int64_t moment(PenState state, Random& random) {
   }
 }
 
+// How late a service is, and that long enough to be a fault where it is one.
+void choose_service(FaultCase& fault, Random& random) {
+  constexpr std::array<double, 6> kAnswersMs{1.2, 2.0, 2.1, 5.0, 12.0, 40.0};
+  constexpr std::array<double, 5> kBurstsMs{1.5, 3.0, 6.0, 15.0, 30.0};
+  fault.lasts_ns = ms(random, 5.0, 600.0);
+  if (fault.fault == InjectedFault::kSlowAnswers) {
+    fault.amount = kAnswersMs[random.bits() % kAnswersMs.size()];
+  } else if (fault.fault == InjectedFault::kBurstAnswers) {
+    fault.amount = kBurstsMs[random.bits() % kBurstsMs.size()];
+  } else {
+    fault.amount = random.between(0.2, 7.0);
+  }
+}
+
 void choose_amount(FaultCase& fault, Random& random) {
   fault.lasts_ns = ms(random, 1.0, 120.0);
   fault.amount = std::pow(10.0, random.between(-1.0, 2.0));
@@ -67,6 +81,11 @@ void choose_amount(FaultCase& fault, Random& random) {
     if (fault.fault == InjectedFault::kNoise || fault.fault == InjectedFault::kCoarse) {
       fault.amount = random.between(0.05, 1.0);
     }
+    if (fault.fault == InjectedFault::kJumpOften) {
+      fault.amount = std::pow(10.0, random.between(1.0, 3.0));
+      fault.lasts_ns = ms(random, 40.0, 300.0);
+    }
+    if (is_of_a_service(fault.fault)) choose_service(fault, random);
     if (fault.fault == InjectedFault::kFrozen || fault.fault == InjectedFault::kNoAnswer) {
       fault.lasts_ns = ms(random, 5.0, 500.0);
     }

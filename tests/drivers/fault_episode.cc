@@ -102,6 +102,10 @@ FaultEpisode::FaultEpisode(const BenchMaker& make, const FaultCase& fault)
   lift_ns_ =
       std::max(landing_ns(fault.state) + 900 * kMs, fault.at_ns + fault.lasts_ns + 250 * kMs);
   arm_ns_ = lift_ns_ + 300 * kMs;
+  // A late service must have been prompt for a while.
+  if (fault.happening == Happening::kDeviceFault && bench_->stays_off_ns(fault.fault) > 0) {
+    arm_ns_ += bench_->stays_off_ns(fault.fault);
+  }
   ends_ns_ = arm_ns_ + 820 * kMs;
   new_loop();
 }

@@ -38,6 +38,7 @@ struct FaultVerdict {
 ///     user has armed
 ///   - what is still read is still told to the session
 ///   - kDisconnected is for ever
+///   - what the tick reports as sent is what the other side was told
 /// and at the end: forces are back; every sample that was believed is ink (pencil); undo leads back
 /// to the first drawing; no rule of the vendor was broken.
 class FaultEpisode {
@@ -65,6 +66,7 @@ class FaultEpisode {
   void broken(std::string rule);
   void check_tick(const TickReport& tick);
   void check_force(const TickReport& tick);
+  void check_log(const TickReport& tick);
   void check_zero(const TickReport& tick);
   void check_reading(const TickReport& tick);
   void check_back();
@@ -72,6 +74,7 @@ class FaultEpisode {
   void check_ink();
   [[nodiscard]] std::optional<std::int64_t> zero_within_ns() const;
   [[nodiscard]] bool is_hard() const noexcept;
+  [[nodiscard]] bool acts_after_its_watchdog() const noexcept;
   [[nodiscard]] bool tells_the_truth() const noexcept;
 
   FaultCase fault_;

@@ -18,6 +18,9 @@ constexpr std::int64_t kSilentNs = 2'070 * kMs;
 constexpr std::int64_t kNoAnswerNs = 50 * kMs;
 constexpr std::int64_t kCrossFadeNs = 20 * kMs;
 constexpr std::int64_t kJumpHoldNs = 2 * kMs;
+constexpr std::int64_t kJumpsOftenNs = 27 * kMs;
+constexpr std::int64_t kSlowServiceNs = 250 * kMs;  // noticed, and the force let down
+constexpr double kWireN = 1e-5;
 constexpr double kSurelyAJumpMm = 8.0;
 /// Ink may lie so far from the samples: the fit's tolerance, and what filter and refinement add.
 constexpr double kInkMm = 0.6;
@@ -92,6 +95,18 @@ std::optional<std::int64_t> FaultEpisode::zero_within_ns() const {
     case InjectedFault::kSignFlip:
       if (fault_.lasts_ns < jump_ns + 2 * period_ns_) return std::nullopt;
       return jump_ns;
+    case InjectedFault::kJumpOften: {
+      const std::int64_t often_ns = kJumpsOftenNs + notice;
+      if (fault_.lasts_ns < often_ns + 2 * period_ns_) return std::nullopt;
+      return often_ns;
+    }
+    case InjectedFault::kSlowAnswers:
+    case InjectedFault::kLostAnswers:
+    case InjectedFault::kBurstAnswers: {
+      const bool is_prompt = fault_.fault != InjectedFault::kLostAnswers && fault_.amount < 2.0;
+      if (is_prompt || fault_.lasts_ns < kSlowServiceNs + period_ns_) return std::nullopt;
+      return kSlowServiceNs;
+    }
     case InjectedFault::kNoAnswer: {
       const std::int64_t limit = std::max(kNoAnswerNs, bench_->watchdog_ns()) + notice;
       if (fault_.lasts_ns < limit + period_ns_) return std::nullopt;
@@ -100,6 +115,12 @@ std::optional<std::int64_t> FaultEpisode::zero_within_ns() const {
     default:
       return std::nullopt;
   }
+}
+
+/// A service that has let go by itself takes the force that was sent before it was late.
+bool FaultEpisode::acts_after_its_watchdog() const noexcept {
+  return fault_.happening == Happening::kDeviceFault && is_of_a_service(fault_.fault) &&
+         1e6 * fault_.amount >= static_cast<double>(bench_->watchdog_ns());
 }
 
 /// The user must arm again.
@@ -136,6 +157,7 @@ void FaultEpisode::check_tick(const TickReport& tick) {
     hash_.add_value(value);
   }
   check_force(tick);
+  check_log(tick);
   check_zero(tick);
   check_reading(tick);
   if (phase_ == Phase::kBefore) {
@@ -170,13 +192,16 @@ void FaultEpisode::check_force(const TickReport& tick) {
   const std::int64_t dt_ns = std::clamp<std::int64_t>(now() - last_now_ns_, 0, 5 * kMs);
   const double dt_ms = 1e-6 * static_cast<double>(dt_ns + bench_->notice_ns());
   const double more_n = held_n - last_held_n_;
-  const bool ignores =
-      fault_.happening == Happening::kDeviceFault &&
-      (fault_.fault == InjectedFault::kForceIgnored || fault_.fault == InjectedFault::kNoAnswer);
+  const bool ignores = fault_.happening == Happening::kDeviceFault &&
+                       (fault_.fault == InjectedFault::kForceIgnored ||
+                        fault_.fault == InjectedFault::kNoAnswer || acts_after_its_watchdog());
   if (ignores && (phase_ == Phase::kDuring || free_ticks_ > 0)) return;
   if (more_n > kRiseNPerMs * dt_ms + 1e-4) return broken("it rises by " + newtons(more_n));
-  const bool engages =
-      tick.safety.state == SafetyState::kEngaging && last_state_ == SafetyState::kEngaging;
+  // What a late service is told seldom rises by as much as it was not told.
+  const bool is_late = fault_.happening == Happening::kDeviceFault &&
+                       is_of_a_service(fault_.fault) && phase_ != Phase::kAgain;
+  const bool engages = !is_late && tick.safety.state == SafetyState::kEngaging &&
+                       last_state_ == SafetyState::kEngaging;
   if (engages && more_n > kEngageNPerMs * dt_ms + 1e-4) {
     return broken("while engaging it rises by " + newtons(more_n));
   }
@@ -185,6 +210,17 @@ void FaultEpisode::check_force(const TickReport& tick) {
     if (held_n > kEngageNPerMs * (since_ms + dt_ms) + 1e-4 && since_ms < 300.0) {
       broken(newtons(held_n) + " are held so soon after reconnecting");
     }
+  }
+}
+
+/// What the tick reports is what the other side was told.
+void FaultEpisode::check_log(const TickReport& tick) {
+  const std::optional<Force> asked = bench_->last_asked();
+  if (!asked || bench_->device() == nullptr) return;
+  if (bench_->device()->status().fault == DeviceFault::kDisconnected) return;  // nobody hears it
+  if (norm(*asked - tick.sent) > kWireN) {
+    broken("the log says " + newtons(norm(tick.sent)) + ", the other side was told " +
+           newtons(norm(*asked)));
   }
 }
 
@@ -200,7 +236,7 @@ void FaultEpisode::check_zero(const TickReport& tick) {
   const std::int64_t since_ns = script_ns_ - since_ns_;
   if (is_zero && (tick.safety.state == SafetyState::kLatched || !is_hard())) {
     was_zero_ = true;
-    must_be_zero_ = is_hard();
+    must_be_zero_ = is_hard() && !acts_after_its_watchdog();
     verdict_.zero_after_ns = since_ns;
     const bool by_error =
         fault_.happening == Happening::kDeviceFault && bench_->device() != nullptr;

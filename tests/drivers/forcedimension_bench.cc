@@ -134,7 +134,7 @@ void ForceDimensionBench::before_tick(std::int64_t now_ns) noexcept {
 bool ForceDimensionBench::shows(InjectedFault fault) const noexcept {
   // The library tells neither times nor temperatures, and velocities are not asked for.
   return fault != InjectedFault::kTimeBackwards && fault != InjectedFault::kWarmMotors &&
-         fault != InjectedFault::kInfinite;
+         fault != InjectedFault::kInfinite && !is_of_a_service(fault);
 }
 
 DeviceDescriptor ForceDimensionBench::found() {

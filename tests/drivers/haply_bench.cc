@@ -69,8 +69,16 @@ class HaplyBench final : public DriverBench {
   /// A state is a period old when it is read, so that the plane pushes a period later: the pen
   /// touches down deeper, and its line begins wider (0.30 mm). Commands are in micronewtons.
   [[nodiscard]] double tolerance_mm() const noexcept override { return 0.4; }
+  [[nodiscard]] std::optional<Force> last_asked() const override {
+    return plane().turn_to_sheet(service_->newest_force());
+  }
   [[nodiscard]] std::int64_t notice_ns() const noexcept override {
     return device_ ? device_->capabilities().period_ns : 1'000'000;
+  }
+  /// Until the service has been prompt for a second.
+  [[nodiscard]] std::int64_t stays_off_ns(InjectedFault fault) const noexcept override {
+    const bool is_late = is_of_a_service(fault) || fault == InjectedFault::kNoAnswer;
+    return is_late ? 1'200'000'000 : 0;
   }
   [[nodiscard]] std::int64_t watchdog_ns() const noexcept override {
     return service_->options().watchdog_ns;

@@ -42,7 +42,7 @@ class OpenHapticsBench final : public DriverBench {
 
   /// The library tells no times.
   [[nodiscard]] bool shows(InjectedFault fault) const noexcept override {
-    return fault != InjectedFault::kTimeBackwards;
+    return fault != InjectedFault::kTimeBackwards && !is_of_a_service(fault);
   }
 
   Result<void> reconnect() override {

@@ -62,6 +62,7 @@ class PantographBench final : public DriverBench {
   /// It says two angles, and nothing of heights, velocities, times, buttons, warmth or brakes; its
   /// encoders cannot lose their count while it has power.
   [[nodiscard]] bool shows(InjectedFault fault) const noexcept override {
+    if (is_of_a_service(fault)) return false;
     switch (fault) {
       case InjectedFault::kInfinite:
       case InjectedFault::kStuckAxis:

@@ -232,7 +232,9 @@ class ScriptedBench final : public DriverBench {
   [[nodiscard]] HandInput& hand() noexcept override { return side_->world().stylus(); }
   [[nodiscard]] FakeWorld& world() noexcept override { return side_->world(); }
   void before_tick(std::int64_t now_ns) noexcept override { side_->tick(now_ns); }
-  [[nodiscard]] bool shows(InjectedFault) const noexcept override { return true; }
+  [[nodiscard]] bool shows(InjectedFault fault) const noexcept override {
+    return !is_of_a_service(fault);
+  }
   Result<void> reconnect() override {
     device_.reset();
     const std::vector<DeviceDescriptor> found = driver_.find();

@@ -47,6 +47,10 @@ class DriverInTick final : public Device {
   tl::expected<void, DeviceFault> write(const Force& force) noexcept override {
     return device_.write(force);
   }
+  [[nodiscard]] std::optional<Force> held_force() const noexcept override {
+    return device_.held_force();
+  }
+  [[nodiscard]] bool is_arm() const noexcept override { return device_.is_arm(); }
   void stop() noexcept override { device_.stop(); }
   [[nodiscard]] bool is_gone() const noexcept { return is_gone_; }
 

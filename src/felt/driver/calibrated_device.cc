@@ -40,4 +40,10 @@ tl::expected<void, DeviceFault> CalibratedDevice::write(const Force& force) noex
   return device_.write(calibration_.turn_to_device(force));
 }
 
+std::optional<Force> CalibratedDevice::held_force() const noexcept {
+  std::optional<Force> held = device_.held_force();
+  if (held) held = calibration_.turn_to_sheet(*held);
+  return held;
+}
+
 }  // namespace felt

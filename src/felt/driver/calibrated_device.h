@@ -28,6 +28,8 @@ class CalibratedDevice final : public Device {
   tl::expected<PenSample, DeviceFault> read(std::int64_t now_ns) noexcept override;
   std::optional<PenSample> between() noexcept override;
   tl::expected<void, DeviceFault> write(const Force& force) noexcept override;
+  [[nodiscard]] std::optional<Force> held_force() const noexcept override;
+  [[nodiscard]] bool is_arm() const noexcept override { return device_.is_arm(); }
   void stop() noexcept override { device_.stop(); }
 
   [[nodiscard]] const PlaneCalibration& calibration() const noexcept { return calibration_; }

@@ -67,6 +67,7 @@ struct OpenOptions {
 class DriverDevice : public Device {
  public:
   [[nodiscard]] virtual const DeviceDescriptor& descriptor() const noexcept = 0;
+  [[nodiscard]] bool is_arm() const noexcept override { return true; }
   /// The newest; cheap.
   [[nodiscard]] virtual DeviceStatus status() noexcept = 0;
   /// The maker's own servo loop, which must run this device; null: any thread may.

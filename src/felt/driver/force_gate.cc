@@ -3,11 +3,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "felt/haptics/safety_stages.h"
+
 namespace felt {
 namespace {
 
 constexpr double kShareOfNominal = 0.9;  // architecture section 10, "peak force"
 constexpr double kFadeS = 0.1;
+constexpr double kRoundingN = 1e-9;  // a turn into the device's frame; the chain's own clock
 
 double sane(double value) noexcept {
   return std::isfinite(value) && value > 0.0 ? value : 0.0;
@@ -17,6 +20,12 @@ double most_for(const Capabilities& device) noexcept {
   if (!device.has_force()) return 0.0;
   const double most_n = kShareOfNominal * sane(device.max_force_n);
   return device.advised_force_n == 0.0 ? most_n : std::min(most_n, sane(device.advised_force_n));
+}
+
+// As the chain credits (TickClock): two periods, 5 ms at most.
+double longest_credit_for(const Capabilities& device) noexcept {
+  constexpr double kMaxMs = 5.0;
+  return std::clamp(2e-6 * static_cast<double>(device.period_ns), 0.0, kMaxMs);
 }
 
 // RMS over any 10 s within the whole rating; the chain's is within 80 %. The fade is ten times as
@@ -32,29 +41,46 @@ SafetyLimits motor_limits(const Capabilities& device, double most_n) noexcept {
 }  // namespace
 
 ForceGate::ForceGate(const Capabilities& device) noexcept
-    : most_n_(most_for(device)), motors_(motor_limits(device, most_n_)) {}
+    : most_n_(most_for(device)),
+      longest_credit_ms_(longest_credit_for(device)),
+      motors_(motor_limits(device, most_n_)) {}
 
-ForceGate::Passed ForceGate::pass(const Force& asked, std::int64_t now_ns) noexcept {
-  if (held_since_ns_ && now_ns > *held_since_ns_) {
-    motors_.heat(held_n_,
-                 1e-9 * (static_cast<double>(now_ns) - static_cast<double>(*held_since_ns_)));
+// Heats the motors for the time that the last force was held; returns the time that counts for the
+// rise.
+double ForceGate::credit_ms(std::int64_t now_ns) noexcept {
+  if (!held_since_ns_) {
+    held_since_ns_ = now_ns;
+    return 0.5 * longest_credit_ms_;
   }
-  held_since_ns_ = std::max(now_ns, held_since_ns_.value_or(now_ns));
-  held_n_ = 0.0;
-  if (!is_finite(asked)) return {{}, false, true};
+  const double since_ms =
+      1e-6 * (static_cast<double>(now_ns) - static_cast<double>(*held_since_ns_));
+  held_since_ns_ = now_ns;
+  if (!(since_ms > 0.0)) return 0.0;
+  motors_.heat(norm(held_), 1e-3 * since_ms);
+  return std::min(since_ms, longest_credit_ms_);
+}
+
+// Keeps the direction.
+Force ForceGate::shortened(const Force& asked) const noexcept {
   // Relative to its largest part, so that the length of no finite force overflows.
   const double part_n = std::max({std::abs(asked.x), std::abs(asked.y), std::abs(asked.z)});
   if (part_n == 0.0) return {};
   const Force direction{asked.x / part_n, asked.y / part_n, asked.z / part_n};
   const double length = norm(direction);
   const double allowed_n = std::min(most_n_, motors_.allowed_n());
-  if (part_n * length <= allowed_n) {
-    held_n_ = part_n * length;
-    return {asked, true, false};
-  }
-  held_n_ = allowed_n;
+  if (part_n * length <= allowed_n) return asked;
   // A hair less: no rounding makes it longer than allowed.
-  return {(allowed_n * (1.0 - 1e-14) / length) * direction, true, true};
+  return (allowed_n * (1.0 - 1e-14) / length) * direction;
+}
+
+ForceGate::Passed ForceGate::pass(const Force& asked, std::int64_t now_ns) noexcept {
+  const double step_n = kRiseNPerMs * credit_ms(now_ns);
+  if (!is_finite(asked)) {
+    held_ = {};
+    return {{}, false, true};
+  }
+  held_ = limit_rise(held_, shortened(asked), step_n + kRoundingN);
+  return {held_, true, held_ != asked};
 }
 
 }  // namespace felt

@@ -32,6 +32,13 @@ const DeviceModel& any_model() {
   return models[*rc::gen::inRange<std::size_t>(0, models.size())];
 }
 
+// Asks until the force has risen as far as it may.
+ForceGate::Passed pass_long(ForceGate& gate, const Force& asked, std::int64_t from_ns = 0) {
+  ForceGate::Passed passed;
+  for (int i = 0; i < 40; ++i) passed = gate.pass(asked, from_ns + i * kMs);
+  return passed;
+}
+
 RC_GTEST_PROP(ForceGate, NothingEverComesOutLongerThanAllowed, ()) {
   const DeviceModel& model = any_model();
   const Capabilities& device = model.capabilities;
@@ -53,7 +60,7 @@ RC_GTEST_PROP(ForceGate, TheDirectionIsKept, ()) {
   const auto part = [] { return 0.001 * *rc::gen::inRange(-100'000, 100'000); };
   const double scale = std::pow(10.0, *rc::gen::inRange(-3, 300));
   const Force asked{scale * part(), scale * part(), scale * part()};
-  const Force sent = gate.pass(asked, 0).force;
+  const Force sent = pass_long(gate, asked).force;
   // Relative to the largest part, since squares overflow.
   const double most = std::max({std::abs(asked.x), std::abs(asked.y), std::abs(asked.z)});
   RC_PRE(most > 0.0);
@@ -66,7 +73,7 @@ RC_GTEST_PROP(ForceGate, WhatIsAllowedPassesToTheBit, ()) {
   ForceGate gate(any_model().capabilities);
   const auto part = [&] { return 1e-6 * gate.most_n() * *rc::gen::inRange(-577'000, 577'000); };
   const Force asked{part(), part(), part()};
-  const ForceGate::Passed passed = gate.pass(asked, 0);
+  const ForceGate::Passed passed = pass_long(gate, asked);
   RC_ASSERT(passed.force == asked);
   RC_ASSERT(passed.was_finite && !passed.was_cut);
 }
@@ -86,7 +93,7 @@ TEST(ForceGate, NotANumberIsNoForceAndSaysSo) {
 TEST(ForceGate, TheLargestFiniteForceIsCut) {
   ForceGate gate(find_device_model("touch")->capabilities);
   const double huge = std::numeric_limits<double>::max();
-  const ForceGate::Passed passed = gate.pass({huge, -huge, huge}, 0);
+  const ForceGate::Passed passed = pass_long(gate, {huge, -huge, huge});
   EXPECT_TRUE(passed.was_cut);
   EXPECT_NEAR(norm(passed.force), 2.5, 1e-9);
   EXPECT_NEAR(passed.force.x, -passed.force.y, 1e-12);
@@ -147,15 +154,18 @@ TEST(ForceGate, NeverBindsBeforeTheChainsMotorGuard) {
     MotorGuard chain(limits);
     ForceGate gate(model.capabilities);
     ASSERT_GE(gate.most_n(), limits.peak_force_n) << model.id;
-    double wish = 0.0;
+    double wish = 0.0, last = 0.0, step_ms = 0.0;
     std::int64_t now_ns = 0;
     for (int i = 0; i < 120'000; ++i) {
       if (i % 500 == 0) wish = share(random) < 0.7 ? 5.0 : 5.0 * share(random);
-      const double allowed = std::min({wish, limits.peak_force_n, chain.allowed_n()});
+      const double allowed = std::min(
+          {wish, limits.peak_force_n, chain.allowed_n(), last + limits.rise_n_per_ms * step_ms});
+      last = allowed;
       const ForceGate::Passed passed = gate.pass({0, allowed, 0}, now_ns);
       ASSERT_FALSE(passed.was_cut) << model.id << " at tick " << i;
       const std::int64_t step_ns = kMs / 4 + static_cast<std::int64_t>(share(random) * 1e6);
       chain.heat(allowed, 1e-9 * static_cast<double>(step_ns));
+      step_ms = 1e-6 * static_cast<double>(std::min(step_ns, 2 * model.capabilities.period_ns));
       now_ns += step_ns;
     }
   }
@@ -165,11 +175,48 @@ TEST(ForceGate, WhatWasLetGoHeatsNoMotor) {
   Capabilities device = find_device_model("touch")->capabilities;
   ForceGate held(device);
   ForceGate let_go(device);
-  held.pass({2.5, 0, 0}, 0);
-  let_go.pass({2.5, 0, 0}, 0);
+  pass_long(held, {2.5, 0, 0});
+  pass_long(let_go, {2.5, 0, 0});
   let_go.let_go();
-  EXPECT_LT(norm(held.pass({2.5, 0, 0}, 60'000 * kMs).force), 0.9);
-  EXPECT_NEAR(norm(let_go.pass({2.5, 0, 0}, 60'000 * kMs).force), 2.5, 1e-9);
+  EXPECT_LT(norm(pass_long(held, {2.5, 0, 0}, 60'000 * kMs).force), 0.901);
+  EXPECT_NEAR(norm(pass_long(let_go, {2.5, 0, 0}, 60'000 * kMs).force), 2.5, 1e-9);
+}
+
+// docs/safety.md, "rise": whatever a driver is asked for, and however seldom.
+TEST(ForceGate, TheForceRisesByThreeTenthsOfANewtonAMillisecond) {
+  for (const std::int64_t tick_ns : {kMs / 5, kMs, 2 * kMs, 7 * kMs, 500 * kMs}) {
+    ForceGate gate(find_device_model("inverse3")->capabilities);
+    double last = norm(gate.pass({}, 0).force);
+    const double step_n = 0.3 * std::min(1e-6 * static_cast<double>(tick_ns), 2.0);
+    for (std::int64_t t = tick_ns; t < 30 * tick_ns; t += tick_ns) {
+      const double sent = norm(gate.pass({0, 0, 3}, t).force);
+      EXPECT_LE(sent, last + step_n + 1e-8) << tick_ns;
+      if (tick_ns < 10 * kMs) {  // before the motors are warm
+        EXPECT_GE(sent, std::min(3.0, last + step_n) - 1e-8) << tick_ns;
+      }
+      last = sent;
+    }
+  }
+}
+
+TEST(ForceGate, FallingIsFreeTurningIsNot) {
+  ForceGate gate(find_device_model("inverse3")->capabilities);
+  pass_long(gate, {0, 0, 2});
+  EXPECT_EQ(gate.pass({0, 0, 0.5}, 100 * kMs).force, (Force{0, 0, 0.5}));
+  pass_long(gate, {0, 0, 2}, 100 * kMs);
+  EXPECT_NEAR(gate.pass({0, 0, -2}, 140 * kMs).force.z, -0.3, 1e-8) << "a reversal begins at zero";
+  gate.let_go();
+  EXPECT_EQ(gate.held(), Force{});
+  EXPECT_NEAR(gate.pass({0, 2, 0}, 141 * kMs).force.y, 0.3, 1e-8);
+}
+
+TEST(ForceGate, AClockThatStandsStillOrRunsBackwardsAddsNoForceAndTheNextTickDoes) {
+  ForceGate gate(find_device_model("inverse3")->capabilities);
+  const double first = norm(gate.pass({0, 0, 3}, 3'600'000 * kMs).force);
+  for (int i = 0; i < 100; ++i) gate.pass({0, 0, 3}, 3'600'000 * kMs);
+  EXPECT_NEAR(norm(gate.held()), first, 1e-6);
+  EXPECT_NEAR(norm(gate.pass({0, 0, 3}, 0).force), first, 1e-6) << "set back by an hour";
+  EXPECT_NEAR(norm(gate.pass({0, 0, 3}, kMs).force), first + 0.3, 1e-6);
 }
 
 }  // namespace

@@ -62,6 +62,10 @@ class PlaneCalibration {
     const Vec3 v = f.x * rows_[0] + f.y * rows_[1] + f.z * rows_[2];
     return {v.x, v.y, v.z};
   }
+  [[nodiscard]] constexpr Force turn_to_sheet(const Force& f) const noexcept {
+    const Vec3 v{f.x, f.y, f.z};
+    return {dot(v, rows_[0]), dot(v, rows_[1]), dot(v, rows_[2])};
+  }
   /// What the device can do, as the sheet sees it: the box around its workspace, its caps of
   /// stiffness and damping divided by the scale, its resolution times the scale.
   [[nodiscard]] Capabilities to_sheet(const Capabilities& device) const noexcept;

@@ -298,10 +298,21 @@ TEST(SafetyChain, APositionThatJumpsHoldsTheForceFor2MillisecondsThenLatches) {
   back.engaged();
   for (int i = 0; i < 50; ++i) {
     back.tick({0, 0, 2}, {5, 0, 0});
-    back.tick({0, 0, 2});
+    for (int k = 0; k < 8; ++k) back.tick({0, 0, 2});
     EXPECT_TRUE(back.admitted);
   }
   EXPECT_EQ(back.state(), SafetyState::kActive);
+}
+
+TEST(SafetyChain, R49_APositionThatLiesInEverySecondSampleLatches) {
+  Rig rig;
+  rig.engaged();
+  for (int i = 0; i < 12; ++i) {
+    rig.tick({0, 0, 3}, {1000, 0, 0});
+    rig.tick({0, 0, 3});
+  }
+  EXPECT_EQ(rig.sent, Force{});
+  EXPECT_EQ(rig.fault(), SafetyFault::kPositionJump);
 }
 
 TEST(SafetyChain, NonsenseLimitsNeverLetAForceThrough) {

@@ -8,6 +8,7 @@ namespace {
 
 constexpr double kMetresPerMillimetre = 0.001;
 constexpr double kMillisecondsPerSecond = 1000.0;
+constexpr double kForgivenShare = 0.125;
 
 }  // namespace
 
@@ -25,12 +26,14 @@ PositionVerdict JumpGuard::judge(const Vec3& position_mm, const TickTime& time) 
     last_mm_ = position_mm;
     has_last_ = true;
     is_holding_ = false;
+    doubt_s_ = std::max(0.0, doubt_s_ - kForgivenShare * time.model_s);
     return PositionVerdict::kBelieved;
   }
   held_s_ = is_holding_ ? held_s_ + time.charged_s : 0.0;
   is_holding_ = true;
+  doubt_s_ += time.model_s;
   constexpr double kRounding = 1e-9;
-  const bool too_long = held_s_ + kRounding >= hold_s_;
+  const bool too_long = held_s_ + kRounding >= hold_s_ || doubt_s_ >= kMaxDoubtS;
   return too_long ? PositionVerdict::kFault : PositionVerdict::kHeld;
 }
 

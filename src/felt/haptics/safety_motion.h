@@ -19,15 +19,23 @@ enum class PositionVerdict : std::uint8_t {
   kFault,  ///< and that for too long
 };
 
-/// Position jumps (architecture section 10: over 3 mm/ms). A position is believed when it lies
-/// within reach of the last believed one; the reach is that of one tick, so a lasting jump does not
-/// become plausible by waiting. One that comes back, or freezes where it was, clears the doubt.
+/// Detects positions that jump by more than 3 mm/ms. A position is believed if it lies within reach
+/// of the last believed one; the reach is that of one tick, so a lasting jump does not become
+/// plausible by waiting. One jump that comes back within jump_hold_s is forgiven. Jumps that come
+/// back again and again are not: held time adds up to kMaxDoubtS, and believed time takes only an
+/// eighth of itself off, so that a position that lies in every second sample is a fault after about
+/// 20 ms, and in one of nine never.
 class JumpGuard {
  public:
+  static constexpr double kMaxDoubtS = 0.010;
+
   explicit JumpGuard(const SafetyLimits& limits) noexcept;
 
-  /// Forgets the last position: the next one is believed.
-  void reset() noexcept { has_last_ = false; }
+  /// Forgets the last position, so that the next one is believed, and all doubts.
+  void reset() noexcept {
+    has_last_ = is_holding_ = false;
+    doubt_s_ = 0.0;
+  }
   PositionVerdict judge(const Vec3& position_mm, const TickTime& time) noexcept;
 
  private:
@@ -37,6 +45,7 @@ class JumpGuard {
   bool has_last_ = false;
   bool is_holding_ = false;
   double held_s_ = 0.0;
+  double doubt_s_ = 0.0;  // of held positions, less an eighth of the believed time
 };
 
 /// Speed of the pen, by its own account or by its positions, whichever is more: a device that

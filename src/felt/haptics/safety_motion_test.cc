@@ -22,13 +22,27 @@ TEST(JumpGuard, HoldsFor2MillisecondsThenGivesUp) {
   EXPECT_EQ(guard.judge({6.01, 0, 0}, kTick), PositionVerdict::kFault) << "waiting is no excuse";
 }
 
-TEST(JumpGuard, AReturnOrAFrozenPositionClearsTheDoubt) {
+TEST(JumpGuard, AJumpThatComesBackIsForgiven) {
   JumpGuard guard({});
   guard.judge({0, 0, 0}, kTick);
   for (int i = 0; i < 100; ++i) {
     EXPECT_EQ(guard.judge({50, 0, 0}, kTick), PositionVerdict::kHeld);
-    EXPECT_EQ(guard.judge({0, 0, 0}, kTick), PositionVerdict::kBelieved);
+    for (int k = 0; k < 8; ++k) {
+      EXPECT_EQ(guard.judge({0, 0, 0}, kTick), PositionVerdict::kBelieved);
+    }
   }
+}
+
+TEST(JumpGuard, APositionThatLiesInEverySecondSampleIsAFault) {
+  JumpGuard guard({});
+  guard.judge({0, 0, 0}, kTick);
+  int ticks = 0;
+  while (guard.judge({1000, 0, 0}, kTick) != PositionVerdict::kFault && ticks < 1000) {
+    EXPECT_EQ(guard.judge({0, 0, 0}, kTick), PositionVerdict::kBelieved);
+    ticks += 2;
+  }
+  EXPECT_GE(ticks, 10);
+  EXPECT_LE(ticks, 25);
 }
 
 TEST(JumpGuard, TheReachGrowsWithTheTickUpTo5Milliseconds) {

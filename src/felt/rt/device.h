@@ -57,6 +57,13 @@ class Device {
   virtual std::optional<Vec3> pen_axis() noexcept { return std::nullopt; }
   /// Asks for a force, which holds until the next one.
   virtual tl::expected<void, DeviceFault> write(const Force& force) noexcept = 0;
+  /// The force that the device holds after the last write(), if a driver can send something else
+  /// than what was asked: the other side is late, or a bound of its own cuts. This is what is
+  /// logged. Nullopt: what was asked. On the haptic thread, after write().
+  [[nodiscard]] virtual std::optional<Force> held_force() const noexcept { return std::nullopt; }
+  /// Returns true if the pen is at the end of an arm, whose position cannot leap: the loop keeps
+  /// leaps out of the ink (LeapFilter). A mouse or a joystick may leap.
+  [[nodiscard]] virtual bool is_arm() const noexcept { return false; }
   /// No force, at once. Must work in any state.
   virtual void stop() noexcept = 0;
 };

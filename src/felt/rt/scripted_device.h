@@ -30,6 +30,8 @@ class ScriptedDevice final : public Device {
     ++writes;
     return {};
   }
+  [[nodiscard]] std::optional<Force> held_force() const noexcept override { return holds; }
+  [[nodiscard]] bool is_arm() const noexcept override { return has_arm; }
   std::optional<Vec3> pen_axis() noexcept override { return axis; }
   void stop() noexcept override {
     force = {};
@@ -40,7 +42,9 @@ class ScriptedDevice final : public Device {
   std::optional<Vec3> axis;
   std::optional<DeviceFault> read_fault;
   std::optional<DeviceFault> write_fault;
-  Force force;  ///< holds, as in a device
+  Force force;                 ///< holds, as in a device
+  std::optional<Force> holds;  ///< what it says that it holds
+  bool has_arm = false;        ///< set before the servo is made
   int writes = 0;
   int stops = 0;
   Capabilities abilities;

@@ -71,13 +71,26 @@ void Servo::sense_and_act(std::int64_t now_ns) noexcept {
   report_.sample_ok = chain_.admit(*sample);
   if (report_.sample_ok) report_.asked = report_.strength * evaluate(*sample);
   report_.sent = chain_.limit(report_.asked, *sample);
-  if (!device_.write(report_.sent)) {
+  if (device_.write(report_.sent)) {
+    report_.sent = device_.held_force().value_or(report_.sent);
+  } else {
     chain_.device_failed();
     device_.stop();
     report_.sent = {};
   }
   if (!has_force_) hand_over_between();
-  if (report_.sample_ok || (!has_force_ && is_finite(*sample))) hand_over(*sample);
+  hand_over_ink(*sample, now_ns);
+}
+
+// The filter of an arm sees what the chain does not believe, too: it must know that the pen leaped.
+void Servo::hand_over_ink(const PenSample& sample, std::int64_t now_ns) noexcept {
+  if (!is_finite(sample)) return;
+  if (is_arm_) {
+    const std::optional<PenSample> passed = leaps_.pass(sample, now_ns);
+    if (passed) hand_over(*passed);
+  } else if (report_.sample_ok || !has_force_) {
+    hand_over(sample);
+  }
 }
 
 void Servo::hand_over(const PenSample& sample) noexcept {

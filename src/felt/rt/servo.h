@@ -9,6 +9,7 @@
 #include "felt/haptics/safety_chain.h"
 #include "felt/rt/device.h"
 #include "felt/rt/latest_value.h"
+#include "felt/rt/leap_filter.h"
 #include "felt/rt/loop_stats.h"
 #include "felt/rt/spsc_ring.h"
 #include "felt/rt/thread_roles.h"
@@ -21,7 +22,7 @@ struct TickReport {
   bool sample_ok = false;  ///< it was read, and the safety chain believes it
   double dt_s = 0.0;
   Force asked;            ///< sum of the model's terms after the cross-fade, times the strength
-  Force sent;             ///< after the safety chain
+  Force sent;             ///< what the device holds: after the safety chain and the driver
   ForceTerms terms;       ///< of the current model, before the cross-fade and without the strength
   double strength = 1.0;  ///< master strength on this tick, 0..1 (Servo::set_strength)
   SafetyReport safety;
@@ -78,7 +79,8 @@ class Servo {
   /// the way, so that the force stays continuous. 1 at first. Any thread.
   void set_strength(double share) noexcept;
   /// Samples in order, all of them that are believed, for the session and for the saver. A device
-  /// without forces is always believed (a mouse may jump), as long as it says finite numbers.
+  /// without forces is always believed (a mouse may jump), as long as it says finite numbers; an
+  /// arm that leaps is not, and its stroke ends (LeapFilter).
   [[nodiscard]] Ring& for_edit() noexcept FELT_NOT_HAPTIC { return edit_ring_; }
   [[nodiscard]] Ring& for_saver() noexcept FELT_NOT_HAPTIC { return saver_ring_; }
   /// The newest tick, for display; valid until the next call. Edit thread.
@@ -99,6 +101,7 @@ class Servo {
   Force force_of(const ForceModel& model, const PenSample& sample, const StiffnessScale& scale,
                  ForceMemory& memory) const noexcept FELT_HAPTIC;
   void sense_and_act(std::int64_t now_ns) noexcept FELT_HAPTIC;
+  void hand_over_ink(const PenSample& sample, std::int64_t now_ns) noexcept FELT_HAPTIC;
   void hand_over(const PenSample& sample) noexcept FELT_HAPTIC;
   void hand_over_between() noexcept FELT_HAPTIC;
   void hand_over() noexcept FELT_HAPTIC;
@@ -106,6 +109,7 @@ class Servo {
   Device& device_;
   ServoOptions options_;
   bool has_force_;
+  bool is_arm_;
 
   // Edit side to haptic thread.
   LatestValue<ForceModel> models_;
@@ -117,6 +121,7 @@ class Servo {
 
   // The haptic thread's own.
   SafetyChain chain_;
+  LeapFilter leaps_;
   ForceModel current_;
   ForceMemory memory_;
   ForceModel outgoing_;  // while fade_ < 1

@@ -22,7 +22,9 @@ Servo::Servo(Device& device, const ServoOptions& options)
     : device_(device),
       options_(clamped(options)),
       has_force_(device.capabilities().has_force()),
-      chain_(options_.limits) {}
+      is_arm_(device.is_arm()),
+      chain_(options_.limits),
+      leaps_(options_.limits) {}
 
 void Servo::publish(const ForceModel& model) noexcept {
   models_.publish(model);

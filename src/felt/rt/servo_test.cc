@@ -140,6 +140,37 @@ TEST(Servo, R49_ADeviceThatCannotBeWrittenIsStopped) {
   EXPECT_EQ(loop.device.force, Force{});
 }
 
+TEST(Servo, R49_TheReportSaysWhatTheDeviceHolds) {
+  Loop loop;
+  loop.servo->publish(model_of(Constant{{0.15, 0.0, 0.0}, {}}));
+  loop.engage();
+  loop.device.holds = Force{0.05, 0.0, 0.0};
+  EXPECT_EQ(loop.run(1).sent, (Force{0.05, 0.0, 0.0}));
+  loop.device.holds.reset();
+  EXPECT_EQ(loop.run(1).sent, loop.device.force);
+}
+
+// Forces on or off: no line leads to where the arm cannot be.
+TEST(Servo, R49_AnArmThatLeapsEndsItsStroke) {
+  ScriptedDevice device;
+  device.has_arm = true;
+  const auto servo = std::make_unique<Servo>(device, ServoOptions{});
+  std::int64_t now_ns = 0;
+  const auto run = [&](int ticks, const Vec3& at) {
+    device.sample.position = at;
+    for (int i = 0; i < ticks; ++i) servo->step(now_ns += 1'000'000);
+  };
+  run(50, {10, 20, -1});
+  run(500, {1010, 20, -1});
+  PenSample sample;
+  PenSample last;
+  while (servo->for_edit().pop(sample)) {
+    EXPECT_EQ(sample.position.x, 10.0);
+    last = sample;
+  }
+  EXPECT_FALSE(in_contact(last)) << "the stroke is over";
+}
+
 TEST(Servo, R49_ASampleThatIsNotANumberGivesZeroAndNoInk) {
   for (const double bad :
        {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {

@@ -37,6 +37,10 @@ class ProbeDevice final : public Device {
   }
   tl::expected<PenSample, DeviceFault> read(std::int64_t now_ns) noexcept override;
   tl::expected<void, DeviceFault> write(const Force& force) noexcept override;
+  [[nodiscard]] std::optional<Force> held_force() const noexcept override {
+    return device_.held_force();
+  }
+  [[nodiscard]] bool is_arm() const noexcept override { return device_.is_arm(); }
   void stop() noexcept override { device_.stop(); }
 
   // Edit thread.

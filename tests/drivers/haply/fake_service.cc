@@ -10,6 +10,7 @@
 #include <span>
 
 #include "felt/devices/haply/web_socket_key.h"
+#include "felt/haptics/safety_stages.h"
 
 namespace felt::haply {
 namespace {
@@ -58,7 +59,7 @@ std::array<double, 4> turn_of_y_to(const Vec3& to) {
 // The end of the stream that a driver holds.
 class ClientEnd final : public ByteStream {
  public:
-  ClientEnd(FakeService& service, bool is_events) : port_(service, is_events) {}
+  ClientEnd(FakeService& service, bool is_events) : service_(&service), port_(service, is_events) {}
 
   // A test without memory may end here: NOLINTNEXTLINE(bugprone-exception-escape)
   tl::expected<void, StreamFault> send(std::span<const std::byte> bytes,
@@ -67,8 +68,9 @@ class ClientEnd final : public ByteStream {
     return {};
   }
   tl::expected<std::size_t, StreamFault> receive(std::span<std::byte> room,
-                                                 std::int64_t) noexcept override {
+                                                 std::int64_t within_ns) noexcept override {
     std::string& out = port_.out();
+    if (out.empty() && port_.is_open() && !port_.is_events()) service_->wait(within_ns);
     if (out.empty()) {
       return tl::unexpected(port_.is_open() && !port_.is_answered() ? StreamFault::kTimedOut
                                                                     : StreamFault::kClosed);
@@ -80,6 +82,7 @@ class ClientEnd final : public ByteStream {
   }
 
  private:
+  FakeService* service_;
   FakeService::Port port_;
 };
 
@@ -130,10 +133,16 @@ bool FakeService::is_connected() const noexcept {
                      [](const Port* port) { return port->is_socket() && port->is_open(); });
 }
 
+const FaultWindow* FakeService::window_of(InjectedFault fault) const noexcept {
+  for (const FaultWindow& window : faults_) {
+    const bool is_now = now_ns_ >= window.from_ns && now_ns_ < window.until_ns;
+    if (window.fault == fault && is_now) return &window;
+  }
+  return nullptr;
+}
+
 bool FakeService::is_active(InjectedFault fault) const noexcept {
-  return std::any_of(faults_.begin(), faults_.end(), [&](const FaultWindow& window) {
-    return window.fault == fault && now_ns_ >= window.from_ns && now_ns_ < window.until_ns;
-  });
+  return window_of(fault) != nullptr;
 }
 
 Result<std::unique_ptr<ByteStream>> FakeService::connect(const std::string& host,
@@ -258,7 +267,7 @@ void FakeService::tick(std::int64_t now_ns) {
   }
   write_state(pen);
   sum_ = {};
-  if (!is_active(InjectedFault::kNoAnswer)) take_waiting();
+  work_until(now_ns);
   if (brakes_ && !is_active(InjectedFault::kForcesOff)) {
     brakes_ = false;
     tell(R"({"name":"device-safety-triggered","category":"device","level":"notice","data":)"
@@ -271,6 +280,26 @@ void FakeService::take_force(const Force& force) {
   sum_ += force;
   // Nothing asked for is letting go, at once: of the real service only the sum is known.
   apply(force == Force{} ? Force{} : sum_);
+}
+
+// What is due by then. A service that stood still, or works in bursts, takes all that wait at once.
+void FakeService::work_until(std::int64_t until_ns) {
+  if (is_active(InjectedFault::kNoAnswer)) return;
+  const auto stood = [](const Waiting& one) { return one.done_ns == INT64_MAX; };
+  const bool is_burst = is_active(InjectedFault::kBurstAnswers) && !waiting_.empty() &&
+                        waiting_.front().done_ns <= until_ns;
+  if (is_burst || std::any_of(waiting_.begin(), waiting_.end(), stood)) return take_waiting();
+  while (!waiting_.empty() && waiting_.front().done_ns <= until_ns) take_first();
+}
+
+void FakeService::take_first() {
+  const Waiting one = waiting_.front();
+  waiting_.erase(waiting_.begin());
+  if (!waiting_.empty()) waiting_.front().is_taken = true;
+  heard_ns_ = now_ns_;
+  asked_ = one.force;
+  apply(one.force);
+  if (one.port->is_open()) one.port->say(state_);
 }
 
 void FakeService::take_waiting() {
@@ -323,16 +352,57 @@ void FakeService::take_setup(std::string_view text) {
   if (profile_.empty()) break_rule("no profile in the first message");
 }
 
+// When a message that is taken at this time is answered.
+std::int64_t FakeService::done_at(std::int64_t from_ns) noexcept {
+  const auto ns = [](double ms) { return static_cast<std::int64_t>(1e6 * ms); };
+  if (const FaultWindow* slow = window_of(InjectedFault::kSlowAnswers)) {
+    return from_ns + ns(slow->amount);
+  }
+  if (const FaultWindow* bursts = window_of(InjectedFault::kBurstAnswers)) {
+    const std::int64_t each_ns = std::max<std::int64_t>(ns(bursts->amount), 1);
+    return (from_ns / each_ns + 1) * each_ns;
+  }
+  const FaultWindow* late = window_of(InjectedFault::kLateAnswer);
+  if (late != nullptr && late->from_ns != late_window_ns_) {
+    late_window_ns_ = late->from_ns;
+    return from_ns + ns(late->amount);
+  }
+  return from_ns;
+}
+
+// Rules for each message, taken or not.
+void FakeService::check_newest(const Force& force) {
+  constexpr double kMaxRiseN = 2.0 * 0.3;  // of two periods
+  const Force from = limit_rise(newest_, force, 0.0);
+  if (is_finite(force)) largest_rise_n_ = std::max(largest_rise_n_, norm(force - from));
+  if (largest_rise_n_ > kMaxRiseN + 1e-4) break_rule("a force that rises too fast");
+  newest_ = force;
+}
+
+// True if the message is not answered at once.
+bool FakeService::comes_to_wait(Port& port, std::string_view text) {
+  const Force force = force_in(text, options_.key).value_or(Force{});
+  check_newest(force);
+  const bool stands = is_active(InjectedFault::kNoAnswer);
+  const bool is_batch = stands || is_active(InjectedFault::kBurstAnswers);
+  const std::int64_t from_ns = waiting_.empty() ? now_ns_ : std::max(busy_until_ns_, now_ns_);
+  const std::int64_t done_ns = stands ? INT64_MAX : done_at(from_ns);
+  if (done_ns <= now_ns_ && waiting_.empty()) return false;
+  if (!is_batch) busy_until_ns_ = done_ns;
+  waiting_.push_back({&port, force, done_ns, !is_batch && from_ns <= now_ns_});
+  const auto waits = [](const Waiting& one) { return !one.is_taken; };
+  const auto bears = [](const Waiting& one) { return !one.is_taken && one.force != Force{}; };
+  const auto count = std::count_if(waiting_.begin(), waiting_.end(), waits);
+  most_waiting_ = std::max(most_waiting_, static_cast<std::size_t>(count));
+  if (count > 2 || std::count_if(waiting_.begin(), waiting_.end(), bears) > 1) {
+    break_rule("messages are piled up before a service that is late");
+  }
+  return true;
+}
+
 bool FakeService::take_message(Port& port, std::string_view text) {
   ++messages_;
-  if (is_active(InjectedFault::kNoAnswer) && port.was_set_up_) {
-    if (waiting_.size() == waiting_.capacity()) {
-      break_rule("messages are piled up before a service that stands still");
-    } else {
-      waiting_.push_back({&port, force_in(text, options_.key).value_or(Force{})});
-    }
-    return false;
-  }
+  if (port.was_set_up_ && comes_to_wait(port, text)) return false;
   heard_ns_ = now_ns_;
   const bool is_setup = !port.was_set_up_;
   port.was_set_up_ = true;
@@ -349,6 +419,10 @@ bool FakeService::take_message(Port& port, std::string_view text) {
   if (is_command && !force) ++ignored_;
   // A force holds for one message: one without any lets go.
   take_force(force.value_or(Force{}));
+  if (!is_setup && is_active(InjectedFault::kLostAnswers)) {
+    owes_answer_ = !owes_answer_;
+    if (!owes_answer_) return false;
+  }
   return !is_silent_;
 }
 

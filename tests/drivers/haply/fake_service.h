@@ -39,7 +39,10 @@ struct FakeServiceOptions {
 /// tick() reads the world, outside of the client's own tick; a message within it acts on the motors
 /// at once, allocates nothing, and is answered with the state of that tick. Forces that come within
 /// one tick add up. While it stands still (kNoAnswer) messages wait, as in a socket; the first tick
-/// after that takes all of them, and their forces add up too.
+/// after that takes all of them, and their forces add up too. A service that is slow (kSlowAnswers)
+/// takes one message after the other, each for so long; its force acts, and its answer goes, at the
+/// end of that. One that works in bursts takes all that wait at once. An answer that is ready
+/// within the time for which a client waits reaches it in the same tick.
 class FakeService {
  public:
   FakeService(FakeWorld& world, std::vector<FaultWindow> faults, const PlaneCalibration& plane,
@@ -69,7 +72,18 @@ class FakeService {
   [[nodiscard]] const std::string& profile() const noexcept { return profile_; }
   [[nodiscard]] const std::string& preset() const noexcept { return preset_; }
   [[nodiscard]] bool is_connected() const noexcept;
-  [[nodiscard]] bool stands_still() const noexcept { return is_active(InjectedFault::kNoAnswer); }
+  /// The force of the newest message that has come, taken or not, in the service's axes, N.
+  [[nodiscard]] const Force& newest_force() const noexcept { return newest_; }
+  /// The largest number of messages that waited at one time, of those that were not taken yet.
+  [[nodiscard]] std::size_t most_waiting() const noexcept { return most_waiting_; }
+  /// The largest rise from one message to the next, N.
+  [[nodiscard]] double largest_rise_n() const noexcept { return largest_rise_n_; }
+  /// A client waits this long for an answer.
+  void wait(std::int64_t within_ns) { work_until(now_ns_ + within_ns); }
+  /// Messages wait: a force that was told to go may still act.
+  [[nodiscard]] bool stands_still() const noexcept {
+    return is_active(InjectedFault::kNoAnswer) || !waiting_.empty();
+  }
 
   class Port;  ///< one connection, seen from this side
 
@@ -81,6 +95,12 @@ class FakeService {
   bool take_message(Port& port, std::string_view text);
   void take_setup(std::string_view text);
   void take_force(const Force& force);
+  bool comes_to_wait(Port& port, std::string_view text);
+  void check_newest(const Force& force);
+  [[nodiscard]] const FaultWindow* window_of(InjectedFault fault) const noexcept;
+  [[nodiscard]] std::int64_t done_at(std::int64_t from_ns) noexcept;
+  void work_until(std::int64_t until_ns);
+  void take_first();
   void take_waiting();
   void apply(const Force& force);
   void break_rule(std::string_view rule) {
@@ -106,9 +126,17 @@ class FakeService {
   struct Waiting {
     Port* port;
     Force force;
+    std::int64_t done_ns;  // when it is answered; INT64_MAX: the service stands still
+    bool is_taken;         // the service works on it
   };
   std::vector<Waiting> waiting_;
   double largest_n_ = 0.0;
+  Force newest_;
+  std::size_t most_waiting_ = 0;
+  double largest_rise_n_ = 0.0;
+  std::int64_t busy_until_ns_ = 0;
+  std::int64_t late_window_ns_ = -1;  // the window of the late answer that has been
+  bool owes_answer_ = false;          // of every second message
   int messages_ = 0, ignored_ = 0;
   bool is_there_ = true;  // the device, for the service
   bool is_silent_ = false;

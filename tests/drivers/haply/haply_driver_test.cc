@@ -72,6 +72,12 @@ class Table {
     return {read, written};
   }
 
+  /// As often as a force needs to rise that far.
+  Ticked push(const Force& force) {
+    for (int i = 0; i < 12; ++i) static_cast<void>(tick(force));
+    return tick(force);
+  }
+
   FakeSystem system;
   FakeWorld world;
   FakeService service;
@@ -111,10 +117,13 @@ TEST(HaplyDriver, ForcesPointTheRightWayThroughTheUsualPlane) {
     const PlaneCalibration plane = table.driver->default_plane(table.device->descriptor(), {});
     EXPECT_TRUE(plane.mirrors()) << "a right-handed device before a left-handed sheet";
     CalibratedDevice device(*table.device, plane);
-    table.service.tick(0);
-    ASSERT_TRUE(device.read(0).has_value());
-    ASSERT_TRUE(device.write(axis.on_sheet).has_value());
+    for (std::int64_t t = 0; t < 10 * kMs; t += kMs) {
+      table.service.tick(t);
+      ASSERT_TRUE(device.read(t).has_value());
+      ASSERT_TRUE(device.write(axis.on_sheet).has_value());
+    }
     EXPECT_EQ(table.service.asked(), axis.at_service);
+    EXPECT_EQ(device.held_force(), axis.on_sheet);
     const Force& held = table.world.held_force();
     EXPECT_GT(dot(held, axis.on_sheet), 0.9);
   }
@@ -139,7 +148,7 @@ TEST(HaplyDriver, TheForceHasTheNameOfTheServicesVersion) {
                                      {"strange", "values"}}) {
     Table table({.version = version, .key = key});
     ASSERT_TRUE(table.open().has_value());
-    table.tick({0.5, 0, 0});
+    table.push({0.5, 0, 0});
     EXPECT_EQ(table.service.asked(), (Force{0.5, 0, 0})) << version;
     EXPECT_EQ(table.service.ignored_forces(), 0);
   }
@@ -158,7 +167,7 @@ TEST(HaplyDriver, AForceThatIsNotHeardIsAskedForByItsOtherName) {
   EXPECT_LT(ticks, HaplyDevice::kDeafStates + 5);
   EXPECT_EQ(table.service.asked(), Force{}) << "it says so before it pushes";
   EXPECT_THAT(std::string(table.device->status().vendor_words.view()), HasSubstr("values"));
-  EXPECT_TRUE(table.tick({0, 0, 0.5}).written.has_value());
+  EXPECT_TRUE(table.push({0, 0, 0.5}).written.has_value());
   EXPECT_EQ(table.service.asked(), (Force{0, 0, 0.5}));
 }
 
@@ -174,40 +183,40 @@ TEST(HaplyDriver, AServiceThatShowsNoForceIsNotAskedForEver) {
 TEST(HaplyDriver, ForcesAreBounded) {
   Table table;
   ASSERT_TRUE(table.open().has_value());
-  table.tick({0, 0, 1000});
+  table.push({0, 0, 1000});
   EXPECT_LE(table.service.largest_asked_n(), 3.0 + 1e-5);
   const auto written = table.tick({std::nan(""), 0, 0}).written;
   ASSERT_FALSE(written.has_value());
   EXPECT_EQ(written.error(), DeviceFault::kBadData);
   EXPECT_EQ(table.service.asked(), Force{});
-  table.tick({0, HUGE_VAL, 0});
+  table.push({0, HUGE_VAL, 0});
   EXPECT_TRUE(is_finite(table.service.asked()));
 }
 
 TEST(HaplyDriver, ALateStateIsHeldAndThenAFault) {
-  Table table;
+  Table table({}, {{InjectedFault::kNoAnswer, 5 * kMs, 40 * kMs}});
   ASSERT_TRUE(table.open().has_value());
-  const PenSample before = table.tick().read.value();
-  table.service.be_silent(true);
-  static_cast<void>(table.tick());  // the state of the message before still comes
-  for (int i = 0; i < HaplyDevice::kMostMissed; ++i) {
-    const auto read = table.tick().read;
-    ASSERT_TRUE(read.has_value()) << i;
+  PenSample before;
+  for (int i = 0; i < 6; ++i) before = table.tick().read.value();
+  int held = 0;
+  auto read = table.tick().read;
+  for (; read.has_value(); read = table.tick().read, ++held) {
     EXPECT_NEAR(norm(read->position - before.position), 0.0, 0.5);
     EXPECT_EQ(read->time_ns, table.now_ns - kMs);
   }
-  EXPECT_EQ(table.tick().read.error(), DeviceFault::kOther);
-  table.service.be_silent(false);
-  table.tick();
-  table.tick();
+  EXPECT_EQ(held, HaplyDevice::kMaxHeldNs / kMs);
+  EXPECT_EQ(read.error(), DeviceFault::kOther);
+  while (table.now_ns < 45 * kMs) table.tick();
   EXPECT_TRUE(table.tick().read.has_value());
+  EXPECT_EQ(table.device->status().fault, DeviceFault::kForcesOff) << "until it is prompt again";
+  for (int i = 0; i < 1200; ++i) table.tick();
   EXPECT_EQ(table.device->status().fault, std::nullopt);
-  EXPECT_EQ(table.device->status().last_fault, DeviceFault::kOther);
+  EXPECT_EQ(table.device->status().faults, 1u);
 
   table.service.be_silent(true);
   std::optional<DeviceFault> fault;
-  for (int i = 0; i < HaplyDevice::kMostSilentTicks + 20; ++i) {
-    if (const auto read = table.tick().read; !read) fault = read.error();
+  for (int i = 0; i < HaplyDevice::kMaxSilentNs / kMs + 20; ++i) {
+    if (const auto silent = table.tick().read; !silent) fault = silent.error();
   }
   EXPECT_EQ(fault, DeviceFault::kDisconnected);
   table.service.be_silent(false);
@@ -224,7 +233,8 @@ TEST(HaplyDriver, ForcesDoNotPileUpBeforeAServiceThatStandsStill) {
       ASSERT_TRUE(table.open().has_value());
       for (int i = 0; i < 50; ++i) ASSERT_TRUE(table.tick({3, 0, 0}).read.has_value());
       for (std::int64_t i = 0; i < stands_ms; ++i) table.tick({3, 0, 0});
-      for (int i = 0; i < 10; ++i) table.tick({3, 0, 0});
+      // After a long one forces are off, and back when it has been prompt for a second.
+      for (int i = 0; i < (stands_ms < 9 ? 10 : 1500); ++i) table.tick({3, 0, 0});
       EXPECT_LE(table.service.largest_asked_n(), 3.0 + 1e-5) << stands_ms << " ms";
       EXPECT_TRUE(table.tick({3, 0, 0}).read.has_value()) << "it is heard again";
       EXPECT_EQ(table.service.asked(), (Force{3, 0, 0})) << "and pushes again";
@@ -255,7 +265,7 @@ TEST(HaplyDriver, AfterLookingForHomeBeforeAServiceThatStandsStillNoForceGoesUna
 
 // Given up, it goes on after all, with the force that waited there: stop() lets go of it.
 TEST(HaplyDriver, AServiceThatWasGivenUpIsToldToLetGoWhenItGoesOn) {
-  const std::int64_t stands_ms = HaplyDevice::kMostSilentTicks + 100;
+  const std::int64_t stands_ms = HaplyDevice::kMaxSilentNs / kMs + 100;
   Table table({.watchdog_ns = 10'000 * kMs},
               {{InjectedFault::kNoAnswer, 50 * kMs, (50 + stands_ms) * kMs}});
   ASSERT_TRUE(table.open().has_value());
@@ -283,14 +293,121 @@ TEST(HaplyDriver, ForcesDoNotPileUpBeforeAServiceThatStutters) {
     ASSERT_TRUE(table.open().has_value());
     for (int i = 0; i < 420; ++i) table.tick({0, 3, 0});
     EXPECT_LE(table.service.largest_asked_n(), 3.0 + 1e-5) << "seed " << seed;
-    EXPECT_EQ(table.service.asked(), (Force{0, 3, 0})) << "seed " << seed;
+    EXPECT_LE(table.service.most_waiting(), 2u) << "seed " << seed;
+    EXPECT_EQ(table.service.broken_rule(), "") << "seed " << seed;
+    EXPECT_LE(table.device->status().faults, 1u) << "seed " << seed;
   }
+}
+
+struct LateService {
+  const char* what;
+  InjectedFault fault;
+  double amount;
+  bool is_off;  // lasting, it takes the force away
+};
+constexpr LateService kLateServices[] = {
+    {"1.2 ms", InjectedFault::kSlowAnswers, 1.2, false},
+    {"2 ms", InjectedFault::kSlowAnswers, 2.0, true},
+    {"2.1 ms", InjectedFault::kSlowAnswers, 2.1, true},
+    {"5 ms", InjectedFault::kSlowAnswers, 5.0, true},
+    {"30 ms", InjectedFault::kSlowAnswers, 30.0, true},
+    {"every second answer", InjectedFault::kLostAnswers, 0.0, true},
+    {"bursts", InjectedFault::kBurstAnswers, 4.0, true},
+    {"long bursts", InjectedFault::kBurstAnswers, 25.0, true},
+    {"late once", InjectedFault::kLateAnswer, 2.6, false},
+    {"later once", InjectedFault::kLateAnswer, 6.0, false}};
+
+constexpr std::int64_t kForever = INT64_MAX;
+
+// Whatever the service does: no pile, no chopping, no jump; one fault with one sentence; and what
+// the driver says that it sent is what is on the wire.
+TEST(HaplyDriver, R49_ALateServiceNeitherPilesUpNorChopsTheForce) {
+  for (const LateService& late : kLateServices) {
+    SCOPED_TRACE(late.what);
+    Table table({}, {{late.fault, 100 * kMs, kForever, late.amount}});
+    ASSERT_TRUE(table.open().has_value());
+    int falls = 0, faults_told = 0;
+    std::optional<DeviceFault> told;
+    double last_n = 0.0;
+    for (int i = 0; i < 3000; ++i) {
+      table.tick({0, 0, 2});
+      const double sent_n = norm(table.service.newest_force());
+      falls += sent_n < last_n && last_n > 1.99 ? 1 : 0;
+      last_n = sent_n;
+      EXPECT_NEAR(norm(*table.device->held_force() - table.service.newest_force()), 0.0, 1e-5);
+      const std::optional<DeviceFault> fault = table.device->status().fault;
+      faults_told += fault && fault != told ? 1 : 0;
+      told = fault;
+    }
+    EXPECT_LE(table.service.most_waiting(), late.fault == InjectedFault::kBurstAnswers ? 2u : 1u);
+    EXPECT_LE(table.service.largest_rise_n(), 0.6 + 1e-5);
+    EXPECT_EQ(table.service.broken_rule(), "");
+    EXPECT_EQ(falls, late.is_off ? 1 : 0) << "to zero once, or never";
+    EXPECT_EQ(last_n, late.is_off ? 0.0 : 2.0);
+    EXPECT_EQ(table.device->status().faults, late.is_off ? 1u : 0u);
+    EXPECT_EQ(faults_told, late.is_off ? 1 : 0);
+    EXPECT_EQ(table.device->status().vendor_words.empty(), !late.is_off);
+  }
+}
+
+TEST(HaplyDriver, R49_ForcesOffIsOnTheWireInTheSameTickHoweverLateTheServiceIs) {
+  for (const LateService& late : kLateServices) {
+    for (const int after : {0, 1, 2, 3, 7, 20, 60}) {
+      SCOPED_TRACE(std::string(late.what) + " for " + std::to_string(after) + " ms");
+      Table table({}, {{late.fault, 100 * kMs, kForever, late.amount}});
+      ASSERT_TRUE(table.open().has_value());
+      for (int i = 0; i < 100 + after; ++i) table.tick({0, 0, 2});
+      table.tick();
+      EXPECT_EQ(table.service.newest_force(), Force{});
+      const int messages = table.service.messages();
+      for (int i = 0; i < 12; ++i) table.tick();
+      EXPECT_EQ(table.service.newest_force(), Force{});
+      if (late.amount <= 6.0) {  // it works on two messages one after the other
+        EXPECT_EQ(table.world.held_force(), Force{});
+      }
+      EXPECT_LE(table.service.messages(), messages + 12);
+    }
+  }
+}
+
+// From the last state before: held, then let down, and never more than one message that bears it.
+TEST(HaplyDriver, R49_AForceIsHeldWhileAnAnswerIsLateAndThenGoesToZero) {
+  Table table({}, {{InjectedFault::kNoAnswer, 50 * kMs, 500 * kMs}});
+  ASSERT_TRUE(table.open().has_value());
+  while (table.now_ns < 50 * kMs) table.tick({0, 0, 2});
+  while (table.now_ns < 56 * kMs) table.tick({0, 0, 2});
+  EXPECT_EQ(table.service.newest_force(), (Force{0, 0, 2}));
+  while (table.now_ns < 70 * kMs) table.tick({0, 0, 2});
+  EXPECT_EQ(table.service.newest_force(), Force{});
+  EXPECT_EQ(*table.device->held_force(), Force{});
+  while (table.now_ns < 490 * kMs) table.tick({0, 0, 2});
+  EXPECT_EQ(table.service.most_waiting(), 2u);
+  EXPECT_EQ(table.service.broken_rule(), "");
+}
+
+TEST(HaplyDriver, ADeviceThatLosesItsPowerIsAFault) {
+  Table table;
+  ASSERT_TRUE(table.open().has_value());
+  table.push({0, 0, 1});
+  table.service.options().has_power = false;
+  table.tick({0, 0, 1});
+  EXPECT_EQ(table.tick({0, 0, 1}).written.error(), DeviceFault::kForcesOff);
+  for (int i = 0; i < 100; ++i) table.tick({0, 0, 1});
+  EXPECT_EQ(table.service.asked(), Force{});
+  EXPECT_THAT(std::string(table.device->status().vendor_words.view()), HasSubstr("no power"));
+  EXPECT_EQ(table.device->status().faults, 1u);
+  EXPECT_TRUE(table.tick().read.has_value()) << "it draws";
+  table.service.options().has_power = true;
+  table.tick();
+  table.tick();
+  EXPECT_EQ(table.device->status().fault, std::nullopt);
+  EXPECT_TRUE(table.push({0, 0, 1}).written.has_value());
 }
 
 TEST(HaplyDriver, AForceHoldsForOneMessage) {
   Table table;
   ASSERT_TRUE(table.open().has_value());
-  table.tick({0, 0, 1});
+  table.push({0, 0, 1});
   EXPECT_EQ(table.world.held_force(), (Force{0, 0, 1}));
   table.device->stop();
   EXPECT_EQ(table.world.held_force(), Force{});
@@ -321,7 +438,7 @@ TEST(HaplyDriver, ABrakeTakesTheForceAndLeavesThePen) {
   EXPECT_EQ(table.tick({0, 0, 1}).written.error(), DeviceFault::kForcesOff)
       << "as long as it holds";
   table.service.tell(safety_event("ebrake_released", "released"));
-  EXPECT_TRUE(table.tick({0, 0, 1}).written.has_value());
+  EXPECT_TRUE(table.push({0, 0, 1}).written.has_value());
   EXPECT_EQ(table.service.asked(), (Force{0, 0, 1}));
 }
 
@@ -611,12 +728,16 @@ TEST(HaplyDriver, SpeaksThroughRealSockets) {
       auto device = driver->open(found[0], {});
       EXPECT_TRUE(device.has_value()) << (device ? "" : device.error().message);
       int good = 0;
-      for (std::int64_t i = 0; device && i < 5000 && good < 50; ++i) {
+      for (std::int64_t i = 0; device && i < 5000 && (*device)->status().reads < 25; ++i) {
         if ((*device)->read(i * kMs)) ++good;
-        EXPECT_TRUE((*device)->write({0.0, 0.0, 0.1}).has_value());
+        // On a machine that is busy it is late, and forces go.
+        const auto written = (*device)->write({0.0, 0.0, 0.1});
+        if (!written) {
+          EXPECT_EQ(written.error(), DeviceFault::kForcesOff);
+        }
         std::this_thread::sleep_for(std::chrono::milliseconds(1));
       }
-      EXPECT_EQ(good, 50);
+      EXPECT_GE(good, 25);
     }
   }
   is_over = true;

@@ -39,6 +39,8 @@ class StickDevice final : public DriverDevice, public EffectServed {
   tl::expected<PenSample, DeviceFault> read(std::int64_t now_ns) noexcept override;
   tl::expected<void, DeviceFault> write(const Force& force) noexcept override;
   void stop() noexcept override;
+  [[nodiscard]] std::optional<Force> held_force() const noexcept override { return gate_.held(); }
+  [[nodiscard]] bool is_arm() const noexcept override { return false; }
   void serve(std::int64_t now_ns) noexcept override;
 
  private:

@@ -54,6 +54,7 @@ class DhdDevice final : public DriverDevice {
   tl::expected<PenSample, DeviceFault> read(std::int64_t now_ns) noexcept override;
   tl::expected<void, DeviceFault> write(const Force& force) noexcept override;
   void stop() noexcept override;
+  [[nodiscard]] std::optional<Force> held_force() const noexcept override { return gate_.held(); }
 
   // DriverDevice
   [[nodiscard]] const DeviceDescriptor& descriptor() const noexcept override { return descriptor_; }

@@ -10,9 +10,8 @@ namespace felt::haply {
 namespace {
 
 constexpr double kMmPerM = 1000.0;
-constexpr int kMostUnanswered = 8;  // more messages are not piled up before a service that is slow
-constexpr int kMostMessages = 16;   // that one tick looks at
-constexpr int kMostEvents = 4;
+constexpr int kMaxMessages = 16;  // that one tick looks at
+constexpr int kMaxEvents = 4;
 constexpr double kNsPerS = 1e9;
 
 // While a person puts the pen home.
@@ -30,7 +29,9 @@ HaplyDevice::HaplyDevice(Connection connection)
       grip_id_(std::move(connection.grip_id)),
       key_(force_key_of(connection.version)),
       gate_(descriptor_.capabilities),
-      is_calibrated_(inventory_.calibrated.value_or(true)) {
+      pace_(descriptor_.capabilities.period_ns),
+      is_calibrated_(inventory_.calibrated.value_or(true)),
+      has_power_(inventory_.has_power.value_or(true)) {
   status_.notice = ShortText(first_notice(events_ != nullptr));
   shown_.publish(status_);
 }
@@ -69,6 +70,11 @@ DeviceStatus HaplyDevice::status() noexcept {
 
 tl::unexpected<DeviceFault> HaplyDevice::failed(DeviceFault fault,
                                                 const ShortText& words) noexcept {
+  // While forces are off because the service is late, states that fail to come are no news.
+  const bool is_known = pace_words_ && status_.fault == DeviceFault::kForcesOff &&
+                        (fault == DeviceFault::kOther || fault == DeviceFault::kForcesOff);
+  const bool is_same = status_.fault == fault && status_.vendor_words == words;
+  if (is_known || is_same) return tl::unexpected(fault);
   status_.fault = status_.last_fault = fault;
   status_.vendor_words = words;
   ++status_.faults;
@@ -80,50 +86,43 @@ tl::unexpected<DeviceFault> HaplyDevice::gone(std::string_view words) noexcept {
   if (!is_gone_) {
     is_gone_ = true;
     gone_words_ = ShortText(words);
-    gate_.let_go();
-    tell_to_let_go();
+    let_go();
   }
   return failed(DeviceFault::kDisconnected, gone_words_);
 }
 
-// Whatever is left of the connection is told: a service that stood still and was given up may go on
-// after all, with a force that waited there.
-void HaplyDevice::tell_to_let_go() noexcept {
-  static_cast<void>(control_->send(write_command(inventory_.id, key_, {}, command_.data()), 0));
-}
-
-// The service is behind. It is asked for a state all the same, since answers may have been lost:
-// now and then only, so that no more than it can answer waits there. Once states come again one
-// waits for the rest; what does not come was answered by the last.
-void HaplyDevice::send_nothing() noexcept {
+// The service must not hold a force, whatever state we are in: also one that stood still, was given
+// up as silent and goes on after all. Answers that have come are taken first, since they allow a
+// message that no unanswered one adds its force to.
+void HaplyDevice::let_go() noexcept {
   gate_.let_go();
-  sent_n_ = 0.0;
-  if (settles_) {
-    if (missed_ < kSettleTicks) return;
-    settles_ = false;
-    ask_anew();
-  } else if (unanswered_ < kMostUnanswered || missed_ % kMostUnanswered == 0) {
-    send({});
+  for (int i = 0; i < kMaxMessages && !window_.is_clear() && !window_.may_let_go(); ++i) {
+    if (hear(0) != Heard::kState) break;
   }
+  if (window_.is_clear() || window_.may_let_go()) send({});
 }
 
-// What is unanswered is forgotten, though a force may lie among it before a service that stands
-// still, and would be added to the next: none goes before something is answered.
-void HaplyDevice::ask_anew() noexcept {
-  unanswered_ = 0;
-  has_answered_ = false;
+// Sends what the gate allows of this force, if the window is open. If not, the last message holds,
+// unless this is the end of its force.
+void HaplyDevice::put(const Force& force) noexcept {
+  const ForceGate before = gate_;
+  if (window_.is_clear()) {
+    if (!send(gate_.pass(force, now_ns_).force)) gate_ = before;
+  } else if (force == Force{} && window_.may_let_go()) {
+    gate_.let_go();
+    if (!send({})) gate_ = before;
+  }
 }
 
 bool HaplyDevice::send(const Force& force) noexcept {
-  sent_n_ = 0.0;
   const std::string_view command = write_command(inventory_.id, key_, force, command_.data());
-  const auto sent = control_->send(command, kSendNs);
+  const auto sent = control_->send(command, is_gone_ ? 0 : kSendNs);
   if (!sent) {
-    if (sent.error() != SocketFault::kTimedOut) gone("The connection to the service was closed.");
+    const bool is_over = sent.error() != SocketFault::kTimedOut;
+    if (is_over && !is_gone_) gone("The connection to the service was closed.");
     return false;
   }
-  unanswered_ = std::min(unanswered_ + 1, kMostUnanswered);
-  sent_n_ = norm(force);
+  window_.sent(!(force == Force{}));
   sent_ns_ = now_ns_;
   return true;
 }
@@ -133,9 +132,7 @@ HaplyDevice::Heard HaplyDevice::hear(std::int64_t within_ns) noexcept {
   if (!message) {
     return message.error() == SocketFault::kTimedOut ? Heard::kNothing : Heard::kClosed;
   }
-  if (unanswered_ > 0) --unanswered_;
-  has_answered_ = true;
-  settles_ = unanswered_ > 0;
+  window_.answered();
   return read_state(*message, inventory_.id, grip_id_, state_) ? Heard::kState : Heard::kBad;
 }
 
@@ -143,7 +140,7 @@ HaplyDevice::Heard HaplyDevice::hear(std::int64_t within_ns) noexcept {
 // more, or states would stay old. Waits for one only.
 HaplyDevice::Heard HaplyDevice::hear_all(std::int64_t within_ns) noexcept {
   Heard newest = hear(within_ns);
-  for (int i = 1; i < kMostMessages; ++i) {
+  for (int i = 1; i < kMaxMessages; ++i) {
     if (newest == Heard::kNothing || newest == Heard::kClosed) break;
     const Heard next = hear(0);
     if (next == Heard::kNothing) break;
@@ -179,7 +176,7 @@ void HaplyDevice::take_event(const Event& event) noexcept {
 
 void HaplyDevice::hear_events() noexcept {
   if (!events_) return;
-  for (int i = 0; i < kMostEvents; ++i) {
+  for (int i = 0; i < kMaxEvents; ++i) {
     const auto message = events_->receive(0);
     if (!message) {
       if (message.error() == SocketFault::kTimedOut) return;
@@ -193,9 +190,10 @@ void HaplyDevice::hear_events() noexcept {
 
 void HaplyDevice::check_that_force_is_heard() noexcept {
   constexpr double kNothingN = 1e-9;
-  if (unanswered_ > 0) return;  // it may answer what bore no force
-  const bool is_deaf = state_.force_n && norm(*state_.force_n) < kNothingN && sent_n_ >= kHeardN;
-  if (sent_n_ < kHeardN && deaf_states_ > 0) return;  // nothing to hear just now
+  if (!window_.is_clear()) return;  // it may answer what bore no force
+  const double sent_n = norm(gate_.held());
+  const bool is_deaf = state_.force_n && norm(*state_.force_n) < kNothingN && sent_n >= kHeardN;
+  if (sent_n < kHeardN && deaf_states_ > 0) return;  // nothing to hear just now
   deaf_states_ = is_deaf ? deaf_states_ + 1 : 0;
   if (deaf_states_ < kDeafStates || keys_tried_ > 2) return;
   deaf_states_ = 0;
@@ -220,13 +218,34 @@ void HaplyDevice::count_rate(std::int64_t now_ns) noexcept {
 }
 
 tl::expected<PenSample, DeviceFault> HaplyDevice::nothing_heard() noexcept {
-  ++missed_;
-  if (missed_ > kMostSilentTicks) return gone("The Inverse Service is silent.");
-  if (missed_ > kMostMissed || !has_sample_) {
+  if (pace_.waited_ns() > kMaxSilentNs) return gone("The Inverse Service is silent.");
+  if (pace_.waited_ns() > kMaxHeldNs || !has_sample_) {
     return failed(DeviceFault::kOther, ShortText("The Inverse Service does not answer."));
   }
   sample_.time_ns = now_ns_;
   return sample_;
+}
+
+// The clock may be set back, or stand still.
+void HaplyDevice::wait_until(std::int64_t now_ns) noexcept {
+  const double ns = static_cast<double>(now_ns) - static_cast<double>(now_ns_);
+  const auto longest = static_cast<double>(ServicePace::kMaxTickNs);
+  tick_ns_ = has_ticked_ ? static_cast<std::int64_t>(std::clamp(ns, 0.0, longest)) : 0;
+  has_ticked_ = true;
+  now_ns_ = now_ns;
+  window_.wait(tick_ns_);
+}
+
+// Says once why forces go, as long as they are off.
+void HaplyDevice::follow_pace(bool has_state) noexcept {
+  pace_.tick(tick_ns_, has_state);
+  if (!pace_.is_off()) {
+    pace_words_.reset();
+  } else if (!pace_words_) {
+    pace_words_ = pace_.waited_ns() > ServicePace::kHoldNs
+                      ? ShortText("The Inverse Service does not answer in time.")
+                      : ShortText("The Inverse Service answers too slowly.");
+  }
 }
 
 // How old the state is that has come: it was made when the message was sent. A clock that jumped, a
@@ -238,68 +257,73 @@ double HaplyDevice::ahead_s(std::int64_t now_ns) const noexcept {
 }
 
 tl::expected<PenSample, DeviceFault> HaplyDevice::read(std::int64_t now_ns) noexcept {
-  now_ns_ = now_ns;
+  wait_until(now_ns);
   if (!is_gone_) hear_events();
   if (is_gone_) return failed(DeviceFault::kDisconnected, gone_words_);
-  if (unanswered_ == 0) send({});
-  switch (is_gone_ ? Heard::kClosed : hear_all(has_sample_ ? kWaitNs : kFirstWaitNs)) {
+  if (window_.is_clear() || window_.is_overdue()) {
+    gate_.let_go();
+    send({});
+  }
+  const Heard heard = is_gone_ ? Heard::kClosed : hear_all(has_sample_ ? kWaitNs : kFirstWaitNs);
+  follow_pace(heard == Heard::kState || heard == Heard::kBad);
+  switch (heard) {
     case Heard::kClosed:
       return gone("The connection to the service was closed.");
     case Heard::kNothing:
       return nothing_heard();
     case Heard::kBad:
-      missed_ = 0;
       return failed(DeviceFault::kBadData, ShortText("The service's message is not readable."));
     case Heard::kState:
       break;
   }
-  missed_ = 0;
   if (!state_.has_device) return gone("The service does not know the device any more.");
   is_calibrated_ = state_.calibrated.value_or(is_calibrated_);
   if (!is_calibrated_) {
     return failed(DeviceFault::kNotCalibrated, ShortText("The device is not calibrated."));
   }
-  sample_.time_ns = now_ns;
-  sample_.velocity = kMmPerM * state_.velocity_m_per_s;
-  sample_.position = kMmPerM * state_.position_m + ahead_s(now_ns) * sample_.velocity;
-  sample_.buttons = state_.buttons;
-  axis_ = state_.grip_axis;
-  has_sample_ = true;
+  take_state();
   check_that_force_is_heard();
-  if (!brake_is_on_) status_.fault.reset();
+  if (!no_force_words()) status_.fault.reset();
   ++status_.reads;
   count_rate(now_ns);
   shown_.publish(status_);
   return sample_;
 }
 
+void HaplyDevice::take_state() noexcept {
+  sample_.time_ns = now_ns_;
+  sample_.velocity = kMmPerM * state_.velocity_m_per_s;
+  sample_.position = kMmPerM * state_.position_m + ahead_s(now_ns_) * sample_.velocity;
+  sample_.buttons = state_.buttons;
+  axis_ = state_.grip_axis;
+  has_power_ = state_.has_power.value_or(has_power_);
+  has_sample_ = true;
+}
+
+// Why no force goes; nothing if it does.
+std::optional<ShortText> HaplyDevice::no_force_words() const noexcept {
+  if (force_stopped_) return force_stopped_;
+  if (brake_is_on_) return brake_words_;
+  if (!has_power_) return ShortText("The device has no power: plug its supply in.");
+  return pace_words_;
+}
+
 tl::expected<void, DeviceFault> HaplyDevice::write(const Force& force) noexcept {
   if (is_gone_) return tl::unexpected(DeviceFault::kDisconnected);
-  const ForceGate::Passed passed = gate_.pass(force, now_ns_);
-  const bool is_off = brake_is_on_ || force_stopped_.has_value();
-  if (is_off) gate_.let_go();
-  if (unanswered_ > 0 || !has_answered_) {
-    send_nothing();
-  } else {
-    send(is_off ? Force{} : passed.force);
-  }
+  const bool is_number = is_finite(force);
+  const std::optional<ShortText> no_force = no_force_words();
+  put(is_number && !no_force ? pace_.share() * force : Force{});
   if (is_gone_) return tl::unexpected(DeviceFault::kDisconnected);
-  if (!passed.was_finite) {
+  if (!is_number) {
     return failed(DeviceFault::kBadData, ShortText("A force was asked for that is no number."));
   }
-  if (!is_off) return {};
-  const ShortText words = force_stopped_.value_or(brake_words_);
+  if (!no_force) return {};
   force_stopped_.reset();
-  return failed(DeviceFault::kForcesOff, words);
+  return failed(DeviceFault::kForcesOff, *no_force);
 }
 
 void HaplyDevice::stop() noexcept {
-  gate_.let_go();
-  if (is_gone_) {
-    tell_to_let_go();
-  } else {
-    send({});
-  }
+  let_go();
 }
 
 Homing HaplyDevice::homing() noexcept {
@@ -314,10 +338,13 @@ std::string HaplyDevice::homing_words() {
 
 Result<void> HaplyDevice::find_home() {
   for (int i = 0; i < kHomingTries && !is_gone_; ++i) {
-    if (unanswered_ == 0) send({});
+    if (window_.is_clear() || window_.is_overdue()) {
+      gate_.let_go();
+      send({});
+    }
     const Heard heard = hear_all(kHomingWaitNs);
     if (heard == Heard::kClosed) gone("The connection was closed.");
-    if (heard == Heard::kNothing) ask_anew();
+    if (heard == Heard::kNothing) window_.wait(kHomingWaitNs);
     if (is_gone_) break;
     if (state_.calibrated.value_or(is_calibrated_)) {
       is_calibrated_ = true;

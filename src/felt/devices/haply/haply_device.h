@@ -6,7 +6,9 @@
 #include <optional>
 #include <string>
 
+#include "felt/devices/haply/request_window.h"
 #include "felt/devices/haply/service_messages.h"
+#include "felt/devices/haply/service_pace.h"
 #include "felt/devices/haply/web_socket.h"
 #include "felt/driver/driver.h"
 #include "felt/driver/force_gate.h"
@@ -27,29 +29,29 @@ struct Connection {
 /// An Inverse3 or Minverse through the Inverse Service.
 ///
 /// A tick is one message each way: write() sends the force, the next read() takes the state that
-/// answers it. Such a state is a period old, so that its place is carried on by its own velocity to
-/// the time of the read; forces come late all the same (Capabilities::delay_ticks says so). Two
+/// answers it. Such a state is a period old, so that its position is carried on by its own velocity
+/// to the time of the read; forces come late all the same (Capabilities::delay_ticks says so). Two
 /// messages a tick would make it fresh, but forces that come within one tick of the service add up
 /// (maker's page "Control Commands"). Hence a force goes only to a service that has answered all
-/// before it; while a state is late, messages ask for none, so that a service that stood still and
-/// takes all that waits at once finds one force there, however long it stood.
+/// before it, and only a message without force may follow one that is unanswered (RequestWindow).
 ///
-/// A state that is late is not waited for longer than kWaitNs; the last one counts for kMostMissed
-/// ticks, then read() fails with kOther, and after kMostSilentTicks with kDisconnected. The service
-/// lets go of the motors when no force comes: that, and not our patience, keeps a hand safe.
+/// read() waits kWaitNs for a state. While states are late, read() repeats the last one, the
+/// service keeps the last force for a bounded time, and then the force falls to zero (ServicePace).
+/// Once it is zero, write() says kForcesOff until the service is prompt again. After kMaxHeldNs
+/// without a state read() fails with kOther, and after kMaxSilentNs with kDisconnected.
 ///
 /// The events channel is looked at on each tick, without waiting: a brake, a stall or the stability
 /// ceiling makes write() say kForcesOff with the service's own words, and the force zero at once.
+/// So does a state that says that the device has no power.
+///
+/// DeviceStatus::faults counts faults, not the ticks that they last.
 class HaplyDevice final : public DriverDevice {
  public:
   static constexpr std::int64_t kWaitNs = 300'000;          ///< for a state
   static constexpr std::int64_t kFirstWaitNs = 50'000'000;  ///< for the first, before any force
   static constexpr std::int64_t kSendNs = 100'000;
-  static constexpr int kMostMissed = 4;
-  static constexpr int kMostSilentTicks = 1000;
-  /// Ticks without a state, once one has come that was late, until the rest counts as answered by
-  /// it. Below kMostMissed, so that the pen stays.
-  static constexpr int kSettleTicks = 2;
+  static constexpr std::int64_t kMaxHeldNs = 20'000'000;
+  static constexpr std::int64_t kMaxSilentNs = 1'000'000'000;
   /// States without any force in them, though one was asked for, until the other spelling of the
   /// command is tried (ForceKey).
   static constexpr int kDeafStates = 200;
@@ -67,6 +69,7 @@ class HaplyDevice final : public DriverDevice {
   tl::expected<PenSample, DeviceFault> read(std::int64_t now_ns) noexcept override;
   std::optional<Vec3> pen_axis() noexcept override { return axis_; }
   tl::expected<void, DeviceFault> write(const Force& force) noexcept override;
+  [[nodiscard]] std::optional<Force> held_force() const noexcept override { return gate_.held(); }
   void stop() noexcept override;
   [[nodiscard]] Homing homing() noexcept override;
   [[nodiscard]] std::string homing_words() override;
@@ -78,9 +81,12 @@ class HaplyDevice final : public DriverDevice {
   enum class Heard : std::uint8_t { kNothing, kState, kBad, kClosed };
 
   bool send(const Force& force) noexcept;
-  void send_nothing() noexcept;  ///< instead of a force, to a service that is behind
-  void ask_anew() noexcept;
-  void tell_to_let_go() noexcept;
+  void put(const Force& force) noexcept;
+  void let_go() noexcept;
+  void wait_until(std::int64_t now_ns) noexcept;
+  void follow_pace(bool has_state) noexcept;
+  void take_state() noexcept;
+  [[nodiscard]] std::optional<ShortText> no_force_words() const noexcept;
   Heard hear(std::int64_t within_ns) noexcept;
   Heard hear_all(std::int64_t within_ns) noexcept;
   void hear_events() noexcept;
@@ -98,7 +104,9 @@ class HaplyDevice final : public DriverDevice {
   InventoryDevice inventory_;
   std::string grip_id_;
   ForceKey key_;
-  ForceGate gate_;
+  ForceGate gate_;  // what it holds is what the newest message asked for
+  RequestWindow window_;
+  ServicePace pace_;
 
   // The haptic thread's own; where no loop runs, that of the edit thread.
   State state_;
@@ -106,19 +114,18 @@ class HaplyDevice final : public DriverDevice {
   std::optional<Vec3> axis_;  // of the grip, as of sample_
   bool has_sample_ = false;
   bool is_calibrated_;
-  int unanswered_ = 0;        // messages that no state came for; the oldest may bear a force
-  bool settles_ = false;      // a state has come, others are still owed: these bear no force
-  bool has_answered_ = true;  // since ask_anew()
-  int missed_ = 0;            // ticks without a state
   bool is_gone_ = false;
   bool brake_is_on_ = false;
   bool events_are_over_ = false;
+  bool has_power_;
   std::optional<ShortText> force_stopped_;  // until the next write() has said so
   ShortText brake_words_, gone_words_;
-  double sent_n_ = 0.0;
+  std::optional<ShortText> pace_words_;  // while the pace is off
   int deaf_states_ = 0;
   int keys_tried_ = 1;
   std::int64_t now_ns_ = 0;
+  std::int64_t tick_ns_ = 0;  // from the read before
+  bool has_ticked_ = false;
   std::int64_t sent_ns_ = 0;  // the newest message
   std::int64_t rate_since_ns_ = 0;
   std::uint64_t rate_reads_ = 0;

@@ -125,7 +125,8 @@ Force OpenHapticsDevice::bounded(const Force& asked, bool& was_finite) noexcept 
   const ForceGate::Passed passed = gate_.pass(asked, now_ns_);
   was_finite = passed.was_finite;
   const double size = norm(passed.force);
-  return size > warmth_.allowed_n() ? (warmth_.allowed_n() / size) * passed.force : passed.force;
+  if (size > warmth_.allowed_n()) gate_.sent_less((warmth_.allowed_n() / size) * passed.force);
+  return gate_.held();
 }
 
 tl::expected<void, DeviceFault> OpenHapticsDevice::write(const Force& asked) noexcept {

@@ -35,6 +35,7 @@ class OpenHapticsDevice final : public DriverDevice, private LoopHost {
   std::optional<Vec3> pen_axis() noexcept override { return axis_; }
   tl::expected<void, DeviceFault> write(const Force& force) noexcept override;
   void stop() noexcept override;
+  [[nodiscard]] std::optional<Force> held_force() const noexcept override { return gate_.held(); }
 
   // DriverDevice
   [[nodiscard]] const DeviceDescriptor& descriptor() const noexcept override { return descriptor_; }

@@ -226,6 +226,8 @@ tl::expected<void, DeviceFault> PantographDevice::write(const Force& force) noex
   const bool is_guarded = port_->is_guarded();
   if (bar_ && is_home_ && is_guarded && missed_ <= kMostMissed) {
     torques = bar_->torques((kLess * bar_->authority()) * passed.force);
+  } else {
+    gate_.let_go();
   }
   const bool went = send(torques);
   if (is_gone_) return tl::unexpected(DeviceFault::kDisconnected);

@@ -59,6 +59,7 @@ class PantographDevice final : public DriverDevice {
   tl::expected<PenSample, DeviceFault> read(std::int64_t now_ns) noexcept override;
   tl::expected<void, DeviceFault> write(const Force& force) noexcept override;
   void stop() noexcept override;
+  [[nodiscard]] std::optional<Force> held_force() const noexcept override { return gate_.held(); }
   bool set_pen_down(bool is_down) noexcept override {
     is_down_.store(is_down);
     return true;

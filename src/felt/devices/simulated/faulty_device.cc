@@ -49,7 +49,12 @@ constexpr std::array kNames{NamedFault{InjectedFault::kReadError, "read-error"},
                             NamedFault{InjectedFault::kUncalibrated, "uncalibrated"},
                             NamedFault{InjectedFault::kButtonStuck, "button-stuck"},
                             NamedFault{InjectedFault::kDenormal, "denormal"},
-                            NamedFault{InjectedFault::kNoAnswer, "no-answer"}};
+                            NamedFault{InjectedFault::kNoAnswer, "no-answer"},
+                            NamedFault{InjectedFault::kJumpOften, "jump-often"},
+                            NamedFault{InjectedFault::kSlowAnswers, "slow-answers"},
+                            NamedFault{InjectedFault::kLostAnswers, "lost-answers"},
+                            NamedFault{InjectedFault::kBurstAnswers, "burst-answers"},
+                            NamedFault{InjectedFault::kLateAnswer, "late-answer"}};
 
 constexpr auto kFaults = [] {
   std::array<InjectedFault, kNames.size()> faults{};
@@ -88,6 +93,9 @@ void FaultyDevice::distort(PenSample& sample, const FaultWindow& window) noexcep
       break;
     case InjectedFault::kJump:
       p.x += window.amount;
+      break;
+    case InjectedFault::kJumpOften:
+      if (reads_ % 2 == 0) p.x += window.amount;
       break;
     case InjectedFault::kFrozen:
       sample = at_time(last_, sample.time_ns);

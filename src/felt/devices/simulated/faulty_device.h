@@ -31,7 +31,17 @@ enum class InjectedFault : std::uint8_t {
   kButtonStuck,    ///< button 0 is down, whatever the hand does
   kDenormal,       ///< z and the velocity are the smallest numbers that there are
   kNoAnswer,       ///< nothing new comes: the last sample, with its old time; writes are lost
+  kJumpOften,      ///< the position is `amount` mm away, along x, in every second sample
+  kSlowAnswers,    ///< a service needs `amount` ms for each answer
+  kLostAnswers,    ///< a service answers every second message only
+  kBurstAnswers,   ///< a service takes and answers what waits each `amount` ms
+  kLateAnswer,     ///< a service answers one message `amount` ms late
 };
+
+/// True for faults that only a device behind a service can have. FaultyDevice ignores them.
+constexpr bool is_of_a_service(InjectedFault fault) noexcept {
+  return fault >= InjectedFault::kSlowAnswers && fault <= InjectedFault::kLateAnswer;
+}
 
 /// All of them, in this order.
 std::span<const InjectedFault> injected_faults() noexcept;

@@ -1,0 +1,47 @@
+#include "felt/devices/haply/service_pace.h"
+
+#include <algorithm>
+
+namespace felt::haply {
+namespace {
+
+constexpr double kAverageOf = 32.0;          // ticks or states
+constexpr double kLongestInterval = 20.0e6;  // ns, that counts for the average
+
+}  // namespace
+
+ServicePace::ServicePace(std::int64_t period_ns) noexcept
+    : period_ns_(static_cast<double>(period_ns)), tick_ns_(period_ns_), interval_ns_(period_ns_) {}
+
+void ServicePace::follow_interval(bool has_state) noexcept {
+  const double expected_ns = std::max(period_ns_, tick_ns_);
+  if (has_state) {
+    const double last_ns = std::min(static_cast<double>(waited_ns_), kLongestInterval);
+    interval_ns_ += (last_ns - interval_ns_) / kAverageOf;
+    waited_ns_ = 0;
+  }
+  is_slow_ = interval_ns_ > kSlowPeriods * expected_ns;
+  const bool is_timely = interval_ns_ < kTimelyPeriods * expected_ns && waited_ns_ < kHoldNs;
+  if (!is_timely) timely_ns_ = 0;
+}
+
+void ServicePace::tick(std::int64_t ns, bool has_state) noexcept {
+  ns = std::clamp<std::int64_t>(ns, 0, kMaxTickNs);
+  const auto dt_ns = static_cast<double>(ns);
+  tick_ns_ += (dt_ns - tick_ns_) / kAverageOf;
+  waited_ns_ += ns;
+  timely_ns_ = std::min(timely_ns_ + ns, kTimelyNs);
+  follow_interval(has_state);
+  if (is_off_) {
+    is_off_ = timely_ns_ < kTimelyNs;
+    return;
+  }
+  double change = dt_ns / static_cast<double>(kSlowRampNs);
+  if (is_slow_) change = -change;
+  if (waited_ns_ > kHoldNs) change = -dt_ns / static_cast<double>(kRampNs);
+  share_ = std::clamp(share_ + change, 0.0, 1.0);
+  is_off_ = share_ == 0.0;
+  if (is_off_) timely_ns_ = 0;
+}
+
+}  // namespace felt::haply

@@ -1,0 +1,83 @@
+#include "felt/devices/haply/service_pace.h"
+
+#include <gtest/gtest.h>
+
+namespace felt::haply {
+namespace {
+
+constexpr std::int64_t kMs = 1'000'000;
+
+void run(ServicePace& pace, int ticks, int every, std::int64_t tick_ns = kMs) {
+  for (int i = 1; i <= ticks; ++i) pace.tick(tick_ns, i % every == 0);
+}
+
+TEST(ServicePace, AStateInEachTickIsPromptAtEveryPeriod) {
+  for (const std::int64_t tick_ns : {kMs / 5, kMs, 4 * kMs}) {
+    ServicePace pace(kMs);
+    run(pace, 3000, tick_ns < kMs ? 5 : 1, tick_ns);
+    EXPECT_EQ(pace.share(), 1.0) << tick_ns;
+    EXPECT_FALSE(pace.is_off());
+  }
+}
+
+TEST(ServicePace, ALateStateHoldsTheForceAndLastingSilenceRampsItDown) {
+  ServicePace pace(kMs);
+  run(pace, 100, 1);
+  for (int i = 0; i < 8; ++i) pace.tick(kMs, false);
+  EXPECT_EQ(pace.share(), 1.0) << "held";
+  double last = 1.0;
+  for (int i = 0; i < 8; ++i) {
+    pace.tick(kMs, false);
+    EXPECT_LT(pace.share(), last);
+    EXPECT_GT(pace.share(), last - 0.2) << "a ramp, no cut";
+    last = pace.share();
+  }
+  EXPECT_EQ(last, 0.0);
+  EXPECT_TRUE(pace.is_off());
+}
+
+TEST(ServicePace, OneLateStateChangesNothing) {
+  ServicePace pace(kMs);
+  run(pace, 100, 1);
+  for (int i = 0; i < 5; ++i) pace.tick(kMs, false);
+  run(pace, 100, 1);
+  EXPECT_EQ(pace.share(), 1.0);
+}
+
+TEST(ServicePace, ASlowServiceGoesOffOnceAndComesBackWhenItIsPromptForASecond) {
+  ServicePace pace(kMs);
+  int changes = 0;
+  bool was_off = false;
+  const auto count = [&](int ticks, int every) {
+    for (int i = 1; i <= ticks; ++i) {
+      pace.tick(kMs, i % every == 0);
+      changes += pace.is_off() != was_off ? 1 : 0;
+      was_off = pace.is_off();
+    }
+  };
+  count(5000, 2);
+  EXPECT_TRUE(was_off);
+  EXPECT_EQ(changes, 1);
+  for (int i = 0; i < 20; ++i) {  // now and then it is prompt for a while
+    count(300, 1);
+    count(300, 3);
+  }
+  EXPECT_EQ(changes, 1);
+  count(900, 1);
+  EXPECT_TRUE(was_off);
+  count(400, 1);
+  EXPECT_FALSE(was_off);
+  EXPECT_GT(pace.share(), 0.0);
+}
+
+TEST(ServicePace, ALoopThatStoodStillSaysNothingAboutTheService) {
+  ServicePace pace(kMs);
+  for (int i = 0; i < 50; ++i) {
+    run(pace, 100, 1);
+    pace.tick(500 * kMs, true);
+  }
+  EXPECT_EQ(pace.share(), 1.0);
+}
+
+}  // namespace
+}  // namespace felt::haply
