@@ -14,11 +14,19 @@ std::optional<PenSample> LeapFilter::pass(const PenSample& sample, std::int64_t 
   switch (leaps_.judge(sample.position, time)) {
     case PositionVerdict::kBelieved:
       last_ = sample;
+      was_held_ = false;
       return sample;
     case PositionVerdict::kHeld:
+      was_held_ = true;
       return std::nullopt;
     case PositionVerdict::kFault:
       break;
+  }
+  if (was_held_ && !(in_contact(last_) && in_contact(sample))) {
+    leaps_.reset();
+    static_cast<void>(leaps_.judge(sample.position, time));
+    last_ = sample;
+    return sample;
   }
   is_lost_ = true;
   steady_s_ = 0.0;

@@ -12,9 +12,10 @@ namespace felt {
 /// Keeps positions that an arm cannot have reached out of the ink, whether forces are on or off:
 /// the safety chain believes every position while no force can flow.
 ///
-/// A single leap is left out. When leaps last (JumpGuard), the stroke ends where the pen was last
-/// believed, and nothing is ink until positions have been steady for kSteadyNs and the pen has left
-/// the surface. So no line leads to the wrong place, and none begins there.
+/// A single leap is left out. When a leap lasts (JumpGuard) that would draw a line, because the pen
+/// touches before and after it, the stroke ends where the pen was last believed, and nothing is ink
+/// until positions have been steady for kSteadyNs and the pen has left the surface. The same if the
+/// position leaps again and again. A lasting leap in the air draws nothing and is believed.
 ///
 /// Haptic thread; real-time safe.
 class LeapFilter {
@@ -37,6 +38,7 @@ class LeapFilter {
   JumpGuard leaps_, steady_;
   PenSample last_;  // believed
   bool is_lost_ = false;
+  bool was_held_ = false;  // the sample before
   double steady_s_ = 0.0;  // while lost
 };
 

@@ -58,6 +58,15 @@ TEST(LeapFilter, ALastingLeapLiftsThePenWhereItWas) {
   EXPECT_TRUE(pen.at(1000, -1).has_value());
 }
 
+TEST(LeapFilter, ALeapInTheAirIsBelievedWhenItLasts) {
+  Pen pen;
+  for (int i = 0; i < 10; ++i) pen.at(0, 2);
+  EXPECT_FALSE(pen.at(60, 2).has_value());
+  for (int i = 0; i < 5; ++i) pen.at(60, 2);
+  EXPECT_TRUE(pen.at(60, 0.5).has_value());
+  EXPECT_TRUE(pen.at(60, -1).has_value());
+}
+
 TEST(LeapFilter, EverySecondPositionALieEndsTheStroke) {
   Pen pen;
   for (int i = 0; i < 10; ++i) pen.at(0, -1);
