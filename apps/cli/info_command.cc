@@ -6,6 +6,7 @@
 #include "commands.h"
 #include "felt/formats/format_traits.h"
 #include "felt/io/ndjson_parser.h"
+#include "felt/stroke/mend_joints.h"
 #include "file_summary.h"
 #include "input.h"
 #include "sketch_input.h"
@@ -38,6 +39,7 @@ class Summarizer {
       summary_.add(raw_);
       return {};
     }
+    mend_rounding(record_.data);
     const Result<Stroke> stroke = Stroke::create(std::move(record_.data));
     if (!stroke) return tl::unexpected(stroke.error());
     summary_.add(*stroke);

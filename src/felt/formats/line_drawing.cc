@@ -4,6 +4,7 @@
 
 #include "felt/formats/file_format.h"
 #include "felt/io/ndjson_writer.h"
+#include "felt/stroke/mend_joints.h"
 
 namespace felt {
 namespace {
@@ -18,6 +19,7 @@ Result<std::optional<SketchStroke>> named(std::string id, Result<Stroke> stroke)
 }  // namespace
 
 Result<std::optional<SketchStroke>> LineStrokes::read(const NdjsonLine& line) {
+  was_mended_ = false;
   const std::string_view text = line.text();
   const bool is_raw = text.find("\"points\"") != std::string_view::npos &&
                       text.find("\"segments\"") == std::string_view::npos;
@@ -29,6 +31,7 @@ Result<std::optional<SketchStroke>> LineStrokes::read_fitted(const NdjsonLine& l
   const Result<NdjsonKind> kind = parser_.sketch_stroke(line, record);
   if (!kind) return tl::unexpected(kind.error());
   if (*kind == NdjsonKind::kHeader) return std::nullopt;
+  was_mended_ = mend_rounding(record.data).any();
   return named(std::move(record.id), Stroke::create(std::move(record.data)));
 }
 
@@ -64,6 +67,9 @@ Result<ImportedDrawing> import_lines(std::string_view text, const ImportOptions&
         result.report.add(line.number(), {}, "was left out: " + stroke.error().message);
       } else if (*stroke) {
         if ((*stroke)->id.empty()) (*stroke)->id = "s" + std::to_string(sketch.size() + 1);
+        if (strokes.was_mended()) {
+          result.report.add(line.number(), "stroke '" + (*stroke)->id + "'", kMendedNotice);
+        }
         sketch.push_back(**std::move(stroke));
       }
     }

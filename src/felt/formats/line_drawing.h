@@ -19,6 +19,8 @@ class LineStrokes {
 
   /// None for a header. The id is "" where the line has none. Error: the line is no stroke.
   Result<std::optional<SketchStroke>> read(const NdjsonLine& line);
+  /// True if the stroke of the last line had rounded coordinates that were mended (mend_rounding).
+  [[nodiscard]] bool was_mended() const noexcept { return was_mended_; }
 
  private:
   Result<std::optional<SketchStroke>> read_fitted(const NdjsonLine& line);
@@ -27,7 +29,12 @@ class LineStrokes {
   NdjsonParser parser_;
   InkFitter fitter_;
   RawStroke raw_;
+  bool was_mended_ = false;
 };
+
+/// What to say about strokes whose rounded coordinates were mended, once a file.
+inline constexpr const char* kMendedNotice =
+    "has rounded coordinates; smooth joints were moved by less than 0.001 mm or became corners";
 
 /// Reads lines of JSON (docs/formats/ndjson.md): fitted strokes as they are, raw pen samples in mm
 /// as ink, one layer, no sheet. A line that is no stroke becomes a notice, and the rest is taken.

@@ -11,6 +11,7 @@
 #include "felt/io/number_list.h"
 #include "felt/io/xml_text.h"
 #include "felt/stroke/color_text.h"
+#include "felt/stroke/mend_joints.h"
 #include "felt/stroke/width_profile.h"
 
 namespace felt::inkml {
@@ -177,6 +178,7 @@ std::optional<Result<SketchStroke>> read_model(const pugi::xml_node& node,
   if (!ours("tones").empty() && !read_tones(ours("tones"), d.widths)) {
     return bad("has tones that are not one number of 0 to 1 a width; its points were taken");
   }
+  mend_rounding(d);
   Result<Stroke> stroke = Stroke::create(std::move(d));
   if (!stroke) return bad("has a damaged curve; its points were taken: " + stroke.error().message);
   return SketchStroke{std::string(ours("id")), *std::move(stroke)};

@@ -11,14 +11,11 @@
 #include "felt/io/svg_path_data.h"
 #include "felt/io/svg_power_stroke.h"
 #include "felt/io/svg_scan.h"
+#include "felt/stroke/mend_joints.h"
 #include "felt/stroke/width_profile.h"
 
 namespace felt {
 namespace {
-
-/// Largest turn at a joint, said to be smooth, that rounding by another program explains: eight
-/// digits of a handle of a tenth of a millimetre.
-constexpr double kRoundedJointDeg = 0.1;
 
 tl::unexpected<Error> bad(std::string what) {
   return fail(ErrorCode::kInvalidData, std::move(what));
@@ -93,23 +90,10 @@ bool same_widths(const std::vector<WidthKnot>& ours, const std::vector<WidthKnot
   return true;
 }
 
-/// Brings the handles of a joint that rounding bent back in line, or calls it a corner.
+/// Makes joints that rounding bent smooth again, or calls them corners.
 void mend_joints(StrokeData& d, std::vector<std::string>& notices) {
-  const std::size_t n = d.points.size() / 3;
-  for (std::size_t i = 0; i < d.joints.size(); ++i) {
-    if (d.joints[i] != JointKind::kSmooth) continue;
-    const double angle = svg_joint_angle_deg(d.points, i);
-    if (angle <= kSmoothJointMaxDeg) continue;
-    Point* in = &d.points[3 * i];
-    Point* out = &d.points[3 * ((i + 1) % n)];
-    const Vec way = normalized(in[3] - in[2]);
-    if (angle <= kRoundedJointDeg && way != Vec{} && out[1] != out[0]) {
-      out[1] = out[0] + norm(out[1] - out[0]) * way;
-    }
-    if (svg_joint_angle_deg(d.points, i) <= kSmoothJointMaxDeg) continue;
-    d.joints[i] = JointKind::kCorner;
-    notices.emplace_back("has a smooth joint that another program bent; it became a corner");
-  }
+  if (mend_rounding(d).corners == 0) return;
+  notices.emplace_back("has a smooth joint that another program bent; it became a corner");
 }
 
 void raise_widths(StrokeData& d, std::vector<std::string>& notices) {

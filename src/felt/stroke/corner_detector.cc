@@ -29,7 +29,7 @@ double distance_to_segment(Point p, Point a, Point b) noexcept {
 
 // Steps from sample k to the first sample that is `reach` away from it. 0 when the path there is a
 // detour; kOpen when the samples end before either is known.
-std::size_t steps_to(const SampleWindow& w, std::size_t k, Way way, double reach) noexcept {
+std::size_t steps_to(const KeptSamples& w, std::size_t k, Way way, double reach) noexcept {
   const Point p = w.point(k);
   const double squared = reach * reach, longest = CornerDetector::kCornerDetour * reach;
   const std::size_t available = way == Way::kBack ? k : w.size() - 1 - k;
@@ -41,12 +41,12 @@ std::size_t steps_to(const SampleWindow& w, std::size_t k, Way way, double reach
   return kOpen;
 }
 
-double corner_reach(const SampleWindow& w) noexcept {
+double corner_reach(const KeptSamples& w) noexcept {
   return CornerDetector::kCornerArm * w.tolerance_mm();
 }
 
 // From sample k to the place, before the end of its `steps`-th step, that is `reach` away.
-Vec chord_of(const SampleWindow& w, std::size_t k, Way way, std::size_t steps,
+Vec chord_of(const KeptSamples& w, std::size_t k, Way way, std::size_t steps,
              double reach) noexcept {
   const Point p = w.point(k);
   const Point before = w.point(sample_at(k, way, steps - 1));
@@ -61,7 +61,7 @@ struct Arm {
   Vec chord;              // from the sample to its end
 };
 
-Arm find_arm(const SampleWindow& w, std::size_t k, Way way) noexcept {
+Arm find_arm(const KeptSamples& w, std::size_t k, Way way) noexcept {
   const double reach = corner_reach(w);
   const std::size_t steps = steps_to(w, k, way, reach);
   if (steps == 0 || steps == kOpen) return {};
@@ -70,7 +70,7 @@ Arm find_arm(const SampleWindow& w, std::size_t k, Way way) noexcept {
 }
 
 // The angle by which the samples inside the arm leave its chord.
-double bend(const SampleWindow& w, std::size_t k, Way way, const Arm& arm) noexcept {
+double bend(const KeptSamples& w, std::size_t k, Way way, const Arm& arm) noexcept {
   const Point p = w.point(k);
   double largest = 0.0;
   for (std::size_t step = 1; step < arm.steps; ++step) {
@@ -80,14 +80,14 @@ double bend(const SampleWindow& w, std::size_t k, Way way, const Arm& arm) noexc
   return 2.0 * largest / norm(arm.chord);
 }
 
-Vec half_chord(const SampleWindow& w, std::size_t k, Way way, const Arm& arm) noexcept {
+Vec half_chord(const KeptSamples& w, std::size_t k, Way way, const Arm& arm) noexcept {
   const double reach = 0.5 * norm(arm.chord);
   const std::size_t steps = steps_to(w, k, way, reach);
   return steps == 0 || steps == kOpen ? 0.5 * arm.chord : chord_of(w, k, way, steps, reach);
 }
 
 // Turn of the ink at sample k in radians if it counts as a corner, else 0.
-double corner_turn(const SampleWindow& w, std::size_t k) noexcept {
+double corner_turn(const KeptSamples& w, std::size_t k) noexcept {
   const Arm back = find_arm(w, k, Way::kBack);
   if (back.steps == 0) return 0.0;
   const Arm on = find_arm(w, k, Way::kOn);
@@ -105,7 +105,7 @@ double corner_turn(const SampleWindow& w, std::size_t k) noexcept {
 
 // True when no other turn within one arm is larger; of equal ones the first counts. Requires a
 // turn at sample k, hence arms.
-bool is_largest(const SampleWindow& w, std::size_t k) noexcept {
+bool is_largest(const KeptSamples& w, std::size_t k) noexcept {
   const std::size_t back = steps_to(w, k, Way::kBack, corner_reach(w));
   for (std::size_t step = 1; step < back; ++step) {
     if (w.turn(k - step) >= w.turn(k)) return false;
@@ -124,17 +124,12 @@ void CornerDetector::clear() noexcept {
   decided_ = 0;
 }
 
-void CornerDetector::shift(std::size_t count) noexcept {
-  measured_ -= count;
-  decided_ -= count;
-}
-
-void CornerDetector::update(SampleWindow& w) noexcept {
+void CornerDetector::update(KeptSamples& w) noexcept {
   measure(w, kMeasuresPerUpdate);
   decide(w);
 }
 
-void CornerDetector::measure(SampleWindow& w, std::size_t most) noexcept {
+void CornerDetector::measure(KeptSamples& w, std::size_t most) noexcept {
   if (w.size() == 0) return;
   const double margin = kCornerMargin * w.tolerance_mm();
   const double newest = w.path_mm(w.size() - 1);
@@ -150,7 +145,7 @@ void CornerDetector::measure(SampleWindow& w, std::size_t most) noexcept {
   }
 }
 
-void CornerDetector::decide(SampleWindow& w) noexcept {
+void CornerDetector::decide(KeptSamples& w) noexcept {
   // A turn is the largest of its neighbourhood once all of the neighbourhood is measured.
   while (decided_ < measured_) {
     if (w.turn(decided_) > 0.0) {
@@ -161,7 +156,7 @@ void CornerDetector::decide(SampleWindow& w) noexcept {
   }
 }
 
-void CornerDetector::finish(SampleWindow& w) noexcept {
+void CornerDetector::finish(KeptSamples& w) noexcept {
   measure(w, w.size());
   decide(w);
   for (; decided_ < w.size(); ++decided_) {

@@ -2,7 +2,7 @@
 
 #include <cstddef>
 
-#include "felt/stroke/sample_window.h"
+#include "felt/stroke/kept_samples.h"
 
 namespace felt {
 
@@ -31,7 +31,7 @@ namespace felt {
 /// A corner is decided when the ink has gone on for kCornerMargin + kCornerArm tolerances, about
 /// 1.7 mm at the default tolerance, or later where it dwells. Streaming and in one go give the same
 /// corners (R5, R7). Work is bounded: merged samples are not looked at, so an arm has at most
-/// kCornerDetour * kCornerArm / CurveFitter::kSpacing of them.
+/// kCornerDetour * kCornerArm tolerances / CurveFitter::spacing_mm() of them.
 class CornerDetector {
  public:
   static constexpr double kCornerDeg = 60.0;
@@ -42,18 +42,16 @@ class CornerDetector {
 
   /// Starts a stroke.
   void clear() noexcept;
-  /// Looks at some of the samples added to `window` and marks corners in it; bounded work.
-  void update(SampleWindow& window) noexcept;
+  /// Looks at some of the samples added to `kept` and marks corners in it; bounded work.
+  void update(KeptSamples& kept) noexcept;
   /// The stroke has ended: decides the rest.
-  void finish(SampleWindow& window) noexcept;
+  void finish(KeptSamples& kept) noexcept;
   /// Samples before this index are decided.
   [[nodiscard]] std::size_t decided() const noexcept { return decided_; }
-  /// The window dropped its first `count` samples.
-  void shift(std::size_t count) noexcept;
 
  private:
-  void measure(SampleWindow& window, std::size_t most) noexcept;
-  void decide(SampleWindow& window) noexcept;
+  void measure(KeptSamples& kept, std::size_t most) noexcept;
+  void decide(KeptSamples& kept) noexcept;
 
   std::size_t measured_ = 0;  // samples before it have their turn
   std::size_t decided_ = 0;

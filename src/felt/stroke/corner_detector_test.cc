@@ -18,24 +18,24 @@ using testing::TestInk;
 constexpr double kToleranceMm = 0.15, kSpacingMm = 0.01875;
 constexpr double kDeg = std::numbers::pi / 180.0;
 
-SampleWindow window_of(const std::vector<Point>& ink) {
-  SampleWindow window(kToleranceMm, kSpacingMm, ink.size());
-  for (const Point p : ink) window.add(p);
-  return window;
+KeptSamples kept_of(const std::vector<Point>& ink) {
+  KeptSamples kept(kToleranceMm, kSpacingMm);
+  for (const Point p : ink) kept.add(p);
+  return kept;
 }
 
-std::vector<std::size_t> marked(const SampleWindow& window) {
+std::vector<std::size_t> marked(const KeptSamples& kept) {
   std::vector<std::size_t> corners;
-  for (std::size_t i = 0; i < window.size(); ++i) {
-    if (window.is_corner(i)) corners.push_back(i);
+  for (std::size_t i = 0; i < kept.size(); ++i) {
+    if (kept.is_corner(i)) corners.push_back(i);
   }
   return corners;
 }
 
 std::vector<std::size_t> corners_of(const std::vector<Point>& ink) {
-  SampleWindow window = window_of(ink);
-  CornerDetector().finish(window);
-  return marked(window);
+  KeptSamples kept = kept_of(ink);
+  CornerDetector().finish(kept);
+  return marked(kept);
 }
 
 // Two legs of `leg_mm` that meet at sample leg_mm / step_mm.
@@ -107,10 +107,10 @@ TEST(CornerDetector, R5ARestInACornerLeavesItOneCorner) {
     std::vector<Point> rest;
     for (int i = 0; i < 60; ++i) rest.push_back(ink[middle] + random.noise(0.02));
     ink.insert(ink.begin() + static_cast<std::ptrdiff_t>(middle), rest.begin(), rest.end());
-    const SampleWindow window = window_of(ink);
+    const KeptSamples kept = kept_of(ink);
     const auto corners = corners_of(ink);
     ASSERT_EQ(corners.size(), 1u) << "seed " << seed;
-    EXPECT_LE(distance(window.point(corners[0]), Point{}), kToleranceMm) << "seed " << seed;
+    EXPECT_LE(distance(kept.point(corners[0]), Point{}), kToleranceMm) << "seed " << seed;
   }
 }
 
@@ -124,12 +124,12 @@ TEST(CornerDetector, R5NoneWithinAMillimetreOfAnEnd) {
 
 TEST(CornerDetector, AnyInkTurnsAtItsCorners) {
   for (std::uint64_t seed = 0; seed < 200; ++seed) {
-    const SampleWindow window = window_of(TestInk(seed).draw_any(600));
-    SampleWindow judged = window;
+    const KeptSamples kept = kept_of(TestInk(seed).draw_any(600));
+    KeptSamples judged = kept;
     CornerDetector().finish(judged);
     for (const std::size_t k : marked(judged)) {
       ASSERT_GE(k, 2u);
-      ASSERT_LT(k + 2, window.size());
+      ASSERT_LT(k + 2, kept.size());
       EXPECT_GE(judged.turn(k), CornerDetector::kCornerDeg * kDeg) << seed;
     }
   }
@@ -142,54 +142,26 @@ INSTANTIATE_TEST_SUITE_P(AllInk, CornersOf, ::testing::ValuesIn(kAllShapes),
 TEST_P(CornersOf, R7StreamingAndInOneGoAreTheSame) {
   for (std::uint64_t seed = 0; seed < 20; ++seed) {
     const auto ink = TestInk(seed).draw(GetParam(), 600);
-    SampleWindow window(kToleranceMm, kSpacingMm, ink.size());
+    KeptSamples kept(kToleranceMm, kSpacingMm);
     CornerDetector detector;
     std::size_t decided = 0;
     std::vector<std::size_t> early;  // corners before `decided`
     for (const Point p : ink) {
-      window.add(p);
-      detector.update(window);
+      kept.add(p);
+      detector.update(kept);
       for (; decided < detector.decided(); ++decided) {
-        if (window.is_corner(decided)) early.push_back(decided);
+        if (kept.is_corner(decided)) early.push_back(decided);
       }
     }
-    for (const std::size_t k : marked(window)) EXPECT_LT(k, decided);
-    detector.finish(window);
-    EXPECT_EQ(detector.decided(), window.size());
-    for (; decided < window.size(); ++decided) {
-      if (window.is_corner(decided)) early.push_back(decided);
+    for (const std::size_t k : marked(kept)) EXPECT_LT(k, decided);
+    detector.finish(kept);
+    EXPECT_EQ(detector.decided(), kept.size());
+    for (; decided < kept.size(); ++decided) {
+      if (kept.is_corner(decided)) early.push_back(decided);
     }
-    EXPECT_EQ(early, marked(window)) << "a decision was changed, seed " << seed;
-    EXPECT_EQ(marked(window), corners_of(ink)) << "seed " << seed;
+    EXPECT_EQ(early, marked(kept)) << "a decision was changed, seed " << seed;
+    EXPECT_EQ(marked(kept), corners_of(ink)) << "seed " << seed;
   }
-}
-
-TEST(CornerDetector, ShiftFollowsTheWindow) {
-  const auto ink = TestInk(3).draw(InkShape::kZigzag, 1000);
-  const auto expected = corners_of(ink);
-  SampleWindow window(kToleranceMm, kSpacingMm, ink.size());
-  CornerDetector detector;
-  std::vector<std::size_t> found;
-  std::size_t dropped = 0, seen = 0;
-  const auto collect = [&] {
-    for (; seen < detector.decided() + dropped; ++seen) {
-      if (window.is_corner(seen - dropped)) found.push_back(seen);
-    }
-  };
-  for (const Point p : ink) {
-    window.add(p);
-    detector.update(window);
-    collect();
-    if (detector.decided() > 300) {
-      window.drop_front(100);
-      detector.shift(100);
-      dropped += 100;
-    }
-  }
-  detector.finish(window);
-  collect();
-  EXPECT_EQ(found, expected);
-  EXPECT_GT(found.size(), 10u);
 }
 
 TEST(CornerDetector, EmptyAndShortStrokesHaveNone) {

@@ -1,6 +1,7 @@
 #include "felt/stroke/guide_curve.h"
 
 #include <algorithm>
+#include <array>
 
 #include "felt/geometry/polyline.h"
 #include "felt/stroke/curve_fitter.h"
@@ -39,12 +40,12 @@ bool comes_near_all(std::span<const Point> line, std::span<const Point> points,
 
 }  // namespace
 
-void GuideCurve::follow(const SampleWindow& window, const FittedCurve& curve) {
+void GuideCurve::follow(const KeptSamples& kept, const FittedCurve& curve) {
   places_.clear();
   std::size_t sample = 0;
-  for (std::size_t i = 0; i < window.size(); ++i) {
+  for (std::size_t i = 0; i < kept.size(); ++i) {
     const double u = curve.sample_u[sample];
-    sample += window.sample_count(i);
+    sample += kept.sample_count(i);
     const double next = sample < curve.sample_u.size() ? curve.sample_u[sample] : u;
     for (std::size_t k = 0; k < kPlaces; ++k) {
       const double part = static_cast<double>(k) / static_cast<double>(kPlaces);
@@ -57,10 +58,11 @@ bool GuideCurve::is_close_at(std::size_t i, Point p, double limit_mm) const noex
   return distance_squared(places_[kPlaces * i], p) <= limit_mm * limit_mm;
 }
 
-bool GuideCurve::is_close_before(std::size_t i, std::span<const Point> stretch,
-                                 double limit_mm) const noexcept {
+bool GuideCurve::is_close_between(std::size_t from, std::size_t to, std::span<const Point> stretch,
+                                  double limit_mm) const noexcept {
   const double limit = limit_mm * limit_mm;
-  const std::span<const Point> mine(&places_[kPlaces * (i - 1)], kPlaces + 1);
+  std::array<Point, kPlaces + 1> mine;
+  for (std::size_t k = 0; k <= kPlaces; ++k) mine[k] = places_[kPlaces * from + k * (to - from)];
   return comes_near_all(mine, stretch, limit) && comes_near_all(stretch, mine, limit);
 }
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "felt/geometry/point.h"
-#include "felt/stroke/sample_window.h"
+#include "felt/stroke/kept_samples.h"
 
 namespace felt {
 
@@ -19,19 +19,20 @@ class GuideCurve {
   /// Places kept from one sample to the next.
   static constexpr std::size_t kPlaces = 4;
 
-  /// Takes the places of the window's kept samples on `curve`, which was fitted to exactly the
-  /// samples that the window was given.
-  void follow(const SampleWindow& window, const FittedCurve& curve);
+  /// Takes the places of the kept samples on `curve`, which was fitted to exactly the samples that
+  /// `kept` was given.
+  void follow(const KeptSamples& kept, const FittedCurve& curve);
   /// Follows nothing: everything is close.
   void clear() noexcept { places_.clear(); }
   [[nodiscard]] bool empty() const noexcept { return places_.empty(); }
 
   /// True when p is within `limit_mm` of the curve's place at kept sample i.
   [[nodiscard]] bool is_close_at(std::size_t i, Point p, double limit_mm) const noexcept;
-  /// True when the two curves stay within `limit_mm` of each other between kept samples i - 1 and
-  /// i, where the other one passes through `stretch`, in order. Requires i > 0.
-  [[nodiscard]] bool is_close_before(std::size_t i, std::span<const Point> stretch,
-                                     double limit_mm) const noexcept;
+  /// True when the two curves stay within `limit_mm` of each other between kept samples `from` and
+  /// `to`, where the other one passes through `stretch`, in order. Requires from < to.
+  [[nodiscard]] bool is_close_between(std::size_t from, std::size_t to,
+                                      std::span<const Point> stretch,
+                                      double limit_mm) const noexcept;
 
  private:
   std::vector<Point> places_;  // kPlaces for each kept sample: at it, and on the way to the next

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "felt/base/check.h"
 
@@ -46,14 +47,17 @@ double newton_step(const Cubic& c, Point p, double t) {
 
 }  // namespace
 
-PaperFitter::PaperFitter(const CurveFitOptions& options, int shared_samples)
-    : tolerance_mm_(options.tolerance_mm), shared_(static_cast<std::size_t>(shared_samples)) {
+PaperFitter::PaperFitter(const CurveFitOptions& options, int shared_samples, double data_point_mm)
+    : tolerance_mm_(options.tolerance_mm),
+      shared_(static_cast<std::size_t>(shared_samples)),
+      data_point_mm_(data_point_mm) {
   FELT_CHECK(shared_samples >= 0);
 }
 
 void PaperFitter::begin() {
   points_.clear();
   path_mm_.clear();
+  merged_.clear();
   curve_.points.clear();
   curve_.joints.clear();
   curve_.sample_u.clear();
@@ -62,6 +66,16 @@ void PaperFitter::begin() {
 }
 
 void PaperFitter::push(Point p) {
+  newest_ = p;
+  if (points_.empty() || distance(points_.back(), p) >= data_point_mm_) {
+    add_point(p);
+  } else {
+    ++merged_.back();
+  }
+}
+
+void PaperFitter::add_point(Point p) {
+  merged_.push_back(0);
   path_mm_.push_back(points_.empty() ? 0.0 : path_mm_.back() + distance(points_.back(), p));
   points_.push_back(p);
   if (points_.size() > shared_) grow_to(points_.size() - 1 - shared_);
@@ -69,6 +83,10 @@ void PaperFitter::push(Point p) {
 
 void PaperFitter::end() {
   if (points_.empty()) return;
+  if (merged_.back() > 0) {
+    --merged_.back();
+    add_point(newest_);
+  }
   const std::size_t last = points_.size() - 1;
   grow_to(last);
   if (good_.to > good_.from) {
@@ -78,6 +96,22 @@ void PaperFitter::end() {
   } else if (ends_.back() < last) {
     absorb_tail();
   }
+  place_merged();
+}
+
+// Gives the samples between two data points their places between those of these two.
+void PaperFitter::place_merged() {
+  std::vector<double> u;
+  for (std::size_t i = 0; i < points_.size(); ++i) {
+    const double from = curve_.sample_u[i];
+    const double to = i + 1 < points_.size() ? curve_.sample_u[i + 1] : from;
+    u.push_back(from);
+    for (std::size_t k = 1; k <= merged_[i]; ++k) {
+      const double share = static_cast<double>(k) / static_cast<double>(merged_[i] + 1);
+      u.push_back(std::min(to, from + share * (to - from)));
+    }
+  }
+  curve_.sample_u = std::move(u);
 }
 
 // Tries every joint up to the sample `to`. After a failure the segment ends at the last good one,

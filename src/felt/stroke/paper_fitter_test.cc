@@ -11,8 +11,10 @@
 namespace felt {
 namespace {
 
-FittedCurve fit(const std::vector<Point>& points, int shared, double tolerance_mm = 0.25) {
-  PaperFitter fitter({.tolerance_mm = tolerance_mm}, shared);
+// Every sample is a data point unless said otherwise.
+FittedCurve fit(const std::vector<Point>& points, int shared, double tolerance_mm = 0.25,
+                double data_point_mm = 0.0) {
+  PaperFitter fitter({.tolerance_mm = tolerance_mm}, shared, data_point_mm);
   fitter.begin();
   for (const Point p : points) fitter.push(p);
   fitter.end();
@@ -133,6 +135,33 @@ TEST(PaperFitter, AStraightLineIsOneSegment) {
   EXPECT_EQ(curve.segment_count(), 1);
 }
 
+// The same line took 10 segments with samples 0.25 mm apart, 25 at 0.03 mm and 75 at 0.01 mm.
+TEST(PaperFitter, R6_SlowDrawingCostsNoSegments) {
+  const auto wave = [](double spacing_mm) {
+    std::vector<Point> points;
+    for (double x = 0.0; x < 150.0; x += spacing_mm) {
+      points.push_back({x, 40.0 + 12.0 * std::sin(x / 14.0)});
+    }
+    return points;
+  };
+  const int fast = fit(wave(0.25), 4, 0.15, CurveFitter::kDataPointMm).segment_count();
+  for (const double spacing : {0.1, 0.03, 0.01}) {
+    SCOPED_TRACE(spacing);
+    const auto points = wave(spacing);
+    const FittedCurve curve = fit(points, 4, 0.15, CurveFitter::kDataPointMm);
+    ASSERT_TRUE(is_sound(curve, points.size()));
+    EXPECT_LE(curve.segment_count(), fast + 1);
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      EXPECT_LE(distance_at(curve, curve.sample_u[i], points[i]), 0.2);
+    }
+  }
+  PaperFitter usual({.tolerance_mm = 0.15}, 4);
+  usual.begin();
+  for (const Point p : wave(0.01)) usual.push(p);
+  usual.end();
+  EXPECT_EQ(usual.curve().points, fit(wave(0.01), 4, 0.15, CurveFitter::kDataPointMm).points);
+}
+
 TEST(PaperFitter, ShortStrokesAreStrokes) {
   EXPECT_EQ(fit({}, 4).segment_count(), 0);
   for (int count = 1; count < 20; ++count) {
@@ -184,7 +213,7 @@ TEST(PaperFitter, AHandThatRestsAtTheEndDoesNotHang) {
 
 TEST(PaperFitter, R7ReusedOrNotTheBytesAreTheSame) {
   const auto points = loops(500);
-  PaperFitter fitter({.tolerance_mm = 0.2}, 4);
+  PaperFitter fitter({.tolerance_mm = 0.2}, 4, 0.0);
   for (int round = 0; round < 2; ++round) {
     fitter.begin();
     for (const Point p : points) fitter.push(p);

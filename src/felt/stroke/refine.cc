@@ -1,13 +1,13 @@
 #include "felt/stroke/refine.h"
 
 #include <algorithm>
+#include <optional>
 
 #include "felt/stroke/corner_detector.h"
 
 namespace felt {
 namespace {
 
-constexpr std::size_t kInitialSamples = 1024;
 constexpr std::size_t kNoNode = static_cast<std::size_t>(-1);
 
 double effective_tolerance(const CurveFitOptions& options) {
@@ -17,25 +17,24 @@ double effective_tolerance(const CurveFitOptions& options) {
 }  // namespace
 
 Refiner::Refiner(const CurveFitOptions& options)
-    : window_(effective_tolerance(options), CurveFitter::kSpacing * effective_tolerance(options),
-              kInitialSamples) {}
+    : kept_(effective_tolerance(options), CurveFitter::spacing_mm(effective_tolerance(options))) {}
 
 void Refiner::begin() {
-  window_.clear();
+  kept_.clear();
   guide_.clear();
 }
 
 void Refiner::push(Point p) {
-  window_.add(p);
+  kept_.add(p);
 }
 
 void Refiner::follow(const FittedCurve& online) {
-  guide_.follow(window_, online);
+  guide_.follow(kept_, online);
 }
 
 FittedCurve Refiner::end() {
-  const std::size_t size = window_.size();
-  if (size < 2 || window_.path_mm(size - 1) < kMinSegmentMm) return {};
+  const std::size_t size = kept_.size();
+  if (size < 2 || kept_.path_mm(size - 1) < kMinSegmentMm) return {};
   find_next_corners();
   search_.set_guide(&guide_);
   nodes_.clear();
@@ -64,29 +63,56 @@ FittedCurve Refiner::end() {
 
 void Refiner::find_next_corners() {
   CornerDetector detector;
-  detector.finish(window_);
-  run_limits_.resize(window_.size());
-  std::size_t limit = window_.size();
-  for (std::size_t i = window_.size(); i-- > 0;) {
-    if (window_.is_corner(i)) limit = i + 1;
+  detector.finish(kept_);
+  run_limits_.resize(kept_.size());
+  std::size_t limit = kept_.size();
+  for (std::size_t i = kept_.size(); i-- > 0;) {
+    if (kept_.is_corner(i)) limit = i + 1;
     run_limits_[i] = limit;
   }
 }
 
 void Refiner::find_run(const Partial& from, Run& run) {
-  const std::size_t limit = run_limits_[from.first];
-  search_.begin(window_, from.start, from.first);
-  while (search_.step(window_, limit, true) != RunSearch::Status::kDone) {
+  search_.begin(kept_, from.start, from.first);
+  find_longest(from, run);
+  RunPlacer placer;
+  while (!place_samples(placer, run) &&
+         search_.search_again(kept_, placer.next(), placer.furthest())) {
+    find_longest(from, run);
   }
-  search_.ensure_length(window_);
-  const std::size_t end = from.first + search_.count();
+  if (placer.next() == search_.end() || run.t.size() >= SegmentFit::kMaxRun / 2) return;
+  search_.begin(kept_, from.start, from.first, LongRun::Detail::kEverySample);
+  find_longest(from, run);
+  place_samples(placer, run);
+}
+
+void Refiner::find_longest(const Partial& from, Run& run) {
+  const std::size_t limit = run_limits_[from.first];
+  while (search_.step(kept_, limit, true) != RunSearch::Status::kDone) {
+  }
+  search_.ensure_length();
   run.from = from;
-  run.is_last = end == window_.size();
-  run.ends_at_corner = end == limit && !run.is_last;
+  run.is_last = search_.end() == kept_.size();
+  run.ends_at_corner = search_.end() == limit && !run.is_last;
   const bool to_sample = run.is_last || run.ends_at_corner;
-  if (from.node == kNoNode || to_sample) search_.pin(window_, from.node == kNoNode, to_sample);
+  if (from.node == kNoNode || to_sample) search_.pin(from.node == kNoNode, to_sample);
   run.curve = search_.curve();
-  run.t.assign(search_.parameters().begin(), search_.parameters().end());
+}
+
+// Gives each sample of the run its parameter. False if the curve does not meet all of them; the run
+// then ends before the first that it misses.
+bool Refiner::place_samples(RunPlacer& placer, Run& run) const {
+  run.t.clear();
+  placer.begin(search_, run.curve, 1.0);
+  while (placer.next() < search_.end()) {
+    const std::optional<double> t = placer.place(search_, kept_);
+    if (!t) {
+      run.is_last = run.ends_at_corner = false;
+      return false;
+    }
+    run.t.push_back(*t);
+  }
+  return true;
 }
 
 void Refiner::add_cuts(std::size_t run_index) {
@@ -161,9 +187,9 @@ FittedCurve Refiner::assemble(std::size_t node) const {
     }
     curve.points.insert(curve.points.end(), n.segment.p.begin() + 1, n.segment.p.end());
     for (std::size_t k = 0; k < n.count; ++k) {
-      const SamplePlace place{index + places_[n.places + k], window_.sample_count(n.first + k)};
+      const SamplePlace place{index + places_[n.places + k], kept_.sample_count(n.first + k)};
       const double next = k + 1 < n.count ? index + places_[n.places + k + 1] : index + 1.0;
-      append_sample_places(place, next, n.segment, window_.tolerance_mm(), curve.sample_u);
+      append_sample_places(place, next, n.segment, kept_.tolerance_mm(), curve.sample_u);
     }
     index += 1.0;
   }

@@ -6,8 +6,8 @@
 
 #include "felt/stroke/curve_fitter.h"
 #include "felt/stroke/guide_curve.h"
-#include "felt/stroke/run_search.h"
-#include "felt/stroke/sample_window.h"
+#include "felt/stroke/kept_samples.h"
+#include "felt/stroke/long_run.h"
 
 namespace felt {
 
@@ -73,15 +73,17 @@ class Refiner {
 
   void find_next_corners();
   void find_run(const Partial& from, Run& run);
+  void find_longest(const Partial& from, Run& run);
+  bool place_samples(RunPlacer& placer, Run& run) const;
   void add_cuts(std::size_t run_index);
   void keep_best_cuts();
   [[nodiscard]] std::size_t next_first(const Cut& cut) const noexcept;
   Partial extend(const Cut& cut);
   [[nodiscard]] FittedCurve assemble(std::size_t node) const;
 
-  SampleWindow window_;
+  KeptSamples kept_;
   GuideCurve guide_;
-  RunSearch search_;
+  LongRun search_;
   std::vector<std::size_t> run_limits_;  // for each sample: one past the next corner, or the end
   std::vector<Node> nodes_;
   std::vector<double> places_;

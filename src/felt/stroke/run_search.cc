@@ -1,6 +1,7 @@
 #include "felt/stroke/run_search.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "felt/stroke/stroke.h"
 
@@ -94,7 +95,7 @@ RunSearch::Status RunSearch::run_gallop(const SampleWindow& window, std::size_t 
       phase_ = Phase::kDone;
       return Status::kDone;
     }
-    next_ = longer(good_);
+    next_ = window.is_thinned() ? SegmentFit::kMaxRun : longer(good_);
     return Status::kBusy;
   }
   bad_ = next_;
@@ -122,9 +123,13 @@ RunSearch::Status RunSearch::run_bisect(const SampleWindow& window) noexcept {
 
 bool RunSearch::try_count(const SampleWindow& window, std::size_t count) noexcept {
   if (count < least_count()) return false;
-  if (!fit_.fit(window, start_, first_, count)) return false;
+  if (!fit_.fit(window, start_, first_, count, SegmentFit::End::kFree, known(window))) return false;
   keep_fit(count);
   return true;
+}
+
+std::span<const double> RunSearch::known(const SampleWindow& window) const noexcept {
+  return window.is_thinned() ? parameters() : std::span<const double>{};
 }
 
 void RunSearch::keep_fit(std::size_t count) noexcept {
@@ -155,7 +160,7 @@ void RunSearch::pin(const SampleWindow& window, bool start, bool end) noexcept {
   const auto attempt = [&](bool at_start, bool at_end) {
     const RunStart& from = at_start ? pinned : start_;
     if (!fit_.fit(window, from, first_, good_,
-                  at_end ? SegmentFit::End::kPinned : SegmentFit::End::kFree))
+                  at_end ? SegmentFit::End::kPinned : SegmentFit::End::kFree, known(window)))
       return false;
     if (control_length(fit_.curve()) < kShortestSegmentMm) return false;
     is_close_to_guide_ = true;
@@ -166,6 +171,24 @@ void RunSearch::pin(const SampleWindow& window, bool start, bool end) noexcept {
   if (start && end && attempt(true, true)) return;
   if (start && attempt(true, false)) return;
   if (end) attempt(false, true);
+}
+
+void RunSearch::thin(SampleWindow& window) noexcept {
+  std::array<double, SegmentFit::kMaxRun> left, right;
+  for (std::size_t i = 0; i < good_; ++i) {
+    const Vec away = window.point(i) - evaluate(curve_, t_[i]);
+    const double offset = std::copysign(norm(away), cross(derivative(curve_, t_[i]), away));
+    const double slack = window.tolerance_mm() - 1.0 / std::sqrt(window.inverse_limit()[i]);
+    left[i] = offset - slack;
+    right[i] = offset + slack;
+  }
+  window.thin(left.data(), right.data(), t_.data());
+  const bool is_gated = proven_ == good_;
+  good_ = window.size();
+  gated_ = proven_ = is_gated ? good_ : 0;
+  phase_ = is_gated ? Phase::kGate : Phase::kGallop;
+  next_ = SegmentFit::kMaxRun;
+  bad_ = 0;
 }
 
 void RunSearch::ensure_length(const SampleWindow& window) noexcept {

@@ -10,8 +10,9 @@
 
 namespace felt {
 
-/// Finds how far one cubic can go: the longest run of samples from a given start that SegmentFit
-/// accepts, in small steps of bounded work, so that it can follow a pen.
+/// Finds how far one cubic can go: the longest run of a window's samples from a given start that
+/// SegmentFit accepts, in small steps of bounded work, so that it can follow a pen. LongRun goes on
+/// where the window ends.
 ///
 ///   1. gate: as long as the moments prove that the run is within the tolerance, a sample costs
 ///      one update (RunMoments);
@@ -62,8 +63,11 @@ class RunSearch {
   /// kMinSegmentMm of the start, so the tolerance holds. After kDone; may change count().
   void ensure_length(const SampleWindow& window) noexcept;
 
-  /// The run's samples have moved down by `count` in the window.
-  void shift(std::size_t count) noexcept { first_ -= count; }
+  /// Makes room in a window that the run found fills, and takes the search up again: of its samples
+  /// those farthest to either side of the curve stay, so what a longer run misses is seen on them
+  /// first. Requires kDone, first() == 0 and count() == SegmentFit::kMaxRun == window.size().
+  void thin(SampleWindow& window) noexcept;
+
   /// Work since construction, in samples x rounds of exact fits.
   [[nodiscard]] long work() const noexcept { return fit_.work(); }
 
@@ -75,6 +79,7 @@ class RunSearch {
   Status run_bisect(const SampleWindow& window) noexcept;
   bool try_count(const SampleWindow& window, std::size_t count) noexcept;
   void keep_fit(std::size_t count) noexcept;
+  [[nodiscard]] std::span<const double> known(const SampleWindow& window) const noexcept;
   void bridge(const SampleWindow& window) noexcept;
   [[nodiscard]] std::size_t least_count() const noexcept;
 

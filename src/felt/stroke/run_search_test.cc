@@ -16,8 +16,10 @@ using testing::kAllShapes;
 using testing::TestInk;
 
 SampleWindow window_of(const std::vector<Point>& ink, double tolerance_mm) {
-  SampleWindow window(tolerance_mm, 0.125 * tolerance_mm, ink.size());
-  for (const Point p : ink) window.add(p);
+  KeptSamples kept(tolerance_mm, 0.125 * tolerance_mm);
+  for (const Point p : ink) kept.add(p);
+  SampleWindow window(ink.size());
+  for (std::size_t i = 0; i < kept.size(); ++i) window.add(kept, i);
   return window;
 }
 

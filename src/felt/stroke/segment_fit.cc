@@ -16,8 +16,10 @@ constexpr int kGiveUpRound = 2;
 // Part of the tolerance by which a curve may leave its guide at the places compared; the rest is
 // for what lies between them.
 constexpr double kGuideShare = 0.95;
-// Of a pinned end sample against 1 of every other.
+// Of a pinned end sample against 1 of the mean of all.
 constexpr double kPinWeight = 1e6;
+// Of an end sample against all others together, at least.
+constexpr double kEndShare = 0.02;
 
 detail::PowerCubic power_form(const Cubic& c, Point origin) noexcept {
   const Vec b1 = c.p[0] - origin, b2 = c.p[1] - origin, b3 = c.p[2] - origin, b4 = c.p[3] - origin;
@@ -25,7 +27,8 @@ detail::PowerCubic power_form(const Cubic& c, Point origin) noexcept {
 }
 
 detail::RunView view(const SampleWindow& w, std::size_t first, std::size_t count, Point origin) {
-  return {w.x() + first, w.y() + first, w.inverse_limit() + first, count, origin};
+  return {w.x() + first,      w.y() + first, w.inverse_limit() + first,
+          w.weight() + first, count,         origin};
 }
 
 // True when the error, shrinking by the same factor as in the last round, could still get within
@@ -40,12 +43,12 @@ bool may_arrive(double worst, double before, int rounds_left) noexcept {
 }  // namespace
 
 bool SegmentFit::fit(const SampleWindow& window, const RunStart& start, std::size_t first,
-                     std::size_t count, End end) noexcept {
+                     std::size_t count, End end, std::span<const double> known) noexcept {
   start_ = start;
   first_ = first;
   count_ = count;
   if (start.kind == RunStart::Kind::kFree) start_.point = window.point(first);
-  if (!initialise(window) || !solve(window, 1.0, end)) return false;
+  if (!initialise(window, known) || !solve(window, 1.0, end)) return false;
   double before = 1e300;
   for (int round = 0;; ++round) {
     work_ += static_cast<long>(count);
@@ -61,8 +64,8 @@ bool SegmentFit::fit(const SampleWindow& window, const RunStart& start, std::siz
   }
 }
 
-// Chord-length parameters. False when all samples coincide with the start.
-bool SegmentFit::initialise(const SampleWindow& window) noexcept {
+// Chord-length parameters, or the known ones. False when all samples coincide with the start.
+bool SegmentFit::initialise(const SampleWindow& window, std::span<const double> known) noexcept {
   const double begin = window.path_mm(first_);
   const double lead = distance(start_.point, window.point(first_));
   curve_ = {};  // no metric of a former run
@@ -71,6 +74,10 @@ bool SegmentFit::initialise(const SampleWindow& window) noexcept {
   const double scale = 1.0 / length_mm_;
   for (std::size_t i = 0; i < count_; ++i) {
     t_[i] = (lead + (window.path_mm(first_ + i) - begin)) * scale;
+  }
+  if (!known.empty()) {
+    const double shrink = t_[known.size() - 1];
+    for (std::size_t i = 0; i < known.size(); ++i) t_[i] = shrink * known[i];
   }
   t_[count_ - 1] = 1.0;
   return true;
@@ -81,14 +88,19 @@ bool SegmentFit::solve(const SampleWindow& window, double tangent_weight, End en
   const detail::RunView run = view(window, first_, count_, start_.point);
   const detail::PowerCubic power = power_form(curve_, start_.point);
   const Vec last = window.point(first_ + count_ - 1) - start_.point;
-  const double weight = static_cast<double>(count_);
-  const double end_weight = end == End::kPinned ? kPinWeight : 1.0;
+  const double* weights = run.weight;
+  double weight = 0.0;
+  for (std::size_t i = 0; i < count_; ++i) weight += weights[i];
+  // Samples hold the curve across its direction; along it only the end does, if they are many.
+  const double least = kEndShare * weight;
+  const double end_weight = end == End::kPinned ? kPinWeight * weight / static_cast<double>(count_)
+                                                : std::max(least, weights[count_ - 1]);
   detail::NormalSums sums;  // all that is used of it is written
   detail::Priors priors{weight * kEnergy, weight * kRidge, last, length_mm_};
   switch (start_.kind) {
     case RunStart::Kind::kFree:
       detail::accumulate_free_start(power, run, t_.data(), 1, count_ - 1, tangent_weight, sums);
-      detail::add_end_sample(sums, 0, Vec{}, 1.0);
+      detail::add_end_sample(sums, 0, Vec{}, std::max(least, weights[0]));
       detail::add_end_sample(sums, 3, last, end_weight);
       if (!detail::solve_free(sums, priors, start_.point, curve_)) return false;
       break;
@@ -168,11 +180,13 @@ bool SegmentFit::follows_guide(const SampleWindow& window) const noexcept {
   double t0 = 0.0;
   for (std::size_t i = 0; i < count_; ++i) {
     const double t1 = std::max(t_[i], t0);
-    if (!guide_->is_close_at(first_ + i, evaluate(curve_, t1), limit)) return false;
-    if (first_ + i > 0 && t1 > t0) {
+    if (!guide_->is_close_at(window.source(first_ + i), evaluate(curve_, t1), limit)) return false;
+    const std::size_t source = window.source(first_ + i);
+    if (source > 0 && t1 > t0) {
       const auto at = [&](double part) { return evaluate(curve_, t0 + part * (t1 - t0)); };
       const Point stretch[] = {at(0.0), at(0.25), at(0.5), at(0.75), at(1.0)};
-      if (!guide_->is_close_before(first_ + i, stretch, limit)) return false;
+      const std::size_t before = i > 0 ? window.source(first_ + i - 1) : source - 1;
+      if (!guide_->is_close_between(before, source, stretch, limit)) return false;
     }
     t0 = t1;
   }

@@ -33,7 +33,8 @@ struct RunStart {
 /// samples, so their noise is averaged away like all other noise. This halves the number of
 /// segments at noise-level tolerances (docs/decisions/0004-joints-leave-the-samples.md).
 ///
-/// Minimised is  sum_i |f(t_i) - P_i|^2_M + n kEnergy |f'''/6|^2 + n kRidge |B - B_chord|^2:
+/// Minimised is  sum_i w_i |f(t_i) - P_i|^2_M + n kEnergy |f'''/6|^2 + n kRidge |B - B_chord|^2,
+/// with w_i the weight of a sample (SampleWindow) and n the sum of all:
 /// the distance to the curve's tangent line at the foot point, a little of the distance along it
 /// (segment_fit_kernels.h), and two small terms that decide what the samples leave open. The jerk
 /// f'''/6 = B4 - 3 B3 + 3 B2 - B1 is zero on parabolas and small on arcs, so it keeps curls out
@@ -47,10 +48,12 @@ struct RunStart {
 /// Thread: any, one fitter per thread. No allocation after construction; bounded work.
 class SegmentFit {
  public:
-  /// Longest run, in kept samples.
+  /// Most samples of a window that one fit looks at. A longer run is thinned (LongRun).
   static constexpr std::size_t kMaxRun = 256;
   /// Least-squares rounds of one fit at most.
   static constexpr int kMaxRounds = 8;
+  /// Most work of one fit, in samples x rounds.
+  static constexpr long kMaxWork = static_cast<long>(kMaxRun) * (kMaxRounds + 1);
   static constexpr double kTangentWeight = 0.05;
   static constexpr double kEnergy = 2e-5;
   static constexpr double kRidge = 1e-4;
@@ -67,9 +70,10 @@ class SegmentFit {
 
   /// Fits samples [first, first + count) of `window`. True when the curve is accepted; `curve()`
   /// and `parameters()` then hold it. Requires 1 <= count <= kMaxRun and, on a free start,
-  /// count >= 2.
+  /// count >= 2. `known` are the parameters of the first samples on a shorter curve from the same
+  /// start; with noise, path lengths are a worse guess than these.
   bool fit(const SampleWindow& window, const RunStart& start, std::size_t first, std::size_t count,
-           End end = End::kFree) noexcept;
+           End end = End::kFree, std::span<const double> known = {}) noexcept;
 
   /// A curve that needs no fit: from `start` with its tangent to the last of the samples, which
   /// all but the last lie within kMinSegmentMm of the start. Always within the tolerance when that
@@ -92,7 +96,7 @@ class SegmentFit {
  private:
   static constexpr std::size_t kRoom = kMaxRun + SampleWindow::kPadding;
 
-  bool initialise(const SampleWindow& window) noexcept;
+  bool initialise(const SampleWindow& window, std::span<const double> known) noexcept;
   bool solve(const SampleWindow& window, double tangent_weight, End end) noexcept;
   double place(const SampleWindow& window) noexcept;
   [[nodiscard]] bool gaps_are_tame(const SampleWindow& window) const noexcept;

@@ -51,10 +51,11 @@ FELT_INLINE void accumulate(const PowerCubic& c, const RunView& run, const doubl
   Lanes xx[kPairs] = {}, xy[kPairs] = {}, yy[kPairs] = {}, rx[kCount] = {}, ry[kCount] = {};
   const double keep = 1.0 - w;
   for (std::size_t i = begin; i < end; i += kLanes) {
-    Lanes t, x, y;
+    Lanes t, x, y, weight;
     load(t, t_in + i);
     load(x, run.x + i);
     load(y, run.y + i);
+    load(weight, run.weight + i);
     x -= run.origin.x;
     y -= run.origin.y;
     const Lanes gx = (3.0 * c.a3.x * t + 2.0 * c.a2.x) * t + c.a1.x;
@@ -62,8 +63,8 @@ FELT_INLINE void accumulate(const PowerCubic& c, const RunView& run, const doubl
     const Lanes squared = gx * gx + gy * gy;
     // A standing point has no normal: the ordinary metric then, M = I.
     const Mask moving = squared > 1e-30;
-    const Lanes a = moving ? keep / squared : Lanes{};
-    const Lanes damp = moving ? Lanes{} + w : Lanes{} + 1.0;
+    const Lanes a = weight * (moving ? keep / squared : Lanes{});
+    const Lanes damp = weight * (moving ? Lanes{} + w : Lanes{} + 1.0);
     Lanes m11 = a * gy * gy + damp, m12 = -a * gx * gy, m22 = a * gx * gx + damp;
     if (i + kLanes > end) {
       for (std::size_t lane = end - i; lane < kLanes; ++lane) {

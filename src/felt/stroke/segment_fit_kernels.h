@@ -15,11 +15,12 @@ struct PowerCubic {
   Vec a0, a1, a2, a3;
 };
 
-/// Samples of a run. `x`, `y` and `inverse_limit` may be read up to three beyond `count`.
+/// Samples of a run. The arrays may be read up to three beyond `count`.
 struct RunView {
   const double* x;
   const double* y;
   const double* inverse_limit;
+  const double* weight;
   std::size_t count;
   Point origin;
 };
@@ -47,7 +48,8 @@ struct NormalSums {
 /// distance along the normal plus w of the distance along the tangent (tangent distance
 /// minimisation with a damping term: Wang, Pottmann, Liu 2006, "Fitting B-spline curves to point
 /// clouds by curvature-based squared distance minimization", section 3). w = 1 is the ordinary
-/// least squares. Samples whose index is not in [begin, end) do not count.
+/// least squares. Each sample counts by its weight. Samples whose index is not in [begin, end) do
+/// not count.
 void accumulate_fixed_start(const PowerCubic& curve, const RunView& run, const double* t,
                             std::size_t begin, std::size_t end, double w,
                             NormalSums& sums) noexcept;
