@@ -28,12 +28,14 @@ bool for_each_piece(const Input& input, Format format, Console& console,
   LineStrokes strokes;
   SketchPiece piece;
   std::int64_t records = 0;
+  std::int64_t mended = 0;
   Result<bool> more = reader.fill(batch, kBatchBytes);
   for (; more && *more; more = reader.fill(batch, kBatchBytes)) {
     piece.clear();
     for (std::size_t i = 0; i < batch.size(); ++i) {
       const NdjsonLine line = batch.line(i);
       const Result<void> added = add_line(strokes, line, ++records, format, piece);
+      mended += added && strokes.was_mended() ? 1 : 0;
       if (added) continue;
       console.error(fmt::format("{}:{}: {}", input.name(), line.number(), added.error().message));
     }
@@ -41,6 +43,10 @@ bool for_each_piece(const Input& input, Format format, Console& console,
     console.progress("reading", reader.bytes_read(), input.size_bytes(), records);
   }
   console.end_progress();
+  if (mended > 0) {
+    console.notice(
+        fmt::format("{}: {} of {} lines: {}", input.name(), mended, records, kMendedNotice));
+  }
   if (!more) console.error(input.name() + ": " + more.error().message);
   if (more && records == 0) console.error(input.name() + ": holds no strokes");
   return true;

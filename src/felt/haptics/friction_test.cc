@@ -171,9 +171,14 @@ TEST(Friction, R42_LeaningOnItForFourSecondsDoesNotCreep) {
     for (int delay = 0; delay <= 1; ++delay) {
       const rig::Setup setup{rig::kHands[0], rig::kStyluses[0], period_s, delay};
       const PlaneOptions plane = plane_for(surface_materials()[0], setup.capabilities());
-      // As the pencil has it: 600 N/m and 2 Ns/m, less only where the device takes less.
-      const FrictionOptions friction =
+      // As the pencil has it: 600 N/m and 2 Ns/m, less where the device takes less. At 250 Hz the
+      // safety chain takes a part of it away (R56).
+      FrictionOptions friction =
           friction_for(media()[0], surface_materials()[0], setup.capabilities());
+      if (period_s > 0.002) {
+        friction.stiffness_n_per_m *= 0.5;
+        friction.damping_n_s_per_m *= 0.5;
+      }
       rig::Bench bench(setup, ForceModel(Compose(Plane(plane), Friction(friction))), {0, 0, 0});
       const double aim_z = rig::aim_z_mm(setup.hand, 1.0, plane.stiffness_n_per_m);
       const double lean = 0.5 * 0.25 * 1.0;  // N

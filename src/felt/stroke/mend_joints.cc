@@ -38,13 +38,13 @@ struct Joint {
 bool straighten(const Joint& joint) {
   const bool has_in = joint.in[2] != joint.in[3], has_out = joint.out[1] != joint.out[0];
   const Vec arriving = joint.arriving(), leaving = joint.leaving();
-  if (!(joint.turn_deg() <= kMostMendedDeg) || !(has_in || has_out)) return false;
+  if (!(joint.turn_deg() <= kMaxMendedDeg) || !(has_in || has_out)) return false;
   const Vec both = has_in && has_out ? arriving + leaving : has_in ? leaving : arriving;
   const Vec along = normalized(both);
   const Point in = joint.in[2], out = joint.out[1];
   const Point new_in = has_in ? joint.in[3] - norm(arriving) * along : in;
   const Point new_out = has_out ? joint.out[0] + norm(leaving) * along : out;
-  if (!(std::max(distance(in, new_in), distance(out, new_out)) < kMostMendedMm)) return false;
+  if (!(std::max(distance(in, new_in), distance(out, new_out)) < kMaxMendedMm)) return false;
   joint.in[2] = new_in;
   joint.out[1] = new_out;
   if (joint.turn_deg() <= kSmoothJointMaxDeg) return true;
@@ -62,9 +62,21 @@ bool lengthen(Point* p, std::ptrdiff_t step) {
       kShortestSegmentMm - control_length(Cubic{{p[0], p[step], p[2 * step], end}});
   const Vec along = normalized(end - before);
   if (!(missing > kShortestSegmentMm - kMinSegmentMm) || along == Vec{}) return false;
-  if (!(missing < 2.0 * kMostMendedMm)) return false;
+  if (!(missing < 2.0 * kMaxMendedMm)) return false;
   end += missing * along;
   return true;
+}
+
+// Leaves out breakpoints at the place of another; the first and the last stay.
+int drop_double_knots(std::vector<WidthKnot>& knots) {
+  const std::size_t before = knots.size();
+  if (before < 2) return 0;
+  const WidthKnot last = knots.back();
+  const auto same = [](const WidthKnot& a, const WidthKnot& b) { return a.u == b.u; };
+  knots.erase(std::unique(knots.begin(), knots.end(), same), knots.end());
+  if (knots.size() < 2) knots.push_back(last);
+  knots.back() = last;
+  return static_cast<int>(before - knots.size());
 }
 
 }  // namespace
@@ -93,6 +105,7 @@ MendedStroke mend_rounding(StrokeData& data) {
     mended.lengthened += lengthen(&data.points[3 * (n - 1)], 1) ? 1 : 0;
     if (n > 1) mended.lengthened += lengthen(&data.points[3], -1) ? 1 : 0;
   }
+  mended.knots = drop_double_knots(data.widths);
   return mended;
 }
 

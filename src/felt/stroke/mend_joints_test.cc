@@ -20,6 +20,7 @@ double rounded(double x, int decimals) {
 
 StrokeData rounded(StrokeData d, int decimals) {
   for (Point& p : d.points) p = {rounded(p.x, decimals), rounded(p.y, decimals)};
+  for (WidthKnot& k : d.widths) k.u = rounded(k.u, decimals);
   return d;
 }
 
@@ -51,9 +52,9 @@ TEST(MendRounding, AStrokeRoundedToFiveOrThreeDecimalsIsOneAgain) {
       const MendedStroke mended = mend_rounding(data);
       straightened += mended.straightened;
       corners += mended.corners;
-      EXPECT_LE(largest_move(before, data), 2.0 * kMostMendedMm);
+      EXPECT_LE(largest_move(before, data), 2.0 * kMaxMendedMm);
       if (mended.lengthened == 0) {
-        EXPECT_LT(largest_move(before, data), kMostMendedMm);
+        EXPECT_LT(largest_move(before, data), kMaxMendedMm);
       }
       if (decimals >= 5) {
         EXPECT_EQ(mended.corners, 0);

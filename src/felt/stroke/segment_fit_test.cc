@@ -142,14 +142,14 @@ TEST(SegmentFit, R2AcceptedMeansWithinTheTolerance) {
   EXPECT_GT(accepted, 500);
 }
 
-TEST(SegmentFit, WorkOfOneFitIsBounded) {
+TEST(SegmentFit, R9_WorkOfOneFitIsBounded) {
   for (std::uint64_t seed = 0; seed < 2000; ++seed) {
     TestInk random(seed);
     const SampleWindow window = window_of(random.draw_any(256), random.tolerance());
     if (window.size() < 2) continue;
     SegmentFit fit;
     fit.fit(window, random_start(random, window), 0, window.size());
-    EXPECT_LE(fit.work(), static_cast<long>(window.size()) * (SegmentFit::kMaxRounds + 1)) << seed;
+    EXPECT_LE(fit.work(), 9 * static_cast<long>(window.size())) << seed;
   }
 }
 

@@ -1,0 +1,87 @@
+#include "felt/formats/line_drawing.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <string>
+
+#include "felt/stroke/test_ink.h"
+
+namespace felt {
+namespace {
+
+Sketch inked(int strokes) {
+  Sketch sketch;
+  for (int i = 0; i < strokes; ++i) {
+    testing::TestInk random(static_cast<std::uint64_t>(i));
+    InkFitter fitter({});
+    for (const Point p : random.draw(testing::InkShape::kSmooth, random.pick(1, 300))) {
+      fitter.push({.position = p, .pressure = random.uniform(0.2, 0.8), .time_ns = {}});
+    }
+    fitter.end();
+    sketch.push_back({"s" + std::to_string(i), fitter.stroke().value()});
+  }
+  return sketch;
+}
+
+// The text with every number that has a point printed with so many decimals.
+std::string printed_with(const std::string& text, int decimals) {
+  std::string out;
+  for (std::size_t i = 0; i < text.size();) {
+    const std::size_t end = std::min(text.find_first_not_of("0123456789.e+-", i), text.size());
+    const std::string number = text.substr(i, end - i);
+    if (number.find('.') != std::string::npos) {
+      char buffer[64];
+      std::snprintf(buffer, sizeof(buffer), "%.*f", decimals, std::strtod(number.c_str(), nullptr));
+      out += buffer;
+      i = end;
+    } else {
+      out += text[i++];
+    }
+  }
+  return out;
+}
+
+double largest_move(const Stroke& a, const Stroke& b) {
+  double largest = 0.0;
+  for (std::size_t i = 0; i < a.data().points.size(); ++i) {
+    largest = std::max(largest, distance(a.data().points[i], b.data().points[i]));
+  }
+  return largest;
+}
+
+TEST(LineDrawing, ASketchPrintedWithFewDecimalsIsReadWholeAndSaidOnce) {
+  const Sketch sketch = inked(120);
+  for (const int decimals : {3, 5}) {
+    SCOPED_TRACE(decimals);
+    const auto read = import_lines(printed_with(lines_of(sketch), decimals));
+    ASSERT_TRUE(read) << read.error().message;
+    const Sketch& back = read->drawing.layers[0].strokes;
+    ASSERT_EQ(back.size(), sketch.size());
+    // Half of the last decimal is lost in each coordinate, and mending moves by less than 0.001 mm.
+    const double lost = std::sqrt(0.5) * std::pow(10.0, -decimals);
+    for (std::size_t i = 0; i < back.size(); ++i) {
+      EXPECT_LE(largest_move(back[i].stroke, sketch[i].stroke), lost + 0.002) << i;
+    }
+    ASSERT_EQ(read->report.notices().size(), 1u);
+    EXPECT_EQ(read->report.notices()[0].what, kMendedNotice);
+    EXPECT_GT(read->report.notices()[0].count, 60);
+  }
+  const auto exact = import_lines(lines_of(sketch));
+  ASSERT_TRUE(exact);
+  EXPECT_TRUE(exact->report.empty());
+  EXPECT_EQ(exact->drawing.layers[0].strokes, sketch);
+}
+
+TEST(LineDrawing, WhatRoundingDoesNotExplainIsStillRefused) {
+  const auto read = import_lines(R"({"id":"a","segments":[[[0,0],[1,0],[2,0],[3,0]]],)"
+                                 R"("joints":["smooth"],"widths":[[0,1],[1,1]]})"
+                                 "\n");
+  EXPECT_FALSE(read);
+}
+
+}  // namespace
+}  // namespace felt
