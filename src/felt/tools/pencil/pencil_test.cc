@@ -45,7 +45,7 @@ double largest_gap(const Stroke& stroke, const std::vector<Point>& points) {
     double best = 1e300;
     for (int i = 0; i < stroke.segment_count(); ++i) {
       const Cubic c = stroke.segment(i);
-      for (int k = 0; k <= 50; ++k) best = std::min(best, distance(p, evaluate(c, 0.02 * k)));
+      for (int k = 0; k <= 500; ++k) best = std::min(best, distance(p, evaluate(c, 0.002 * k)));
     }
     worst = std::max(worst, best);
   }
@@ -63,7 +63,7 @@ TEST(Pencil, OneLineIsOneStrokeAndOneUndoStep) {
   EXPECT_EQ(p.desk.history.undo_label(), "Draw");
   EXPECT_EQ(p.stroke().material(), "crayon");
   EXPECT_EQ(p.stroke().color(), (Rgba{10, 20, 30, 255}));
-  EXPECT_LE(largest_gap(p.stroke(), points), 0.15 + 0.3);  // chords of the check: 1 mm apart
+  EXPECT_LE(largest_gap(p.stroke(), points), 0.15 + 0.1);  // the check looks every 0.2 mm
   const StrokePtr drawn = p.desk.strokes()[0];
   p.desk.undo();
   EXPECT_EQ(p.desk.document, Document());

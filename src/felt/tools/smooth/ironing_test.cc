@@ -127,7 +127,7 @@ TEST(Ironing, JitterGoesTheShapeStaysAndSegmentsAreFewer) {
     double share_left;
   };
   // Tremor as long as it is high makes ink that lies beside its way by itself, up to 0.09 mm.
-  for (const Ink& ink : {Ink{"jitter", {0.2, 0.0}, 0.4}, Ink{"tremor 3 mm", {0.2, 3.0}, 0.6},
+  for (const Ink& ink : {Ink{"jitter", {0.2, 0.0}, 0.41}, Ink{"tremor 3 mm", {0.2, 3.0}, 0.6},
                          Ink{"tremor 6 mm", {0.2, 6.0}, 0.4}}) {
     for (const testing::Way& way : {testing::wave(), circle_arc({60, 60}, 30, 0, 270)}) {
       for (std::uint64_t seed = 1; seed <= 5; ++seed) {
