@@ -16,6 +16,18 @@ constexpr double kLastLine = 1e12;
 constexpr double kFirstReachMm = 8.0;
 constexpr double kLastReachMm = 1e7;
 
+double handle_reach_mm(const Stroke& stroke) {
+  double farthest = 0.0;
+  for (int i = 0; i < stroke.segment_count(); ++i) {
+    const Cubic c = stroke.segment(i);
+    const Rect hull = control_bounds(c);
+    farthest = std::max(
+        {farthest, std::min(c.p[0].x, c.p[3].x) - hull.x0, std::min(c.p[0].y, c.p[3].y) - hull.y0,
+         hull.x1 - std::max(c.p[0].x, c.p[3].x), hull.y1 - std::max(c.p[0].y, c.p[3].y)});
+  }
+  return farthest;
+}
+
 bool is_editable(const Layer& layer) {
   return layer.visible && !layer.locked;
 }
@@ -75,6 +87,7 @@ void StrokeIndex::add(StrokeId id, const Stroke& stroke) {
   for (const WidthKnot& k : stroke.widths()) {
     widest_half_mm_ = std::max(widest_half_mm_, 0.5 * k.width_mm);
   }
+  farthest_handle_mm_ = std::max(farthest_handle_mm_, handle_reach_mm(stroke));
   if (stroke.closed()) return;
   for (StrokeTip tip : kTips) {
     const Point p = tip_point(stroke, tip);

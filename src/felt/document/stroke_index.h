@@ -74,9 +74,34 @@ class StrokeIndex {
   [[nodiscard]] std::optional<TipHit> nearest_tip(const Document& document, Point place,
                                                   double radius_mm,
                                                   std::span<const TipId> except = {}) const;
+  /// Calls visit(TipId, Point) for every end in the area, of all layers, in no particular order.
+  template <class Visit>
+  void for_each_tip_in(const Rect& area, Visit visit) const {
+    const std::int64_t left = line_of(area.x0), right = line_of(area.x1);
+    const std::int64_t bottom = line_of(area.y1);
+    auto cell = cells_.lower_bound({line_of(area.y0), left});
+    while (cell != cells_.end() && cell->first.first <= bottom) {
+      const auto [row, column] = cell->first;
+      if (column > right) {
+        cell = cells_.lower_bound({row + 1, left});
+        continue;
+      }
+      if (column < left) {
+        cell = cells_.lower_bound({row, left});
+        continue;
+      }
+      for (const Entry& e : cell->second) {
+        if (area.contains(e.point)) visit(e.id, e.point);
+      }
+      ++cell;
+    }
+  }
   /// Half of the largest width of any stroke that was ever indexed: how far ink reaches beyond the
   /// boxes of for_each_segment_in(), at most.
   [[nodiscard]] double widest_half_mm() const noexcept { return widest_half_mm_; }
+  /// How far a handle of any stroke that was ever indexed lies beyond the box around the two ends
+  /// of its segment, hence beyond that of for_each_segment_in(), at most.
+  [[nodiscard]] double farthest_handle_mm() const noexcept { return farthest_handle_mm_; }
   /// Number of ends known.
   [[nodiscard]] std::size_t tip_count() const noexcept { return tips_; }
 
@@ -104,6 +129,7 @@ class StrokeIndex {
   std::map<Cell, std::vector<Entry>> cells_;
   std::size_t tips_ = 0;
   double widest_half_mm_ = 0.0;
+  double farthest_handle_mm_ = 0.0;
 };
 
 }  // namespace felt

@@ -1,5 +1,6 @@
 #include "felt/tools/selection_view.h"
 
+#include <algorithm>
 #include <limits>
 #include <span>
 #include <utility>
@@ -41,6 +42,10 @@ bool SelectionView::go_on(const Document& document, const Selection& selection,
   if (next != selection.strokes().end()) return false;
   round_.marks = round_.hash.value();
   round_.hash.add_value(round_.box);
+  if (!round_.box.empty()) {
+    round_.ink_box.extend(Point{round_.box.x0, round_.box.y0});
+    round_.ink_box.extend(Point{round_.box.x1, round_.box.y1});
+  }
   round_.fingerprint = round_.hash.value();
   std::swap(seen_, round_);
   looked_at_ = {};
@@ -61,6 +66,14 @@ void SelectionView::add(StrokeId id, const Stroke& stroke, const Selection::Mark
     }
   }
   if (!whole) ++round_.partial;
+  for (int i = 0; i < stroke.segment_count(); ++i) {
+    const auto at = 3 * static_cast<std::size_t>(i);
+    if (!marks[at] && !marks[at + 1] && !marks[at + 2] && !marks[at + 3]) continue;
+    const double beside = 0.5 * stroke.width_mm(i + 0.5) - kBesideMm;
+    const Rect ink = bounds(stroke.segment(i)).inflated(std::max(0.0, beside));
+    round_.ink_box.extend(Point{ink.x0, ink.y0});
+    round_.ink_box.extend(Point{ink.x1, ink.y1});
+  }
   for (int i = 0; i < stroke.segment_count() && round_.spans.size() < kMostSpans; ++i) {
     const auto at = 3 * static_cast<std::size_t>(i);
     const int marked = marks[at] + marks[at + 1] + marks[at + 2] + marks[at + 3];

@@ -27,6 +27,7 @@ class SelectionView {
   static constexpr std::size_t kPointsPerLook = 500;
   /// Marked pieces at most; of a larger selection the first ones are marked.
   static constexpr std::size_t kMostSpans = 2'000;
+  static constexpr double kBesideMm = 3.0;
 
   /// Goes on where the last look ended.
   void look(const Document& document, const Selection& selection);
@@ -38,6 +39,8 @@ class SelectionView {
   [[nodiscard]] bool empty() const noexcept { return seen_.strokes == 0; }
   /// Around the selected control points. Empty without any.
   [[nodiscard]] const Rect& box() const noexcept { return seen_.box; }
+  /// Around those and all the ink that is marked, where more of it than kBesideMm lies outside.
+  [[nodiscard]] const Rect& ink_box() const noexcept { return seen_.ink_box; }
   /// Another number whenever other points are selected, or lie elsewhere: of their ids, marks and
   /// box.
   [[nodiscard]] std::uint64_t fingerprint() const noexcept { return seen_.fingerprint; }
@@ -53,6 +56,7 @@ class SelectionView {
  private:
   struct Sight {
     Rect box;
+    Rect ink_box;
     Fnv1a hash;
     std::uint64_t marks = 0;
     std::uint64_t fingerprint = 0;

@@ -34,7 +34,7 @@ inline constexpr std::array<OptionSpec, LassoOption::kCount> kLassoOptions = {{
      .label = "Select",
      .unit = "",
      .kind = OptionKind::kChoice,
-     .fallback = 0,
+     .fallback = 2,
      .choices = kLassoTakes,
      .help = "The parts of lines inside by their control points (points) or by their joints only "
              "(on-curve), or whole lines of which any part is inside (strokes)."},
@@ -61,7 +61,7 @@ inline constexpr std::array<OptionSpec, LassoOption::kCount> kLassoOptions = {{
 /// The options as the tool uses them.
 struct LassoSettings {
   LassoMode mode = LassoMode::kFree;
-  LassoTake take = LassoTake::kPoints;
+  LassoTake take = LassoTake::kStrokes;
   LassoCombine combine = LassoCombine::kReplace;
   double click_radius_mm = 4.0;
   double strength = 1.0;

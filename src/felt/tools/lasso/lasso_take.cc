@@ -31,7 +31,9 @@ Selection::Marks marks_inside(const Stroke& stroke, const LassoArea& area, Lasso
 Selection taken_by(const LassoArea& area, LassoTake take, const Document& document,
                    const StrokeIndex& index) {
   Selection taken;
-  for (const StrokeId id : index.strokes_in(area.bounds())) {
+  // Handles may lie beside the ink that the index knows.
+  const double reach = take == LassoTake::kPoints ? index.farthest_handle_mm() : 0.0;
+  for (const StrokeId id : index.strokes_in(area.bounds().inflated(reach))) {
     const StrokePtr stroke = document.find(id);
     Selection::Marks marks = marks_inside(*stroke, area, take);
     close_marks(*stroke, marks);

@@ -22,8 +22,8 @@ enum class LassoCombine : std::uint8_t { kReplace, kAdd, kSubtract };
 /// The marks that a lasso makes on a stroke, before close_marks (R31).
 Selection::Marks marks_inside(const Stroke& stroke, const LassoArea& area, LassoTake take);
 
-/// What the lasso takes of the strokes that have a piece in its box and may be edited, closed by
-/// close_marks (R32).
+/// What the lasso takes of the strokes that may be edited, closed by close_marks (R32). kPoints
+/// takes handles inside as well if all of the ink is outside.
 Selection taken_by(const LassoArea& area, LassoTake take, const Document& document,
                    const StrokeIndex& index);
 

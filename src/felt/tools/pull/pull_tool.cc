@@ -57,6 +57,7 @@ ToolResult PullTool::hover(const PenSample& sample, const Scene& scene) {
 
 ToolResult PullTool::begin(const PenSample& sample, const Scene& scene) {
   hovers_ = has_target_ = false;
+  connected_.emplace(settings_.brush);
   if (settings_.mode == PullMode::kPush) {
     gesture_ = make_push(sample, scene, settings_.push);
     return move(sample, scene);
@@ -85,6 +86,7 @@ ToolResult PullTool::begin(const PenSample& sample, const Scene& scene) {
 ToolResult PullTool::move(const PenSample& sample, const Scene& scene) {
   ToolResult result{.same_preview = true};
   if (gesture_) result.preview = gesture_->move(sample, scene);
+  if (result.preview) connected_->complete(*result.preview, scene);
   return result;
 }
 
@@ -92,6 +94,7 @@ ToolResult PullTool::end(const Scene& scene) {
   ToolResult result;
   if (gesture_) {
     Edit edit = gesture_->end(scene);
+    connected_->complete(edit, scene);
     if (!edit.empty()) result.commit = std::move(edit);
   }
   drop();
@@ -100,6 +103,7 @@ ToolResult PullTool::end(const Scene& scene) {
 
 void PullTool::drop() {
   gesture_.reset();
+  connected_.reset();
   target_.reset();  // the document may be another soon
   has_target_ = false;
 }

@@ -5,6 +5,7 @@
 
 #include "felt/stroke/arc_map.h"
 #include "felt/tools/gesture_tool.h"
+#include "felt/tools/pull/connected_pull.h"
 #include "felt/tools/pull/pull_gesture.h"
 #include "felt/tools/pull/pull_options.h"
 
@@ -48,6 +49,7 @@ class PullTool final : public GestureTool {
   std::unique_ptr<Target> target_;  // kept while it is the same stroke: its map is linear in it
   bool has_target_ = false;
   std::unique_ptr<PullGesture> gesture_;
+  std::optional<ConnectedPull> connected_;  // with gesture_
 };
 
 std::unique_ptr<Tool> make_pull();

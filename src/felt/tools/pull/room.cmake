@@ -3,6 +3,7 @@ tool_room(pull
     brush_gesture.cc
     brush_pull.cc
     brush_reach.cc
+    connected_pull.cc
     edit_weights.cc
     grab_gesture.cc
     grab_pull.cc
@@ -18,6 +19,7 @@ tool_room(pull
     brush_gesture.h
     brush_pull.h
     brush_reach.h
+    connected_pull.h
     edit_weights.h
     grab_gesture.h
     grab_pull.h
@@ -34,6 +36,7 @@ tool_room(pull
     touch_offset.h
   TESTS
     brush_pull_test.cc
+    connected_pull_test.cc
     pull_force_test.cc
     pull_test.cc
     edit_weights_test.cc

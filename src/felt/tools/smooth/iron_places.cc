@@ -5,6 +5,8 @@
 #include <limits>
 #include <numbers>
 
+#include "felt/geometry/polyline.h"
+
 namespace felt {
 namespace {
 
@@ -35,8 +37,7 @@ IronPlaces::IronPlaces(const Stroke& stroke, const ArcMap& map, bool keep_corner
   lengths_.push_back(0.0);
   fixed_.push_back(!closed() || (keep_corners && is_corner_at(n)));
   int from = 0;
-  for (int joint = 1; joint < n; ++joint) {
-    if (!keep_corners || !is_corner_at(joint)) continue;
+  for (const int joint : keep_corners ? corners() : std::vector<int>{}) {
     add_span(from, joint);
     from = joint;
   }
@@ -116,6 +117,37 @@ double IronPlaces::inflation(int k) const noexcept {
   const int a = std::max(k - 1, 0), b = std::min(k + 1, count());
   const double ink = length_at(b) - length_at(a);
   return std::clamp(ink / ((b - a) * kSpacingMm), 1.0, kMostInflation);
+}
+
+std::vector<int> IronPlaces::corners() const {
+  const int n = stroke_.segment_count();
+  std::vector<int> found{0};  // with both ends
+  for (int joint = 1; joint < n; ++joint) {
+    if (is_corner_at(joint)) found.push_back(joint);
+  }
+  found.push_back(n);
+  const auto point_of = [&](std::size_t i) {
+    return stroke_.data().points[3 * static_cast<std::size_t>(found[i])];
+  };
+  const auto turn_of = [&](std::size_t i) {
+    return cross(point_of(i) - point_of(i - 1), point_of(i + 1) - point_of(i));
+  };
+  const auto is_near = [&](std::size_t i, std::size_t j) {
+    return map_.start_of(found[j]) - map_.start_of(found[i]) <= kShakeLengthMm;
+  };
+  const auto is_shake = [&](std::size_t i) {
+    const bool before = i > 1 && is_near(i - 1, i) && turn_of(i - 1) * turn_of(i) < 0.0;
+    const bool after =
+        i + 2 < found.size() && is_near(i, i + 1) && turn_of(i + 1) * turn_of(i) < 0.0;
+    const double height =
+        std::sqrt(nearest_on_line(point_of(i - 1), point_of(i + 1), point_of(i)).distance_squared);
+    return (before || after) && height <= kShakeHeightMm;
+  };
+  std::vector<int> kept;
+  for (std::size_t i = 1; i + 1 < found.size(); ++i) {
+    if (!is_shake(i)) kept.push_back(found[i]);
+  }
+  return kept;
 }
 
 bool IronPlaces::is_corner_at(int joint) const {

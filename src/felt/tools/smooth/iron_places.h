@@ -22,6 +22,11 @@ class IronPlaces {
   static constexpr double kCornerDeg = 30.0;
   static constexpr double kCornerArmMm = 3.0;
   static constexpr double kLongArmMm = 4.5;
+  /// Corners that turn to and fro, each within this length along the ink of the next one and this
+  /// near to the line between its two neighbours, are what a shaky hand makes: none of them is
+  /// kept.
+  static constexpr double kShakeLengthMm = 8.0;
+  static constexpr double kShakeHeightMm = 2.0;
   /// Averaged over so much of the ink for the way.
   static constexpr double kGuideMm = 3.0;
   /// The ink is taken to be at most so many times as long as its way: small loops are no jitter.
@@ -59,6 +64,8 @@ class IronPlaces {
   };
   [[nodiscard]] std::vector<Step> steps_between(int from_joint, int to_joint) const;
   void add_span(int from_joint, int to_joint);
+  /// Joints 1 to n - 1 that are kept as corners.
+  [[nodiscard]] std::vector<int> corners() const;
   [[nodiscard]] bool is_corner_at(int joint) const;
   [[nodiscard]] bool turns_at(int joint, double arm_mm) const;
   [[nodiscard]] double turn(int k) const;

@@ -146,6 +146,36 @@ TEST(Ironing, JitterGoesTheShapeStaysAndSegmentsAreFewer) {
   }
 }
 
+TEST(Ironing, TheCornersOfAShakyLineAreNoCorners) {
+  // As a mouse draws it: to and fro by 1 mm every few millimetres, with sharp turns.
+  for (const double height : {1.3, 1.9}) {
+    for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+      SCOPED_TRACE(std::to_string(height) + " mm, seed " + std::to_string(seed));
+      std::mt19937_64 random(seed);
+      std::uniform_real_distribution<double> uniform(0.6, 1.0);
+      std::vector<Point> turns{{0, 0}};
+      while (turns.back().x < 100.0) {
+        const double side = turns.size() % 2 ? 1.0 : -1.0;
+        turns.push_back(
+            {turns.back().x + 2.0 * uniform(random), 0.5 * side * height * uniform(random)});
+      }
+      const testing::Way way = [&](double t) {
+        const double at = t * (static_cast<double>(turns.size()) - 1.001);
+        const auto i = static_cast<std::size_t>(at);
+        return lerp(turns[i], turns[i + 1], at - static_cast<double>(i));
+      };
+      const Stroke before = jittery(way, {0.0, 0.0}, seed);
+      ASSERT_GT(std::ranges::count(before.data().joints, JointKind::kCorner), 15);
+      const ArcMap map(before, 1e-5);
+      Ironing iron(before, map, {});
+      EXPECT_GT(iron.roughness_mm(0.5 * map.length_mm(), 10.0), 0.1 * height);
+      const Stroke after = ironed(before, 5.0);
+      const testing::Way straight = [](double t) { return Point{100 * t, 0}; };
+      EXPECT_LT(rms_from(after, straight, 0.1, 0.9), 0.3 * rms_from(before, straight, 0.1, 0.9));
+    }
+  }
+}
+
 TEST(Ironing, BeyondTheReachSegmentsStayBitForBit) {
   int kept = 0;
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {

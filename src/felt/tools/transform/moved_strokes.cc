@@ -59,28 +59,36 @@ double shortest_segment_mm(const Stroke& stroke, const Selection::Marks& marks) 
 
 }  // namespace
 
-MovedStrokes::MovedStrokes(const Document& document, const Selection& selection, bool duplicates) {
+MovedStrokes::MovedStrokes(const Document& document, const StrokeIndex& index,
+                           const Selection& selection, bool duplicates) {
   if (duplicates) {
     prepare_copies(document, selection);
   } else {
-    prepare_originals(document, selection);
+    prepare_originals(document, index, selection);
   }
   least_scale_ = std::min(least_scale_, 1.0);
 }
 
-void MovedStrokes::prepare_originals(const Document& document, const Selection& selection) {
-  EditBuilder builder(document);
+void MovedStrokes::prepare_originals(const Document& document, const StrokeIndex& index,
+                                     const Selection& selection) {
+  std::vector<MovedLine> lines;
   for (const auto& [id, marks] : selection.strokes()) {
     StrokePtr stroke = document.find(id);
     if (!stroke || stroke->data().points.size() != marks.size()) continue;
     if (!is_editable(document, id)) continue;
-    builder.replace(id, stroke);
-    Selection::Marks closed = marks;
-    close_marks(*stroke, closed);
-    for (const std::size_t i : felt::anchors(*stroke, closed)) {
-      anchors_.push_back(stroke->data().points[i]);
+    lines.push_back({id, std::move(stroke), marks, std::nullopt});
+    close_marks(*lines.back().stroke, lines.back().marks);
+  }
+  if (lines.size() <= kMaxConnected) lines = connected_lines(document, index, std::move(lines));
+  EditBuilder builder(document);
+  for (MovedLine& line : lines) {
+    builder.replace(line.id, line.stroke);
+    if (!line.leader) {
+      for (const std::size_t i : felt::anchors(*line.stroke, line.marks)) {
+        anchors_.push_back(line.stroke->data().points[i]);
+      }
     }
-    add(std::move(stroke), std::move(closed));
+    add(std::move(line));
   }
   places_ = std::move(builder).build("");
 }
@@ -105,21 +113,29 @@ void MovedStrokes::prepare_copies(const Document& document, const Selection& sel
     for (StrokePtr& run : selected_runs(original.before, *selection.find(original.id))) {
       const std::size_t points = run->data().points.size();
       copies_->set_whole(builder.add(original.before_place.layer, run), points);
-      add(std::move(run), Selection::Marks(points, 1));
+      add({StrokeId{}, std::move(run), Selection::Marks(points, 1), std::nullopt});
     }
   }
   places_ = std::move(builder).build("");
 }
 
-void MovedStrokes::add(StrokePtr stroke, Selection::Marks marks) {
-  const bool is_small = stroke->segment_count() == 1 && is_whole(marks);
+void MovedStrokes::add(MovedLine line) {
+  const bool is_small = line.stroke->segment_count() == 1 && is_whole(line.marks);
   if (!is_small) {
     // A little more, for rounding.
-    const double least = (1.0 + 1e-6) * kMinSegmentMm / shortest_segment_mm(*stroke, marks);
+    const double least =
+        (1.0 + 1e-6) * kMinSegmentMm / shortest_segment_mm(*line.stroke, line.marks);
     least_scale_ = std::max(least_scale_, least);
   }
-  points_ += marks.size();
-  items_.push_back({std::move(stroke), std::move(marks), is_small});
+  points_ += line.marks.size();
+  items_.push_back({std::move(line.stroke), std::move(line.marks), is_small, line.leader});
+}
+
+MovedStrokes::Aim MovedStrokes::aim_of(const Item& item, const Aim& aim,
+                                       const std::vector<StrokeChange>& done) const {
+  if (!item.leader) return aim;
+  const auto [leader, u] = *item.leader;
+  return {translation(done[leader].after->position(u) - items_[leader].before->position(u)), 1.0};
 }
 
 StrokePtr MovedStrokes::moved(const Item& item, const Aim& aim) {
@@ -147,7 +163,7 @@ std::optional<Edit> MovedStrokes::step(const Affine& map, double width_factor) {
   }
   for (std::size_t points = 0; points < kPointsPerStep && work_.changes.size() < items_.size();) {
     const std::size_t i = work_.changes.size();
-    StrokePtr after = moved(items_[i], *aim_);
+    StrokePtr after = moved(items_[i], aim_of(items_[i], *aim_, work_.changes));
     if (!after) {
       aim_.reset();
       return std::nullopt;
@@ -172,7 +188,7 @@ std::optional<Edit> MovedStrokes::all_moved(const Aim& aim, std::string label) c
   Edit edit = places_;
   edit.label = std::move(label);
   for (std::size_t i = 0; i < items_.size(); ++i) {
-    edit.changes[i].after = moved(items_[i], aim);
+    edit.changes[i].after = moved(items_[i], aim_of(items_[i], aim, edit.changes));
     if (!edit.changes[i].after) return std::nullopt;
   }
   return edit;

@@ -7,8 +7,10 @@
 
 #include "felt/document/document.h"
 #include "felt/document/selection.h"
+#include "felt/document/stroke_index.h"
 #include "felt/geometry/affine.h"
 #include "felt/geometry/rect.h"
+#include "felt/tools/transform/connected_lines.h"
 
 namespace felt {
 
@@ -23,12 +25,20 @@ class MovedStrokes {
  public:
   static constexpr std::size_t kPointsPerStep = 1'200;
   static constexpr std::size_t kMostPreviewPoints = 100'000;
+  /// Of a selection of more strokes than that, connections to others are not looked for.
+  static constexpr std::size_t kMaxConnected = 20'000;
 
   MovedStrokes() = default;
   /// Strokes of hidden and locked layers are left out. With `duplicates`, copies on top of the
   /// layers are mapped and the strokes stay: of a stroke that is selected in part each run of
   /// selected segments is copied, as a line of its own.
-  MovedStrokes(const Document& document, const Selection& selection, bool duplicates);
+  ///
+  /// Strokes that are not selected but share a point (junctions.h) with what moves go along there:
+  /// an end moves with the point, a line that an end stands on gets a joint there, and what is left
+  /// of them holds like the rest of a line that is selected in part. A shared point on a locked
+  /// layer stays: the end that lies on it is held as if it were not selected.
+  MovedStrokes(const Document& document, const StrokeIndex& index, const Selection& selection,
+               bool duplicates);
 
   [[nodiscard]] bool empty() const noexcept { return items_.empty(); }
   /// The fixed points that hold the selection (R34); none for copies.
@@ -50,6 +60,8 @@ class MovedStrokes {
     StrokePtr before;
     Selection::Marks marks;
     bool is_small = false;  // one segment, whole: never becomes shorter than a segment may be
+    /// The marked end moves as this place on an item before does, which bends.
+    std::optional<MovedLine::Leader> leader;
   };
   struct Aim {
     Affine map;
@@ -63,10 +75,14 @@ class MovedStrokes {
     StrokePtr last, before;
   };
 
-  void prepare_originals(const Document& document, const Selection& selection);
+  void prepare_originals(const Document& document, const StrokeIndex& index,
+                         const Selection& selection);
   void prepare_copies(const Document& document, const Selection& selection);
-  void add(StrokePtr stroke, Selection::Marks marks);
+  void add(MovedLine line);
   [[nodiscard]] static StrokePtr moved(const Item& item, const Aim& aim);
+  /// Of an item with a leader: how far that has gone in `done`.
+  [[nodiscard]] Aim aim_of(const Item& item, const Aim& aim,
+                           const std::vector<StrokeChange>& done) const;
   [[nodiscard]] std::optional<Edit> all_moved(const Aim& aim, std::string label) const;
 
   std::vector<Item> items_;

@@ -52,7 +52,7 @@ TEST(MovedStrokes, R33_IsWithMarkedMovedInPlace) {
     }
   }
   const Document before = desk.document;
-  const MovedStrokes moved(desk.document, desk.selection, false);
+  const MovedStrokes moved(desk.document, desk.index, desk.selection, false);
   desk.apply(moved.finished(kMap, 1.0, "Move"));
   for (const StrokeId id : before.layers()[0].strokes) {
     const Selection::Marks* marks = desk.selection.find(id);
@@ -70,9 +70,9 @@ TEST(MovedStrokes, R34_CountsTheAnchorsOfAllStrokes) {
   add_marked(desk, three_segments(), {0, 0, 0, 1, 1, 1, 1, 0, 0, 0});
   add_marked(desk, three_segments(), {1, 1, 0, 0, 0, 0, 0, 0, 0, 0});
   add_marked(desk, three_segments(), Selection::Marks(10, 1));
-  const MovedStrokes moved(desk.document, desk.selection, false);
+  const MovedStrokes moved(desk.document, desk.index, desk.selection, false);
   EXPECT_EQ(moved.anchors(), (std::vector<Point>{{0, 0}, {30, 0}, {10, 0}}));
-  EXPECT_TRUE(MovedStrokes(desk.document, desk.selection, true).anchors().empty());
+  EXPECT_TRUE(MovedStrokes(desk.document, desk.index, desk.selection, true).anchors().empty());
 }
 
 TEST(MovedStrokes, APreviewIsMadeInPortions) {
@@ -82,7 +82,7 @@ TEST(MovedStrokes, APreviewIsMadeInPortions) {
     const double x = 0.5 * static_cast<double>(i);
     add_marked(desk, straight_stroke({x, 0}, {x, 10}, 1, 1), {1, 1, 1, 1});
   }
-  MovedStrokes moved(desk.document, desk.selection, false);
+  MovedStrokes moved(desk.document, desk.index, desk.selection, false);
   std::size_t steps = 0;
   std::optional<Edit> preview;
   while (!preview) {
@@ -104,7 +104,7 @@ TEST(MovedStrokes, AHugeSelectionHasNoPreviewButComesAtTheLift) {
   }
   desk.apply(std::move(builder).build("Import"));
   desk.selection = select_all(desk.document);
-  MovedStrokes moved(desk.document, desk.selection, false);
+  MovedStrokes moved(desk.document, desk.index, desk.selection, false);
   EXPECT_FALSE(moved.step(translation({1, 0}), 1.0));
   EXPECT_EQ(moved.finished(translation({1, 0}), 1.0, "Move").changes.size(),
             MovedStrokes::kMostPreviewPoints / 4 + 1);
@@ -113,7 +113,7 @@ TEST(MovedStrokes, AHugeSelectionHasNoPreviewButComesAtTheLift) {
 TEST(MovedStrokes, ShrinksNoSegmentBelowWhatASegmentMayBe) {
   Desk desk;
   add_marked(desk, three_segments(), Selection::Marks(10, 1));
-  const MovedStrokes moved(desk.document, desk.selection, false);
+  const MovedStrokes moved(desk.document, desk.index, desk.selection, false);
   EXPECT_NEAR(moved.least_scale(), 0.005, 1e-6);
   EXPECT_FALSE(moved.finished(scaling(moved.least_scale()), 1.0, "Scale").empty());
   EXPECT_TRUE(moved.finished(scaling(0.9 * moved.least_scale()), 1.0, "Scale").empty());
@@ -123,7 +123,7 @@ TEST(MovedStrokes, ADotStaysADotHoweverSmallTheRestBecomes) {
   Desk desk;
   const StrokeId dot = add_marked(desk, straight_stroke({40, 10}, {40.05, 10}, 1, 1), {1, 1, 1, 1});
   add_marked(desk, three_segments(), Selection::Marks(10, 1));
-  const MovedStrokes moved(desk.document, desk.selection, false);
+  const MovedStrokes moved(desk.document, desk.index, desk.selection, false);
   EXPECT_LT(moved.least_scale(), 0.1);
   desk.apply(moved.finished(scaling(0.1), 1.0, "Scale"));
   const Stroke& after = *desk.document.find(dot);
@@ -136,7 +136,7 @@ TEST(MovedStrokes, WhereAStrokeCannotBecomeThatTheLastPreviewStays) {
   Desk desk;
   // The end of the second segment is pulled onto its start.
   add_marked(desk, three_segments(), {0, 0, 0, 0, 1, 1, 1, 1, 1, 1});
-  MovedStrokes moved(desk.document, desk.selection, false);
+  MovedStrokes moved(desk.document, desk.index, desk.selection, false);
   const auto good = moved.step(translation({-5, 0}), 1.0);
   ASSERT_TRUE(good);
   const Affine onto = scaling(1e-9, 1.0, {10, 0});
@@ -149,7 +149,7 @@ TEST(MovedStrokes, CopiesWholeStrokesInDrawingOrderOnTop) {
   const StrokeId low = add_marked(desk, straight_stroke({0, 0}, {9, 0}, 1, 1), {1, 1, 1, 1});
   desk.add(straight_stroke({0, 5}, {9, 5}, 1, 1));
   const StrokeId high = add_marked(desk, straight_stroke({0, 9}, {9, 9}, 1, 1), {1, 1, 1, 1});
-  const MovedStrokes moved(desk.document, desk.selection, true);
+  const MovedStrokes moved(desk.document, desk.index, desk.selection, true);
   const auto before = desk.strokes();
   desk.apply(moved.finished(translation({0, 20}), 1.0, "Duplicate"));
   const auto after = desk.strokes();
@@ -175,7 +175,7 @@ TEST(MovedStrokes, CopiesTheSelectedPartsOfOthers) {
   const Stroke closed = Stroke::create(std::move(ring)).value();
   add_marked(desk, closed,
              {1, 1, 1, 1, 0, 0, 0, 0, 0, 1, 1, 1, 1});  // the last segment and the first
-  const MovedStrokes moved(desk.document, desk.selection, true);
+  const MovedStrokes moved(desk.document, desk.index, desk.selection, true);
   desk.apply(moved.finished(translation({0, 50}), 1.0, "Duplicate"));
   const auto after = desk.strokes();
   ASSERT_EQ(after.size(), 5u);

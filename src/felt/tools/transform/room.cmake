@@ -1,11 +1,13 @@
 tool_room(transform
   SOURCES
+    connected_lines.cc
     moved_strokes.cc
     transform_drag.cc
     transform_frame.cc
     transform_options.cc
     transform_tool.cc
   HEADERS
+    connected_lines.h
     moved_strokes.h
     transform_drag.h
     transform_force.h
@@ -13,6 +15,7 @@ tool_room(transform
     transform_options.h
     transform_tool.h
   TESTS
+    connected_lines_test.cc
     moved_strokes_test.cc
     transform_drag_test.cc
     transform_force_test.cc

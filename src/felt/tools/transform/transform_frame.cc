@@ -4,8 +4,9 @@
 
 namespace felt {
 
-TransformFrame::TransformFrame(const Rect& box, std::optional<Point> centre) noexcept
-    : frame_(box.inflated(kMarginMm)),
+TransformFrame::TransformFrame(const Rect& ink, const Rect& box,
+                               std::optional<Point> centre) noexcept
+    : frame_(ink.inflated(kMarginMm)),
       centre_(centre.value_or(lerp({box.x0, box.y0}, {box.x1, box.y1}, 0.5))),
       has_centre_(centre.has_value()) {}
 

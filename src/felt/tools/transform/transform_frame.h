@@ -27,7 +27,10 @@ class TransformFrame {
 
   TransformFrame() = default;
   /// Without a centre that of the box (E15). An empty box has no frame.
-  explicit TransformFrame(const Rect& box, std::optional<Point> centre = {}) noexcept;
+  explicit TransformFrame(const Rect& box, std::optional<Point> centre = {}) noexcept
+      : TransformFrame(box, box, centre) {}
+  /// The frame around `ink`, with the centre of `box`.
+  TransformFrame(const Rect& ink, const Rect& box, std::optional<Point> centre) noexcept;
 
   [[nodiscard]] bool empty() const noexcept { return frame_.empty(); }
   [[nodiscard]] Point centre() const noexcept { return centre_; }

@@ -180,7 +180,7 @@ TEST(Transform, R33_ThereAndBackAgainWithinANanometre) {
                        c, from);
     for (const Point p : way(from, to)) drag.update(p, false);
     if (t.pen.commits == 0) continue;
-    const MovedStrokes back(t.desk.document, t.desk.selection, false);
+    const MovedStrokes back(t.desk.document, t.desk.index, t.desk.selection, false);
     const Edit edit = back.finished(*inverse(drag.map()), 1.0, "Back");
     if (edit.empty()) continue;  // the tool held at an earlier factor
     t.desk.apply(edit);
@@ -444,6 +444,22 @@ TEST(Transform, R35_AConstrainedMoveIsNotHeldAlongTheOtherAxis) {
     const Force force = t.tool.force(t.desk.scene())(s, memory);
     EXPECT_GT(force.x, 0.15);
     EXPECT_EQ(force.y != 0.0, !constrained) << force.y;
+  }
+}
+
+TEST(Transform, TheFrameHoldsAllInkThatIsHighlighted) {
+  Transform t;
+  t.select(t.add(straight_stroke({0, 0}, {60, 0}, 20, 20), false), {1, 1, 0, 0});
+  t.pen.up({90, 90});
+  const Overlay overlay = t.overlay();
+  Rect frame;
+  for (const Overlay::Outline& outline : overlay.outlines) {
+    for (const Point p : outline.points) frame.extend(p);
+  }
+  ASSERT_FALSE(overlay.spans.empty());
+  for (const Overlay::Span& span : overlay.spans) {
+    const Rect ink = bounds(span.curve).inflated(0.5 * span.width_mm);
+    EXPECT_TRUE(frame.contains({ink.x0, ink.y0}) && frame.contains({ink.x1, ink.y1}));
   }
 }
 

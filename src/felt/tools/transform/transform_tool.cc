@@ -66,7 +66,7 @@ void TransformTool::follow_selection() {
     moved_marks_.reset();
     centre_is_for_ = selected_.fingerprint();
   }
-  frame_ = TransformFrame(selected_.box(), centre_);
+  frame_ = TransformFrame(selected_.ink_box(), selected_.box(), centre_);
 }
 
 ToolResult TransformTool::hover(const PenSample& sample, const Scene& scene) {
@@ -112,7 +112,7 @@ void TransformTool::hold_stroke(const Scene& scene, std::uint32_t buttons) {
   Selection selection;
   selection.set_whole(under_pen_id_, under_pen_->data().points.size());
   selected_.look_at_all(scene.document, selection);
-  frame_ = TransformFrame(selected_.box());
+  frame_ = TransformFrame(selected_.ink_box(), selected_.box(), std::nullopt);
   take_hold(kind_of(settings_.mode), scene, selection, buttons);
   taken_ = std::move(selection);
 }
@@ -120,7 +120,7 @@ void TransformTool::hold_stroke(const Scene& scene, std::uint32_t buttons) {
 void TransformTool::take_hold(TransformKind kind, const Scene& scene, const Selection& selection,
                               std::uint32_t buttons) {
   duplicates_ = settings_.duplicate || (buttons & kSecondModifier) != 0;
-  strokes_ = MovedStrokes(scene.document, selection, duplicates_);
+  strokes_ = MovedStrokes(scene.document, scene.index, selection, duplicates_);
   drag_ = TransformDrag(kind, frame_.centre(), grab_, strokes_.least_scale());
   doing_ = strokes_.empty() ? Doing::kNothing : Doing::kTransform;
 }
@@ -135,7 +135,7 @@ ToolResult TransformTool::move(const PenSample& sample, const Scene&) {
   if (farthest_mm_ < kClickMm) return {.same_preview = true};
   if (doing_ == Doing::kCentre) {
     centre_ = pen_;
-    frame_ = TransformFrame(selected_.box(), centre_);
+    frame_ = TransformFrame(selected_.ink_box(), selected_.box(), centre_);
   }
   if (doing_ != Doing::kTransform) return {.same_preview = true};
   drag_.update(pen_, settings_.constrain || (sample.buttons & kFirstModifier) != 0);

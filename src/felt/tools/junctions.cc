@@ -1,0 +1,94 @@
+#include "felt/tools/junctions.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <tuple>
+
+#include "felt/geometry/nearest.h"
+
+namespace felt {
+namespace {
+
+constexpr double kReachSquared = kSharedPointMm * kSharedPointMm;
+
+double end_u(const Stroke& stroke, StrokeTip tip) {
+  return tip == StrokeTip::kStart ? 0.0 : static_cast<double>(stroke.segment_count());
+}
+
+class Search {
+ public:
+  Search(const Document& document, const StrokeIndex& index, StrokeId id, const Stroke& stroke)
+      : document_(document), index_(index), id_(id), stroke_(stroke) {}
+
+  std::vector<Junction> run() {
+    for (int i = 0; i < stroke_.segment_count(); ++i) find_ends_on(i);
+    if (!stroke_.closed()) {
+      find_curves_at(StrokeTip::kStart);
+      find_curves_at(StrokeTip::kEnd);
+    }
+    const auto order = [](const Junction& j) { return std::tuple(j.other, j.other_u, j.u); };
+    std::sort(found_.begin(), found_.end(),
+              [&](const Junction& a, const Junction& b) { return order(a) < order(b); });
+    return std::move(found_);
+  }
+
+ private:
+  /// Ends of other strokes on segment i.
+  void find_ends_on(int i) {
+    const Cubic curve = stroke_.segment(i);
+    const Rect area = control_bounds(curve).inflated(kSharedPointMm);
+    index_.for_each_tip_in(area, [&](TipId tip, Point end) {
+      if (tip.stroke == id_) return;
+      const auto near = nearest_within(curve, end, kReachSquared);
+      const StrokePtr other = near ? document_.find(tip.stroke) : nullptr;
+      const Layer* layer = other ? document_.layer(document_.layer_of(tip.stroke)) : nullptr;
+      if (!layer || !layer->visible) return;
+      add({i + near->t, tip.stroke, end_u(*other, tip.tip), end, !layer->locked});
+    });
+  }
+
+  /// Other curves, but for their ends, under an end of this one.
+  void find_curves_at(StrokeTip tip) {
+    const Point end = tip_point(stroke_, tip);
+    Rect area;
+    area.extend(end);
+    index_.for_each_segment_in(area.inflated(kSharedPointMm), [&](StrokeId id, int segment) {
+      if (id == id_) return;
+      const StrokePtr other = document_.find(id);
+      const auto near =
+          other ? nearest_within(other->segment(segment), end, kReachSquared) : std::nullopt;
+      if (!near) return;
+      if (!other->closed()) {
+        const double gap = std::min(distance(end, tip_point(*other, StrokeTip::kStart)),
+                                    distance(end, tip_point(*other, StrokeTip::kEnd)));
+        if (gap <= kSharedPointMm) return;  // found as an end
+      }
+      add({end_u(stroke_, tip), id, segment + near->t, end, true});
+    });
+  }
+
+  /// A joint belongs to two segments, and is one place.
+  void add(const Junction& j) {
+    const bool known = std::any_of(found_.begin(), found_.end(), [&](const Junction& k) {
+      return k.other == j.other && k.point == j.point && std::fabs(k.u - j.u) < 1e-3 &&
+             std::fabs(k.other_u - j.other_u) < 1e-3;
+    });
+    if (!known) found_.push_back(j);
+  }
+
+  const Document& document_;
+  const StrokeIndex& index_;
+  StrokeId id_;
+  const Stroke& stroke_;
+  std::vector<Junction> found_;
+};
+
+}  // namespace
+
+std::vector<Junction> junctions_of(const Document& document, const StrokeIndex& index, StrokeId id,
+                                   const Stroke& stroke) {
+  return Search(document, index, id, stroke).run();
+}
+
+}  // namespace felt
