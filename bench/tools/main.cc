@@ -153,6 +153,7 @@ void tool_rows(Sheet& sheet, Session& session, const std::string& id, std::int64
     if (id == "transform" && has_tool(session, "lasso")) {
       // Something to transform: a ring of 15 mm around the place.
       choose(session, "lasso");
+      (void)session.apply({0, SetOption{"lasso.take", std::string("points")}});
       Hand other(session, now_ns);
       other.gesture(start + Vec{0, -15}, 0.0, 0.1 / 15.0, 940);
       choose(session, id);

@@ -26,7 +26,7 @@ class MovedStrokes {
   static constexpr std::size_t kPointsPerStep = 1'200;
   static constexpr std::size_t kMostPreviewPoints = 100'000;
   /// Of a selection of more strokes than that, connections to others are not looked for.
-  static constexpr std::size_t kMaxConnected = 20'000;
+  static constexpr std::size_t kMaxConnected = 5'000;
 
   MovedStrokes() = default;
   /// Strokes of hidden and locked layers are left out. With `duplicates`, copies on top of the
