@@ -218,8 +218,7 @@ TEST(CurveFitter, R9_WorkOfAStrokeIsInProportionToItsSamples) {
       fitter.begin();
       for (const Point p : ink) fitter.push(p);
       fitter.end();
-      EXPECT_LE(static_cast<double>(fitter.work()),
-                kMaxPerSample * static_cast<double>(ink.size()))
+      EXPECT_LE(static_cast<double>(fitter.work()), kMaxPerSample * static_cast<double>(ink.size()))
           << speed;
     }
   }
