@@ -108,10 +108,6 @@ std::string pencil_act() {
   act.tool("pencil");
   fine_pencil(act);
   act.set("sheet.color", std::string("#23262d"));
-  act.set("pencil.snap", std::string("both"));
-  act.draw(hand, {ball.front()}, count);
-  ball.erase(ball.begin());
-  act.set("pencil.snap", std::string("off"));
   act.draw(hand, ball, count);
   act.draw(hand, cat_drawing(), count);
   return act.text();
@@ -138,7 +134,6 @@ std::string smooth_act() {
   DemoAct act;
   act.tool("pencil");
   fine_pencil(act);
-  act.set("pencil.snap", std::string("off"));
   act.draw(hand, shaky_line(), count);
   act.tool("smooth");
   act.set("smooth.radius_mm", 22.0);
@@ -218,7 +213,6 @@ std::string connect_act() {
   DemoAct act;
   act.tool("pencil");
   fine_pencil(act);
-  act.set("pencil.snap", std::string("off"));
   act.draw(hand, fish(), count);
   act.tool("connect");
   act.gesture({{28.2, 81.6}, {27.4, 78.6}, {26.5, 75.5}}, 12.0);

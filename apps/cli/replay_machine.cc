@@ -6,7 +6,6 @@
 #include <cmath>
 #include <utility>
 
-#include "felt/base/check.h"
 #include "felt/document/visible_strokes.h"
 #include "felt/formats/line_drawing.h"
 #include "felt/material/materials.h"
@@ -18,7 +17,6 @@
 namespace felt::cli {
 namespace {
 
-constexpr const char* kSnapOption = "pencil.snap";
 /// What other tools do to ink is not compared with the way of the hand.
 constexpr const char* kDrawingTool = "pencil";
 
@@ -131,7 +129,6 @@ Result<void> ReplayMachine::set_option(const std::string& id, const std::string&
   const Result<OptionValue> value = value_like(*present, text);
   if (!value) return fail(value.error().code, id + ": " + value.error().message);
   const Event event{0, SetOption{id, *value}};
-  if (id == kSnapOption) snap_is_chosen_ = true;
   if (Result<void> known = probe_.apply(event); !known) return known;
   return session_.apply(event);
 }
@@ -144,8 +141,6 @@ Result<void> ReplayMachine::add(const Event& event) {
              std::holds_alternative<SetOption>(event.what) ||
              std::holds_alternative<UseMaterial>(event.what)) {
     if (Result<void> known = probe_.apply(event); !known) return known;
-    const auto* option = std::get_if<SetOption>(&event.what);
-    if (option && option->id == kSnapOption) snap_is_chosen_ = true;
   } else if (const auto* aim = std::get_if<HandEvent>(&event.what)) {
     note_aim(event.time_ns, *aim);
   }
@@ -165,11 +160,6 @@ void ReplayMachine::note_aim(std::int64_t time_ns, const HandEvent& aim) {
 }
 
 void ReplayMachine::begin_stroke() {
-  if (!snap_is_chosen_) {
-    const std::int64_t time_ns = events_.empty() ? next_ns_ : events_.back().time_ns;
-    const Result<void> known = add({time_ns, SetOption{kSnapOption, std::string("off")}});
-    FELT_CHECK(known);  // the pencil has this option
-  }
   in_stroke_ = true;
   meant_.push_back({-1, {}});
 }

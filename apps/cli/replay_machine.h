@@ -53,8 +53,7 @@ class ReplayMachine {
 
   /// The next event; times never run backwards. An import's path must be one that can be opened.
   Result<void> add(const Event& event);
-  /// The next events draw a stroke ... Recorded lines were lines of their own: unless something has
-  /// been said about "pencil.snap", they do not snap to each other.
+  /// The next events draw a stroke ...
   void begin_stroke();
   /// ... of this path: what comes of it is compared with the path. Elsewhere the hand means its
   /// aims while it presses.
@@ -104,7 +103,6 @@ class ReplayMachine {
   std::vector<Meant> meant_;   // likewise
   bool hand_is_down_ = false;
   bool in_stroke_ = false;
-  bool snap_is_chosen_ = false;
   std::vector<Ink> ink_;        // of this play
   std::set<StrokeId> changed_;  // since take_stats
   PenSample pen_;               // of the last tick

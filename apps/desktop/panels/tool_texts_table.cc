@@ -74,6 +74,7 @@ constexpr const char* kToolTexts[] = {
     QT_TRANSLATE_NOOP("tools",
                       "Fits the finished line again, with fewer segments within the same "
                       "tolerance; lines of more than a minute stay as drawn."),
+    QT_TRANSLATE_NOOP("tools", "Force that draws the pen to its target."),
     QT_TRANSLATE_NOOP("tools", "Force that draws the pen to the end of a line."),
     QT_TRANSLATE_NOOP("tools", "Free ends and corners"),
     QT_TRANSLATE_NOOP("tools", "Friction"),
@@ -118,6 +119,11 @@ constexpr const char* kToolTexts[] = {
     QT_TRANSLATE_NOOP("tools", "How much it swallows of a push."),
     QT_TRANSLATE_NOOP("tools", "How much of the sheet's relief is seen; 0 for what is wet."),
     QT_TRANSLATE_NOOP("tools", "How much of the sheet's relief the hand feels through it."),
+    QT_TRANSLATE_NOOP("tools",
+                      "How near to its target a line that is meant to meet it is connected."),
+    QT_TRANSLATE_NOOP(
+        "tools",
+        "How near to its target the pen is attracted, if it comes slowly and heads for it."),
     QT_TRANSLATE_NOOP("tools", "How near to the end of a line the pen takes hold of it."),
     QT_TRANSLATE_NOOP("tools", "How readily stick and slip sing."),
     QT_TRANSLATE_NOOP("tools", "How slowly a line gives way to the pen that sweeps it."),
@@ -139,6 +145,9 @@ constexpr const char* kToolTexts[] = {
         "tools", "Leaves the lines and transforms a copy; as the second button of the pen does."),
     QT_TRANSLATE_NOOP("tools", "Length bent by grab"),
     QT_TRANSLATE_NOOP("tools", "Lines that meet share the point but stay two lines."),
+    QT_TRANSLATE_NOOP("tools",
+                      "Lines that meet share the point but stay two lines; a line that meets both "
+                      "ends of another still closes it."),
     QT_TRANSLATE_NOOP("tools",
                       "Longer draws smoother and trails more; for the stabiliser 'towed'."),
     QT_TRANSLATE_NOOP("tools", "Loudness"),
@@ -173,11 +182,8 @@ constexpr const char* kToolTexts[] = {
     QT_TRANSLATE_NOOP("tools",
                       "Radius around the end of a line within which it attracts the dragged end; a "
                       "tap connects ends that are this near."),
-    QT_TRANSLATE_NOOP("tools", "Radius around the end of a line within which it attracts the pen."),
     QT_TRANSLATE_NOOP("tools", "Radius of the eraser."),
     QT_TRANSLATE_NOOP("tools", "Radius of the nib"),
-    QT_TRANSLATE_NOOP("tools",
-                      "Radius within which a line that begins or ends there is connected."),
     QT_TRANSLATE_NOOP("tools", "Radius within which the dragged end is connected."),
     QT_TRANSLATE_NOOP("tools", "Reach"),
     QT_TRANSLATE_NOOP("tools", "Reach of a click"),
@@ -267,8 +273,9 @@ constexpr const char* kToolTexts[] = {
     QT_TRANSLATE_NOOP("tools", "What the pen is made of: how it looks and how it slides."),
     QT_TRANSLATE_NOOP("tools", "What the relief looks like."),
     QT_TRANSLATE_NOOP("tools", "What the sheet is made of: its hardness and its friction."),
-    QT_TRANSLATE_NOOP(
-        "tools", "Whether ends of lines attract the pen (force), connect to it (snap), or both."),
+    QT_TRANSLATE_NOOP("tools",
+                      "Whether a line that is meant to meet another or itself is attracted "
+                      "(force), connected (snap), or both."),
     QT_TRANSLATE_NOOP("tools",
                       "Whether ends of lines attract the pen (force), connect to the dragged end "
                       "(snap), or both."),

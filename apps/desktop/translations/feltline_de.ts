@@ -4704,20 +4704,12 @@ Doppelklick benennt um, Ziehen verschiebt</translation>
         <translation>Radius um ein Linienende, in dem es das gezogene Ende anzieht; Tippen verbindet Enden, die so nah sind.</translation>
     </message>
     <message>
-        <source>Radius around the end of a line within which it attracts the pen.</source>
-        <translation>Radius um ein Linienende, in dem es den Stift anzieht.</translation>
-    </message>
-    <message>
         <source>Radius of the eraser.</source>
         <translation>Radius des Radierers.</translation>
     </message>
     <message>
         <source>Radius of the nib</source>
         <translation>Radius der Spitze</translation>
-    </message>
-    <message>
-        <source>Radius within which a line that begins or ends there is connected.</source>
-        <translation>Radius, in dem eine Linie, die dort beginnt oder endet, verbunden wird.</translation>
     </message>
     <message>
         <source>Radius within which the dragged end is connected.</source>
@@ -4902,10 +4894,6 @@ Doppelklick benennt um, Ziehen verschiebt</translation>
     <message>
         <source>What the sheet is made of: its hardness and its friction.</source>
         <translation>Woraus das Blatt ist: seine Härte und seine Reibung.</translation>
-    </message>
-    <message>
-        <source>Whether ends of lines attract the pen (force), connect to it (snap), or both.</source>
-        <translation>Ob Linienenden den Stift anziehen (Kraft), sich mit ihm verbinden (Einrasten) oder beides.</translation>
     </message>
     <message>
         <source>Whether ends of lines attract the pen (force), connect to the dragged end (snap), or both.</source>
@@ -5438,6 +5426,26 @@ Doppelklick benennt um, Ziehen verschiebt</translation>
     <message>
         <source>pencil-soft</source>
         <translation>weicher Bleistift</translation>
+    </message>
+    <message>
+        <source>Force that draws the pen to its target.</source>
+        <translation>Kraft, die den Stift zu seinem Ziel zieht.</translation>
+    </message>
+    <message>
+        <source>How near to its target a line that is meant to meet it is connected.</source>
+        <translation>Wie nah an ihrem Ziel eine Linie verbunden wird, die es treffen soll.</translation>
+    </message>
+    <message>
+        <source>How near to its target the pen is attracted, if it comes slowly and heads for it.</source>
+        <translation>Wie nah an seinem Ziel der Stift angezogen wird, wenn er langsam darauf zukommt.</translation>
+    </message>
+    <message>
+        <source>Lines that meet share the point but stay two lines; a line that meets both ends of another still closes it.</source>
+        <translation>Linien, die sich treffen, teilen den Punkt, bleiben aber zwei; eine Linie, die beide Enden einer anderen trifft, schließt sie trotzdem.</translation>
+    </message>
+    <message>
+        <source>Whether a line that is meant to meet another or itself is attracted (force), connected (snap), or both.</source>
+        <translation>Ob eine Linie, die eine andere oder sich selbst treffen soll, angezogen (Kraft), verbunden (Einrasten) wird oder beides.</translation>
     </message>
 </context>
 </TS>

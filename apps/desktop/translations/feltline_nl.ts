@@ -4704,20 +4704,12 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen</translation>
         <translation>Straal rond een lijneind waarbinnen het gesleepte eind wordt aangetrokken; een tik verbindt einden die zo dichtbij zijn.</translation>
     </message>
     <message>
-        <source>Radius around the end of a line within which it attracts the pen.</source>
-        <translation>Straal rond een lijneind waarbinnen het de pen aantrekt.</translation>
-    </message>
-    <message>
         <source>Radius of the eraser.</source>
         <translation>Straal van de gum.</translation>
     </message>
     <message>
         <source>Radius of the nib</source>
         <translation>Straal van de punt</translation>
-    </message>
-    <message>
-        <source>Radius within which a line that begins or ends there is connected.</source>
-        <translation>Straal waarbinnen een lijn die daar begint of eindigt wordt verbonden.</translation>
     </message>
     <message>
         <source>Radius within which the dragged end is connected.</source>
@@ -4902,10 +4894,6 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen</translation>
     <message>
         <source>What the sheet is made of: its hardness and its friction.</source>
         <translation>Waar het vel van gemaakt is: zijn hardheid en wrijving.</translation>
-    </message>
-    <message>
-        <source>Whether ends of lines attract the pen (force), connect to it (snap), or both.</source>
-        <translation>Of lijneinden de pen aantrekken (kracht), ermee verbinden (vastklikken), of beide.</translation>
     </message>
     <message>
         <source>Whether ends of lines attract the pen (force), connect to the dragged end (snap), or both.</source>
@@ -5438,6 +5426,26 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen</translation>
     <message>
         <source>pencil-soft</source>
         <translation>zacht potlood</translation>
+    </message>
+    <message>
+        <source>Force that draws the pen to its target.</source>
+        <translation>Kracht die de pen naar zijn doel trekt.</translation>
+    </message>
+    <message>
+        <source>How near to its target a line that is meant to meet it is connected.</source>
+        <translation>Hoe dicht bij haar doel een lijn wordt verbonden die het moet raken.</translation>
+    </message>
+    <message>
+        <source>How near to its target the pen is attracted, if it comes slowly and heads for it.</source>
+        <translation>Hoe dicht bij zijn doel de pen wordt aangetrokken, als hij er langzaam op af komt.</translation>
+    </message>
+    <message>
+        <source>Lines that meet share the point but stay two lines; a line that meets both ends of another still closes it.</source>
+        <translation>Lijnen die elkaar raken delen het punt maar blijven er twee; een lijn die beide uiteinden van een andere raakt, sluit die toch.</translation>
+    </message>
+    <message>
+        <source>Whether a line that is meant to meet another or itself is attracted (force), connected (snap), or both.</source>
+        <translation>Of een lijn die een andere of zichzelf moet raken wordt aangetrokken (kracht), verbonden (vastklikken), of beide.</translation>
     </message>
 </context>
 </TS>

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <algorithm>
 #include <optional>
 
 #include "felt/haptics/compose.h"
@@ -21,18 +20,6 @@ struct ConnectFeel {
 
 /// Share of the law of edits (specification 5d) with which a dragged end holds back: 0.2 N at most.
 inline constexpr double kDragShare = 0.2;
-/// Stiffness that is left for the well: with the drag's 60 N/m the bound of 300 N/m (5d).
-inline constexpr double kWellSlopeNPerMm = 0.24;
-
-/// The attraction of an end. As the pencil's, but not stiffer than kWellSlopeNPerMm whatever the
-/// options: the core grows with the force, and in a reach too small for that the force is less.
-inline WellShape connect_well(const SnapOptions& snap, double strength) noexcept {
-  WellShape shape = well_of(snap);
-  shape.core_mm = std::clamp(shape.force_n / kWellSlopeNPerMm, shape.core_mm, 3.0 * shape.core_mm);
-  shape.force_n = strength * std::min(shape.force_n, kWellSlopeNPerMm * shape.core_mm);
-  shape.damping_n_s_per_m *= strength;
-  return shape;
-}
 
 /// The sheet under a pencil, the end that attracts, and while one is dragged a small spring back to
 /// where it was taken (R43): 1 N at most beside the friction.
@@ -42,7 +29,7 @@ inline ForceModel make_connect_force(const ConnectSettings& settings, const Scen
       felt_with(medium_of(scene, "pencil"), settings.strength, settings.strength);
   const SheetForce sheet =
       make_sheet_force(scene.surface, material, scene.device, surface_grain(scene.surface));
-  const WellShape shape = connect_well(settings.snap, settings.strength);
+  const WellShape shape = well_of(settings.snap, settings.strength);
   const Wells well = feel.well ? Wells(*feel.well, shape) : Wells();
 
   FeelId id("connect");

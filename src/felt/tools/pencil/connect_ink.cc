@@ -1,5 +1,6 @@
 #include "felt/tools/pencil/connect_ink.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "felt/document/edit_builder.h"
@@ -25,15 +26,17 @@ class Connector {
     return std::make_shared<const Stroke>(std::move(stroke));
   }
 
-  /// Moves the ends onto what they were put on; forgets what cannot be reached.
+  /// Moves the ends onto what they are put on; drops what cannot be reached.
   void place_ends() {
     place(StrokeTip::kStart, to_.start, stroke_with_tip(scene_.document, to_.start));
+    if (!to_.start && to_.start_meets) move(StrokeTip::kStart, *to_.start_meets);
     if (to_.closes) {
       to_.closes = move(StrokeTip::kEnd, tip_point(ink_, StrokeTip::kStart));
       to_.end.reset();
     } else {
       if (to_.end == to_.start) to_.end.reset();
       place(StrokeTip::kEnd, to_.end, stroke_with_tip(scene_.document, to_.end));
+      if (!to_.end && to_.end_meets) move(StrokeTip::kEnd, *to_.end_meets);
     }
   }
 
@@ -42,7 +45,8 @@ class Connector {
   }
 
   bool move(StrokeTip mine, Point target) {
-    auto moved = with_tip_at(ink_, mine, target);
+    const double shift = distance(tip_point(ink_, mine), target);
+    auto moved = with_tip_at(ink_, mine, target, std::clamp(5.0 * shift, 2.0, kTipFadeMm));
     if (moved) ink_ = *std::move(moved);
     return moved.has_value();
   }
@@ -57,7 +61,7 @@ class Connector {
 
   /// True when the stroke of an end may become one with the ink.
   [[nodiscard]] bool may_join(const std::optional<TipId>& on) const {
-    if (!on || to_.keep_separate) return false;
+    if (!on) return false;
     const Stroke& other = *scene_.document.find(on->stroke);
     const Layer* layer = scene_.document.layer(scene_.layer);
     return scene_.document.layer_of(on->stroke) == scene_.layer && layer && !layer->locked &&
@@ -66,6 +70,8 @@ class Connector {
 
   bool add_joined() {
     const bool start = may_join(to_.start), end = may_join(to_.end);
+    const bool is_outline = start && end && to_.start->stroke == to_.end->stroke;
+    if (to_.keep_separate && !is_outline) return false;
     if (start && end && add_between()) return true;
     if (start && add_to(*to_.start, StrokeTip::kStart)) return true;
     return end && add_to(*to_.end, StrokeTip::kEnd);

@@ -45,8 +45,7 @@ inline ForceModel make_pencil_force(const PencilSettings& settings, const Scene&
   const SheetForce sheet =
       make_sheet_force(scene.surface, material, scene.device, surface_grain(scene.surface));
 
-  WellShape shape = well_of(settings.snap);
-  shape.force_n *= settings.strength;
+  const WellShape shape = well_of(settings.snap, settings.strength);
   const Wells well = target ? Wells(target->point, shape) : Wells();
 
   FeelId id("pencil");

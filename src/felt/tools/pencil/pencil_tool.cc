@@ -56,10 +56,7 @@ ToolResult PencilTool::sample(const PenSample& sample, const Scene& scene) {
 
 void PencilTool::hover(const PenSample& sample, const Scene& scene) {
   near_ = sample.position.z < (near_ ? kFarMm : kNearMm);
-  if (released_at_ && distance(*released_at_, pen_point_) > settings_.snap.reach_mm) {
-    released_at_.reset();
-  }
-  finder_.update(pen_point_, settings_.snap, scene.document, scene.index);
+  snap_.hover(pen_point_, sample.time_ns, near_, settings_.snap, scene);
 }
 
 void PencilTool::begin(const PenSample& sample, const Scene& scene) {
@@ -71,12 +68,7 @@ void PencilTool::begin(const PenSample& sample, const Scene& scene) {
   color_ = scene.color;
   gap_.clear();
 
-  const auto& target = finder_.update(pen_point_, settings_.snap, scene.document, scene.index);
-  const bool on_end = target && snaps(settings_.snap.mode) &&
-                      distance(pen_point_, target->point) <= settings_.snap.radius_mm;
-  start_on_ = on_end ? std::optional(target->tip) : std::nullopt;
-  finder_.begin(on_end ? target->point : pen_point_, start_on_);
-  released_at_.reset();
+  snap_.begin(pen_point_, sample.time_ns, settings_.snap, scene);
   drawing_ = true;
 }
 
@@ -100,7 +92,7 @@ void PencilTool::add(const PenSample& sample, const Scene& scene) {
   gap_.clear();
   add_ink(ink);
   pen_ = ink;
-  finder_.update(pen_point_, settings_.snap, scene.document, scene.index);
+  snap_.update(pen_point_, sample.time_ns, settings_.snap, scene);
 }
 
 void PencilTool::add_ink(const InkSample& pen) {
@@ -124,28 +116,49 @@ ToolResult PencilTool::end(const Scene& scene) {
     StrokeData data = drawn->data();
     data.material = settings_.material;
     data.color = color_;
-    InkConnections connections{.start = start_on_, .keep_separate = settings_.keep_separate};
-    const auto& target = finder_.target();
-    if (target && snaps(settings_.snap.mode) &&
-        distance(pen_.position, target->point) <= settings_.snap.radius_mm) {
-      connections.closes = target->is_own_start();
-      if (!connections.closes) connections.end = target->tip;
-    }
     // Still valid: neither material nor colour is part of an invariant.
     if (const auto ink = Stroke::create(std::move(data))) {
-      result.commit = connect_ink(*ink, connections, scene);
+      result.commit = connect_ink(*ink, connections(scene), scene);
     }
   }
-  released_at_ = pen_.position;
+  std::optional<StrokeId> drawn_id;
+  if (result.commit) {
+    for (const StrokeChange& change : result.commit->changes) {
+      if (change.after) drawn_id = change.id;
+    }
+  }
   stop();
+  snap_.end(drawn_id);
   return result;
+}
+
+InkConnections PencilTool::connections(const Scene& scene) const {
+  InkConnections to{.keep_separate = settings_.keep_separate};
+  if (!snaps(settings_.snap.mode)) return to;
+  const auto& start = snap_.start_target();
+  const auto& end = snap_.target();
+  if (start && is_still_there(*start, scene.document)) {
+    if (start->on_curve) {
+      to.start_meets = start->point;
+    } else {
+      to.start = start->tip;
+    }
+  }
+  if (end && is_still_there(*end, scene.document)) {
+    to.closes = end->is_own_start();
+    if (end->on_curve) {
+      to.end_meets = end->point;
+    } else if (!to.closes) {
+      to.end = end->tip;
+    }
+  }
+  return to;
 }
 
 void PencilTool::stop() {
   drawing_ = false;
-  start_on_.reset();
   gap_.clear();
-  finder_.reset();
+  snap_.end(std::nullopt);
   take_options();
 }
 
@@ -158,10 +171,10 @@ void PencilTool::take_options() {
 
 ToolResult PencilTool::finish(const Scene& scene) {
   // The next sample may come from anywhere, at any time. In a gap the pen was lifted.
-  waiting_ = contact_.is_down() && gap_.empty();
+  waiting_ = waiting_ || (contact_.is_down() && gap_.empty());
   contact_ = {};
   if (drawing_) return end(scene);
-  finder_.reset();
+  snap_.end(std::nullopt);
   near_ = false;
   return {};
 }
@@ -171,14 +184,12 @@ void PencilTool::cancel() {
   stop();
 }
 
-const std::optional<SnapTarget>& PencilTool::felt_target() const noexcept {
-  static const std::optional<SnapTarget> kNone;
-  if (!attracts(settings_.snap.mode) || waiting_) return kNone;
-  return drawing_ || (near_ && !released_at_) ? finder_.target() : kNone;
+std::optional<SnapTarget> PencilTool::attraction() const noexcept {
+  return waiting_ ? std::nullopt : snap_.attraction();
 }
 
 ForceModel PencilTool::force(const Scene& scene) const {
-  return make_pencil_force(settings_, scene, felt_target());
+  return make_pencil_force(settings_, scene, attraction());
 }
 
 void PencilTool::draw(Overlay& overlay) const {
@@ -189,14 +200,14 @@ void PencilTool::draw(Overlay& overlay) const {
       overlay.lines.push_back({pen_point_, stabiliser_.nib(), Overlay::Role::kTether});
     }
   }
-  const auto& target = finder_.target();
-  if (!target || waiting_ || !(drawing_ || near_)) return;
+  if (waiting_ || !(drawing_ || near_)) return;
   const SnapOptions& snap = settings_.snap;
-  if (felt_target()) {
-    overlay.rings.push_back({target->point, snap.reach_mm, Overlay::Role::kReach});
+  if (const auto felt = attraction()) {
+    overlay.rings.push_back({felt->point, snap.reach_mm, Overlay::Role::kReach});
   }
-  if (snaps(snap.mode)) {
-    overlay.rings.push_back({target->point, snap.radius_mm, Overlay::Role::kSnap});
+  if (!snaps(snap.mode)) return;
+  for (const auto& target : {snap_.start_target(), snap_.target()}) {
+    if (target) overlay.rings.push_back({target->point, snap.radius_mm, Overlay::Role::kSnap});
   }
 }
 

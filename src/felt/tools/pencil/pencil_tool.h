@@ -6,6 +6,7 @@
 
 #include "felt/tools/contact.h"
 #include "felt/tools/pencil/connect_ink.h"
+#include "felt/tools/pencil/ink_snap.h"
 #include "felt/tools/pencil/pencil_options.h"
 #include "felt/tools/pencil/stabiliser.h"
 #include "felt/tools/pencil/wet_ink.h"
@@ -54,7 +55,8 @@ class PencilTool final : public Tool {
   ToolResult end(const Scene& scene);
   void stop();
   void take_options();
-  [[nodiscard]] const std::optional<SnapTarget>& felt_target() const noexcept;
+  [[nodiscard]] InkConnections connections(const Scene& scene) const;
+  [[nodiscard]] std::optional<SnapTarget> attraction() const noexcept;
 
   OptionValues options_;
   PencilSettings settings_;  // of the line being drawn, or of the next one
@@ -70,10 +72,8 @@ class PencilTool final : public Tool {
   InkSample pen_;               // the last one in contact
   Rgba color_;
 
-  SnapFinder finder_;
-  std::optional<TipId> start_on_;
-  Point pen_point_;                   // where the pen is, for the overlay
-  std::optional<Point> released_at_;  // the last line ended there, and the pen has not left since
+  InkSnap snap_;
+  Point pen_point_;  // where the pen is, for the overlay
   bool near_ = false;
 
   WetInk wet_;

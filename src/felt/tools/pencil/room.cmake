@@ -1,18 +1,25 @@
 tool_room(pencil
   SOURCES
     connect_ink.cc
+    ink_snap.cc
+    pen_track.cc
     pencil_options.cc
     pencil_tool.cc
+    snap_rules.cc
     stabiliser.cc
     wet_ink.cc
   HEADERS
     connect_ink.h
+    ink_snap.h
+    pen_track.h
     pencil_force.h
     pencil_options.h
     pencil_tool.h
+    snap_rules.h
     stabiliser.h
     wet_ink.h
   TESTS
     connect_ink_test.cc
+    ink_snap_test.cc
     pencil_test.cc
     stabiliser_test.cc)

@@ -1,0 +1,147 @@
+#include "snap_bars.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+
+#include "tests/snapping/snap_count.h"
+#include "text_table.h"
+
+namespace felt::bench {
+namespace {
+
+using snap_test::SnapCount;
+using snap_test::SnapHand;
+using snap_test::SnapScene;
+
+constexpr double kMaxUnwantedShare = 1.0 / 500.0;
+constexpr double kMaxErrorRatio = 1.1;
+constexpr double kMinClosedShare = 0.95;
+
+struct Lines {
+  std::string name;
+  std::string text;
+  int lines_per_shape = 0;
+};
+
+struct Totals {
+  int strokes = 0, unwanted = 0, shapes = 0, closed = 0;
+  double worst_ratio = 0.0;
+};
+
+std::string text_of(const std::string& path) {
+  std::ifstream file(path);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+std::string title_of(const SnapHand& hand) {
+  return hand.name + (hand.forces ? "" : ", no force") + (hand.tremor_seed > 0 ? ", tremor" : "");
+}
+
+class Bars {
+ public:
+  explicit Bars(const SnapHand& hand) : hand_(hand) {}
+
+  bool add(const Lines& lines, cli::TextTable& table) {
+    const auto off = draw_lines(lines.text, hand_, "off");
+    const auto now = draw_lines(lines.text, hand_);
+    if (!off || !now) return false;
+    const std::vector<std::vector<Point>> meant = snap_test::paths_of(lines.text);
+    const double ratio = off->mean_mm > 0.0 ? now->mean_mm / off->mean_mm : 1.0;
+    int unwanted = 0;
+    int shapes = 0, closed = 0;
+    if (lines.lines_per_shape > 0) {
+      shapes = snap_test::shapes_drawn(*off, meant, lines.lines_per_shape);
+      closed = std::min(shapes_closed(*now, lines.lines_per_shape), shapes);
+      totals_.shapes += shapes;
+      totals_.closed += closed;
+    } else {
+      // Lines of a file that meet themselves are closed shapes.
+      unwanted = std::max(0, off->strokes - now->strokes) +
+                 std::max(0, now->closed - snap_test::shapes_meant(meant));
+      totals_.strokes += now->meant;
+      totals_.unwanted += unwanted;
+      totals_.worst_ratio = std::max(totals_.worst_ratio, ratio);
+    }
+    table.add_row({title_of(hand_), lines.name, std::to_string(now->meant),
+                   std::to_string(now->joined()), std::to_string(now->closed),
+                   lines.lines_per_shape > 0 ? fmt::format("{} of {}", closed, shapes) : "",
+                   fmt::format("{:.3f}", off->mean_mm), fmt::format("{:.3f}", now->mean_mm),
+                   fmt::format("{:.2f}", ratio)});
+    return true;
+  }
+
+  [[nodiscard]] bool hold() const {
+    return totals_.unwanted <= kMaxUnwantedShare * totals_.strokes &&
+           totals_.worst_ratio <= kMaxErrorRatio &&
+           totals_.closed >= kMinClosedShare * totals_.shapes;
+  }
+  void print() const {
+    fmt::print(
+        "{:<24} {} of {} strokes joined or closed unasked, path error at most {:.2f} times, "
+        "{} of {} shapes closed{}\n",
+        title_of(hand_), totals_.unwanted, totals_.strokes, totals_.worst_ratio, totals_.closed,
+        totals_.shapes, hold() ? "" : ": MISSED");
+  }
+
+ private:
+  SnapHand hand_;
+  Totals totals_;
+};
+
+std::vector<SnapHand> hands(const std::string& only) {
+  std::vector<SnapHand> all;
+  for (const char* name : {"light", "soft", "typical", "firm"}) {
+    for (const bool forces : {true, false}) {
+      if (only.empty() || only == name) {
+        all.push_back({.name = name, .device = "touch", .forces = forces, .tremor_seed = 0});
+      }
+    }
+    if (only.empty() || only == name) {
+      all.push_back({.name = name, .device = "touch", .forces = true, .tremor_seed = 7});
+    }
+  }
+  return all;
+}
+
+}  // namespace
+
+bool check_snap_bars(const std::vector<std::string>& files, const std::string& only_hand) {
+  std::vector<Lines> all;
+  for (const SnapScene& scene : snap_test::scenes_to_leave_alone()) {
+    all.push_back({scene.name, lines_of(scene)});
+  }
+  for (const SnapScene& scene : snap_test::scenes_to_close()) {
+    all.push_back({scene.name, lines_of(scene), scene.lines_per_shape});
+  }
+  for (const std::string& path : files) {
+    all.push_back({std::filesystem::path(path).stem().string(), text_of(path)});
+  }
+  using Align = cli::TextTable::Align;
+  cli::TextTable table({{"hand", Align::kLeft},
+                        {"scene", Align::kLeft},
+                        {"strokes", Align::kRight},
+                        {"joined", Align::kRight},
+                        {"closed", Align::kRight},
+                        {"meant", Align::kRight},
+                        {"off mm", Align::kRight},
+                        {"on mm", Align::kRight},
+                        {"ratio", Align::kRight}});
+  std::vector<Bars> bars;
+  bool ok = true;
+  for (const SnapHand& hand : hands(only_hand)) {
+    Bars& of_hand = bars.emplace_back(hand);
+    for (const Lines& lines : all) ok = of_hand.add(lines, table) && ok;
+  }
+  fmt::print("{}\n", table.text(cli::TextStyle::of_stdout()));
+  for (const Bars& of_hand : bars) {
+    of_hand.print();
+    ok = ok && of_hand.hold();
+  }
+  return ok;
+}
+
+}  // namespace felt::bench

@@ -1,0 +1,198 @@
+#include "felt/tools/pencil/ink_snap.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "felt/tools/desk.h"
+
+namespace felt {
+namespace {
+
+using testing::arc;
+using testing::Desk;
+using testing::straight_stroke;
+using testing::way;
+using testing::operator+;
+
+const SnapOptions kOptions{.reach_mm = 3.0, .radius_mm = 1.5, .force_n = 0.3};
+
+/// A pen that draws on a desk, 1 kHz.
+struct Line {
+  Desk& desk;
+  InkSnap snap = {};
+  SnapOptions options = kOptions;
+  std::int64_t now_ns = 0;
+  int attracted = 0;  ///< samples with an attraction
+
+  /// Draws along the points at this speed, slowing down to rest over the last 4 mm.
+  void draw(const std::vector<Point>& points, double mm_per_s = 60.0) {
+    now_ns += 1'000'000;
+    snap.begin(points.front(), now_ns, options, desk.scene());
+    for (std::size_t i = 1; i < points.size(); ++i) {
+      const double left = distance(points[i], points.back());
+      const double speed = std::max(std::min(mm_per_s, 5.0 + 15.0 * left), 5.0);
+      now_ns += static_cast<std::int64_t>(1e9 * distance(points[i - 1], points[i]) / speed);
+      snap.update(points[i], now_ns, options, desk.scene());
+      attracted += snap.attraction() ? 1 : 0;
+    }
+  }
+};
+
+/// The circle but for a gap before its end.
+std::vector<Point> ring(double diameter, double gap_mm) {
+  const double open_deg = 2.0 * std::asin(gap_mm / diameter) * 180.0 / std::numbers::pi;
+  return arc({50, 50}, 0.5 * diameter, 0, 360 - open_deg);
+}
+
+TEST(InkSnap, R44_OutlinesOfThreeMillimetresAndMoreClose) {
+  for (const double diameter : {3.0, 4.0, 6.0, 8.0, 16.0, 60.0}) {
+    for (const double gap : {0.0, 0.5, 1.0, 1.5}) {
+      Desk desk;
+      Line line{desk};
+      line.draw(ring(diameter, gap));
+      ASSERT_TRUE(line.snap.target()) << diameter << " " << gap;
+      EXPECT_TRUE(line.snap.target()->is_own_start());
+    }
+  }
+}
+
+TEST(InkSnap, R44_ALineThatDoesNotGoAroundAnAreaNeverCloses) {
+  const std::vector<std::vector<Point>> open = {
+      way({0, 0}, {20, 0}) + way({20, 0}, {0.5, 0.2}),                   // there and back
+      arc({50, 50}, 5, 0, 360 * 4 - 5),                                  // a coil
+      way({0, 0}, {9, 1}) + way({9, 1}, {0, 2}) + way({0, 2}, {9, 3}) +  // a zigzag
+          way({9, 3}, {0, 2}) + way({0, 2}, {9, 1}) + way({9, 1}, {0.4, 0.4}),
+      arc({50, 50}, 0.8, 0, 350),  // a dot of 1.6 mm
+  };
+  for (std::size_t i = 0; i < open.size(); ++i) {
+    Desk desk;
+    Line line{desk};
+    line.draw(open[i]);
+    EXPECT_FALSE(line.snap.target()) << i;
+  }
+}
+
+TEST(InkSnap, R43_LinesOfAHatchingNeitherAttractNorSnap) {
+  for (const double spacing : {0.3, 0.7, 1.0, 1.5, 2.0, 3.0, 5.0}) {
+    for (const bool back : {false, true}) {
+      Desk desk;
+      Line line{desk};
+      for (int i = 0; i < 12; ++i) {
+        Point a{10 + 0.3 * (i % 3), 10 + spacing * i}, b{30 - 0.4 * (i % 2), 10 + spacing * i};
+        if (back && i % 2 == 1) std::swap(a, b);
+        line.draw(way(a, b));
+        EXPECT_FALSE(line.snap.target()) << spacing;
+        EXPECT_FALSE(line.snap.start_target()) << spacing;
+        line.snap.end(desk.add(straight_stroke(a, b, 1, 1)));
+      }
+      EXPECT_EQ(line.attracted, 0) << spacing;
+    }
+  }
+}
+
+TEST(InkSnap, R43_AnEndAttractsThePenThatComesToItSlowly) {
+  Desk desk;
+  const StrokeId id = desk.add(straight_stroke({50, 50}, {50, 90}, 1, 1));
+  Line slow{desk};
+  slow.draw(way({20, 50}, {49, 50}));
+  ASSERT_TRUE(slow.snap.target());
+  EXPECT_EQ(slow.snap.target()->tip, (TipId{id, StrokeTip::kStart}));
+  ASSERT_TRUE(slow.snap.attraction());
+  EXPECT_EQ(slow.snap.attraction()->point, (Point{50, 50}));
+  // Past it, away from it, and fast: not.
+  Line past{desk};
+  past.draw(way({20, 48}, {80, 48}));
+  EXPECT_EQ(past.attracted, 0);
+  Line away{desk};
+  away.draw(way({50, 50}, {20, 30}));
+  EXPECT_EQ(away.attracted, 0);
+  Line fast{desk};
+  fast.now_ns = 0;
+  fast.snap.begin({20, 50}, 0, kOptions, desk.scene());
+  for (double x = 20; x < 49; x += 0.3) {
+    fast.snap.update({x, 50}, fast.now_ns += 1'000'000, kOptions, desk.scene());
+    EXPECT_FALSE(fast.snap.attraction());
+    EXPECT_FALSE(fast.snap.target());
+  }
+}
+
+TEST(InkSnap, R44_ADotOrAShortLineThatIsDrawnOnDoesNotPullBack) {
+  for (const double length : {0.2, 1.0, 3.0, 5.0}) {
+    Desk desk;
+    const Point end{50 + length, 50};
+    const StrokeId id = desk.add(straight_stroke({50, 50}, end, 1, 1));
+    Line line{desk};
+    line.snap.end(id);
+    line.draw(way(end, {90, 55}), 15.0);
+    EXPECT_EQ(line.attracted, 0) << length;
+    // A scribble around it does not close it.
+    Line scribble{desk};
+    std::vector<Point> points{end};
+    testing::RandomStroke random(3);
+    for (int k = 0; k < 12; ++k) {
+      points =
+          points + way(points.back(), {50 + random.uniform(-4, 4), 50 + random.uniform(-4, 4)});
+    }
+    scribble.draw(points + way(points.back(), {50, 50}));
+    const auto& target = scribble.snap.target();
+    EXPECT_TRUE(!target || target->on_curve) << length;
+  }
+}
+
+TEST(InkSnap, R44_ASecondLineClosesTheOutline) {
+  for (const double diameter : {4.0, 8.0, 20.0}) {
+    Desk desk;
+    const Point center{50, 50};
+    const double r = 0.5 * diameter;
+    // Half of it as one cubic.
+    StrokeData half = straight_stroke(center - Vec{r, 0}, center + Vec{r, 0}, 1, 1).data();
+    half.points = {center - Vec{r, 0}, center + Vec{-r, -4.0 / 3 * r},
+                   center + Vec{r, -4.0 / 3 * r}, center + Vec{r, 0}};
+    const StrokeId id = desk.add(*Stroke::create(half));
+    Line line{desk};
+    line.draw(arc(center, r, 3, 170));
+    ASSERT_TRUE(line.snap.target()) << diameter;
+    EXPECT_EQ(line.snap.target()->tip, (TipId{id, StrokeTip::kStart}));
+    ASSERT_TRUE(line.snap.start_target());
+    EXPECT_EQ(line.snap.start_target()->tip, (TipId{id, StrokeTip::kEnd}));
+  }
+}
+
+TEST(InkSnap, R43_ALineMayMeetTheMiddleOfAnother) {
+  Desk desk;
+  desk.add(straight_stroke({50, 20}, {50, 90}, 1, 1));
+  Line line{desk};
+  line.draw(way({20, 50}, {49.7, 50}));
+  ASSERT_TRUE(line.snap.target());
+  EXPECT_TRUE(line.snap.target()->on_curve);
+  EXPECT_LE(distance(line.snap.target()->point, {50, 50}), 0.01);
+  EXPECT_TRUE(line.snap.attraction());
+  Line from{desk};
+  from.draw(way({50.3, 50}, {80, 50}));
+  ASSERT_TRUE(from.snap.start_target());
+  EXPECT_TRUE(from.snap.start_target()->on_curve);
+  // Not across a hatching.
+  for (int i = 1; i < 6; ++i)
+    desk.add(straight_stroke({50 - 1.5 * i, 20}, {50 - 1.5 * i, 90}, 1, 1));
+  Line across{desk};
+  across.draw(way({20, 50}, {49.7, 50}));
+  EXPECT_FALSE(across.snap.target());
+  EXPECT_EQ(across.attracted, 0);
+}
+
+TEST(InkSnap, R44_ATremblingPenAtRestDoesNotTravel) {
+  Desk desk;
+  Line line{desk};
+  testing::RandomStroke random(1);
+  line.draw(way({0, 0}, {8, 0}));
+  for (int k = 0; k < 20000; ++k) {
+    line.snap.update({8 + random.uniform(-.03, .03), random.uniform(-.03, .03)},
+                     line.now_ns += 1'000'000, kOptions, desk.scene());
+    ASSERT_FALSE(line.snap.target());
+  }
+}
+
+}  // namespace
+}  // namespace felt
