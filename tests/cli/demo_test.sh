@@ -33,7 +33,7 @@ done
 run 0 "$feltline" replay "$acts/1-pencil.ndjson" -o cat.ndjson
 lines cat.ndjson "$(grep -c '"points"' "$acts/1-pencil.ndjson")"
 run 0 "$feltline" info cat.ndjson
-has out "closed          1"
+has out "closed          2"  # the ball of wool, and the cat's nose
 changes() { # ACT WHAT: what --stats says of it
   run 0 "$feltline" replay "$acts/$1.ndjson" --on cat.ndjson --stats json
   has out "$2"
@@ -47,7 +47,7 @@ changes 6-lasso '"edits":0,'
 changes 7-transform '"edits":1,'
 changes 8-connect '"edits":4,'
 run 0 "$feltline" info one/sketch.ndjson
-has out "closed          2"
+has out "closed          3"
 
 run 1 "$feltline" demo -o /proc/nowhere
 has err "feltline: /proc/nowhere"
