@@ -1,8 +1,10 @@
 #include "felt/haptics/drawing_feel.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
+#include "felt/haptics/safety_motors.h"
 #include "felt/haptics/safety_stages.h"
 
 namespace felt {
@@ -40,10 +42,13 @@ double stiffness_budget_n_per_m(const Capabilities& device) noexcept {
 
 PlaneOptions plane_for(const SurfaceMaterial& surface, const Capabilities& device) noexcept {
   PlaneOptions plane{surface.stiffness_n_per_m, surface.damping_n_s_per_m};
-  plane.stiffness_n_per_m = std::min(plane.stiffness_n_per_m, stiffness_budget_n_per_m(device));
+  const QuietLimits quiet = quiet_limits(device);
+  double hardest = std::min(stiffness_budget_n_per_m(device), quiet.stiffness_n_per_m);
   if (device.max_stiffness_n_per_m > 0.0) {
-    plane.stiffness_n_per_m = std::min(plane.stiffness_n_per_m, 0.9 * device.max_stiffness_n_per_m);
+    hardest = std::min(hardest, 0.9 * device.max_stiffness_n_per_m);
   }
+  const double share = std::sqrt(std::min(surface.stiffness_n_per_m / kHardestNPerM, 1.0));
+  plane.stiffness_n_per_m = std::min(plane.stiffness_n_per_m, share * hardest);
   if (device.max_damping_n_s_per_m > 0.0) {
     plane.damping_n_s_per_m = std::min(plane.damping_n_s_per_m, device.max_damping_n_s_per_m);
   }
@@ -51,8 +56,6 @@ PlaneOptions plane_for(const SurfaceMaterial& surface, const Capabilities& devic
     plane.damping_n_s_per_m =
         std::min(plane.damping_n_s_per_m, 2.0 / std::max(1.0, device.sheet_scale));
   }
-  const QuietLimits quiet = quiet_limits(device);
-  plane.stiffness_n_per_m = std::min(plane.stiffness_n_per_m, quiet.stiffness_n_per_m);
   plane.damping_n_s_per_m = std::min(plane.damping_n_s_per_m, quiet.damping_n_s_per_m);
   return plane;
 }
@@ -70,6 +73,14 @@ FrictionOptions friction_for(const Medium& tool, const SurfaceMaterial& surface,
 }
 
 double firm_push_n(const Capabilities& device) noexcept {
+  constexpr double kMostN = 2.0, kLeastN = 0.2, kSlides = 0.6;
+  const SafetyLimits limits = limits_for(device);
+  double held_n = sustained_force_n(limits);
+  if (limits.peak_force_n > 0.0) held_n = std::min(held_n, limits.peak_force_n);
+  return std::clamp(held_n / std::sqrt(1.0 + kSlides * kSlides), kLeastN, kMostN);
+}
+
+double flattening_push_n(const Capabilities& device) noexcept {
   constexpr double kMostN = 2.0, kLeastN = 0.2, kShareOfContinuous = 1.2;
   if (!(device.continuous_force_n > 0.0)) return kMostN;
   return std::clamp(kShareOfContinuous * device.continuous_force_n, kLeastN, kMostN);
@@ -81,7 +92,7 @@ TextureOptions texture_for(const Medium& tool, const SurfaceMaterial& surface,
   return {.law = law,
           .strength = tool.grain,
           .wear = tool.wear,
-          .firm_push_n = firm_push_n(device),
+          .firm_push_n = flattening_push_n(device),
           .friction = friction.coefficient,
           .bristle_n_per_m = friction.stiffness_n_per_m,
           .period_s = period_s(device)};

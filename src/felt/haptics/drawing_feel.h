@@ -20,13 +20,18 @@ using SheetForce = Compose<Plane, Texture, Friction>;
 /// number: what is built within it is felt as built.
 double stiffness_budget_n_per_m(const Capabilities& device) noexcept;
 
-/// The plane of a surface on a device: K is at most 0.9 of the device's cap (R55) and the budget,
-/// so that a blackboard is softer where the loop is slow; B at most the device's, and 2 N s/m on
-/// loops faster than 0.5 ms (specification 5b). Where the sensor is coarse both are less: one of
-/// its steps may change the spring's push by 0.025 N at most, and the damper's, which sees it as a
-/// speed (step over 1.6 ms and a period), by as much again. Else a pen that slides hums between two
-/// steps at 60 to 100 Hz (docs/stability.md): 0.03 to 0.06 N on steps of 0.055 mm. The width of a
-/// line is made with this K.
+/// The plane of a surface on a device. The hardest K that a device can give is C: 0.9 of its cap
+/// (R55), the budget, and what its sensor allows. Where that is less than kHardestNPerM, all
+/// surfaces are made softer together, so that felt, paper, board and glass stay apart (R13):
+///
+///   K = min(K of the surface, C sqrt(K of the surface/kHardestNPerM))
+///
+/// B is at most the device's, and 2 N s/m on loops faster than 0.5 ms (specification 5b). Where the
+/// sensor is coarse both are less: one of its steps may change the spring's push by 0.025 N at
+/// most, and the damper's, which sees it as a speed (step over 1.6 ms and a period), by as much
+/// again. Otherwise a pen that slides hums between two steps at 60 to 100 Hz (docs/stability.md):
+/// 0.03 to 0.06 N on steps of 0.055 mm.
+/// The width of a line is made with this K.
 PlaneOptions plane_for(const SurfaceMaterial& surface, const Capabilities& device) noexcept;
 /// The friction of a pair on a device: k = 600 N/m where the budget leaves 300 N/m for one spring
 /// beside it (edit, snap), less on slower loops (300 at 3 ms), d in proportion (300/1); and like
@@ -34,10 +39,20 @@ PlaneOptions plane_for(const SurfaceMaterial& surface, const Capabilities& devic
 FrictionOptions friction_for(const Medium& tool, const SurfaceMaterial& surface,
                              const Capabilities& device) noexcept;
 
-/// The push that draws a line of full width and tone, and flattens all of a relief that a medium
-/// can flatten (relief_left): F1 = min(2.0 N, 1.2 x continuous force), so that nobody has to tire
-/// the motors for it, and 0.2 N at least.
+/// Surfaces up to this stiffness are told apart on every device, N/m: that of glass.
+inline constexpr double kHardestNPerM = 800.0;
+
+/// The push that draws a line of full width and tone: F1, 2 N at most and 0.2 N at least. It is a
+/// force that the device can hold for as long as one likes (sustained_force_n), beside the friction
+/// of a medium that slides with a coefficient up to 0.6. So the width does not depend on how warm
+/// the motors are (R14): what draws less than full width is never limited, and more than F1 is full
+/// width.
 double firm_push_n(const Capabilities& device) noexcept;
+
+/// The push that flattens, for the hand, all of a relief that a medium can flatten (relief_left):
+/// 1.2 x the continuous force, within 0.2 and 2 N. More than F1 on weak devices, where the grain of
+/// rough paper would be too weak to be felt otherwise; the eye sees it flattened at full width.
+double flattening_push_n(const Capabilities& device) noexcept;
 
 /// The grain of a surface under a tool, on a device.
 TextureOptions texture_for(const Medium& tool, const SurfaceMaterial& surface,

@@ -51,13 +51,38 @@ TEST(DrawingFeel, R55_APlaneKeepsToItsDevice) {
   Capabilities touch;
   touch.max_stiffness_n_per_m = 400.0;
   touch.max_damping_n_s_per_m = 1.5;
-  const PlaneOptions plane = plane_for(*find_surface("blackboard"), touch);
+  const PlaneOptions plane = plane_for(*find_surface("glass"), touch);
   EXPECT_DOUBLE_EQ(plane.stiffness_n_per_m, 360.0);
   EXPECT_DOUBLE_EQ(plane.damping_n_s_per_m, 1.5);
   Capabilities slow;
   slow.delay_ticks = 2;
-  EXPECT_DOUBLE_EQ(plane_for(*find_surface("blackboard"), slow).stiffness_n_per_m, 600.0);
-  EXPECT_DOUBLE_EQ(plane_for(*find_surface("paper"), slow).stiffness_n_per_m, 500.0);
+  EXPECT_DOUBLE_EQ(plane_for(*find_surface("glass"), slow).stiffness_n_per_m, 600.0);
+  EXPECT_DOUBLE_EQ(plane_for(*find_surface("felt"), slow).stiffness_n_per_m, 300.0);
+}
+
+TEST(DrawingFeel, R13_SurfacesKeepTheOrderOfTheirHardnessOnEveryDevice) {
+  for (const double cap : {0.0, 100.0, 400.0, 1000.0, 8000.0}) {
+    for (const double step_mm : {0.0, 0.03, 0.055}) {
+      for (const std::int64_t period_ns : {200'000, 1'000'000, 4'000'000}) {
+        Capabilities device;
+        device.max_stiffness_n_per_m = cap;
+        device.position_step_mm = step_mm;
+        device.period_ns = period_ns;
+        double last = 0.0;
+        for (const char* id : {"felt", "paper", "wood", "blackboard", "glass"}) {
+          const SurfaceMaterial& surface = *find_surface(id);
+          const double here = plane_for(surface, device).stiffness_n_per_m;
+          EXPECT_GT(here, 1.05 * last) << id << ", cap " << cap << ", step " << step_mm;
+          EXPECT_LE(here, surface.stiffness_n_per_m);
+          EXPECT_LE(here, stiffness_budget_n_per_m(device));
+          if (cap > 0.0) {
+            EXPECT_LE(here, 0.9 * cap + 1e-9);
+          }
+          last = here;
+        }
+      }
+    }
+  }
 }
 
 TEST(DrawingFeel, ASlowLoopGetsTheSofterBristle) {

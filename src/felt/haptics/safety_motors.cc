@@ -11,10 +11,15 @@ constexpr double kLongestTickS = 0.005;
 
 }  // namespace
 
+double sustained_force_n(const SafetyLimits& limits) noexcept {
+  if (!(limits.continuous_force_n > 0.0)) return std::numeric_limits<double>::infinity();
+  const double tau_s = 0.5 * limits.rms_window_s;
+  return limits.continuous_force_n * std::sqrt(limits.rms_window_s / (limits.rms_window_s + tau_s));
+}
+
 MotorGuard::MotorGuard(const SafetyLimits& limits) noexcept
     : tau_s_(0.5 * limits.rms_window_s),
-      sustained_n_(limits.continuous_force_n *
-                   std::sqrt(limits.rms_window_s / (limits.rms_window_s + tau_s_))),
+      sustained_n_(limits.continuous_force_n > 0.0 ? sustained_force_n(limits) : 0.0),
       // A fade from F to s N at `slope` costs (F - s)^2 (F + 2 s)/(3 slope) N^2 s more than holding
       // s; with F + 2 s <= peak + 2 s this is solved for F.
       gain_(3.0 * (limits.peak_force_n / limits.rms_fade_s) * tau_s_ /

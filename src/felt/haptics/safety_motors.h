@@ -4,6 +4,10 @@
 
 namespace felt {
 
+/// The force that the motors may hold for as long as one likes, N: all that MotorGuard lets through
+/// in the end. Infinite without a rating.
+double sustained_force_n(const SafetyLimits& limits) noexcept;
+
 /// Keeps the motors cool (architecture section 10: RMS over 10 s at most 80 % of the rating, then a
 /// fade over 1 s with a notice).
 ///

@@ -87,7 +87,7 @@ struct Medium {
 
 /// What is left of the relief under a medium that fills, crushes or crumbles over it: 1 where it is
 /// hardly touched, 1 - wear under a firm push, straight in between. One law for hand and eye. The
-/// hand's `firmness` is its push in shares of that which draws the full line (firm_push_n in
+/// hand's `firmness` is its push in shares of that which flattens all of it (flattening_push_n in
 /// haptics/drawing_feel.h, Texture); the eye's is the tone of the ink (render/grain.h), which is
 /// all that a stroke remembers of the push. 0..1, clamped, as is wear; what is not a number is 0.
 constexpr double relief_left(double wear, double firmness) noexcept {

@@ -20,10 +20,10 @@ class Pressing {
 
   Pressing(const SurfaceMaterial& surface, const Capabilities& device) noexcept;
 
-  /// Stiffness of the plane as it is rendered (plane_for): that of the sheet, at most 0.9 of the
-  /// device's cap (R55) and the stiffness budget of its loop (R56).
+  /// Stiffness of the plane as it is rendered (plane_for): that of the sheet, or what the device
+  /// can give of it (R13, R55, R56).
   [[nodiscard]] double stiffness_n_per_m() const noexcept { return stiffness_n_per_m_; }
-  /// F1: full width without tiring the motors (firm_push_n).
+  /// F1: full width, which the device can hold for as long as one likes (firm_push_n).
   [[nodiscard]] double most_n() const noexcept { return most_n_; }
   /// Of a spring force.
   [[nodiscard]] double of_force(double spring_n) const noexcept;

@@ -155,5 +155,19 @@ TEST(WidthForce, TheFeelStaysTheSameWhileTheStopComes) {
   EXPECT_NE(id(at_stop(0, 0)), id(scale));
 }
 
+TEST(WidthStop, R13_R46_IsFeltOnPaperOnEveryDevice) {
+  const SurfaceMaterial& paper = surface_materials().front();
+  // The 3D Systems Touch and the Novint Falcon leave least.
+  Capabilities touch, falcon;
+  touch.max_stiffness_n_per_m = 400.0;
+  touch.position_step_mm = 0.055;
+  falcon.position_step_mm = 0.06;
+  Capabilities slow;
+  slow.period_ns = 4'000'000;
+  for (const Capabilities& device : {touch, falcon, slow, Capabilities{}}) {
+    EXPECT_GT(width_stop_stiffness(paper, device), 45.0);
+  }
+}
+
 }  // namespace
 }  // namespace felt

@@ -1,0 +1,123 @@
+// Steady forces through the whole chain: simulated hand, device, loop, safety chain.
+#include <cmath>
+#include <memory>
+#include <numbers>
+#include <optional>
+
+#include <gtest/gtest.h>
+
+#include "felt/devices/simulated/simulated_stylus.h"
+#include "felt/haptics/drawing_feel.h"
+#include "felt/haptics/spring.h"
+#include "felt/rt/servo.h"
+#include "felt/rt/virtual_clock.h"
+#include "felt/stroke/width_map.h"
+#include "felt/tools/pressing.h"
+
+namespace felt {
+namespace {
+
+constexpr Point kMiddle{60.0, 50.0};
+
+/// A pen on paper in a typical hand.
+struct Pressed {
+  explicit Pressed(const StylusPreset& preset) : device(preset) {
+    center_workspace(device.capabilities, kMiddle);
+    stylus.emplace(device, typical_hand());
+    const Capabilities& can = device.capabilities;
+    servo = std::make_unique<Servo>(
+        *stylus, ServoOptions{.period_ns = can.period_ns, .limits = limits_for(can)});
+    stylus->place({kMiddle.x, kMiddle.y, 3.0});
+  }
+  [[nodiscard]] const Capabilities& can() const { return device.capabilities; }
+
+  StylusPreset device;
+  std::optional<SimulatedStylus> stylus;
+  std::unique_ptr<Servo> servo;
+};
+
+/// Widths that a hand draws in 60 s that presses with `push_n`, after it has landed.
+struct Widths {
+  double least_mm = 1e9, most_mm = 0.0;
+  double least_sent_n = 1e9;
+};
+Widths widths_of(const StylusPreset& preset, double push_n, double circle_mm) {
+  Pressed pen(preset);
+  const SurfaceMaterial& paper = surface_materials().front();
+  pen.servo->publish(ForceModel(make_sheet_force(paper, media().front(), pen.can())));
+  pen.servo->arm();
+  const Pressing pressing(paper, pen.can());
+  const double depth_mm =
+      1e3 * push_n * (1.0 / pressing.stiffness_n_per_m() + 1.0 / typical_hand().stiffness_n_per_m);
+  Widths widths;
+  double pressed = 0.0;  // as the pencil's low-pass has it
+  VirtualClock clock(*pen.servo);
+  while (clock.next_ns() < 62'000'000'000) {
+    const double t_s = 1e-9 * static_cast<double>(clock.next_ns());
+    const double landed = std::min(std::max(0.0, t_s - 0.8), 1.0);
+    const double turn = 2.0 * std::numbers::pi * 0.5 * t_s;
+    pen.stylus->aim({kMiddle.x + circle_mm * std::cos(turn), kMiddle.y + circle_mm * std::sin(turn),
+                     3.0 - (3.0 + depth_mm) * landed},
+                    {}, 0);
+    const TickReport& tick = clock.tick();
+    EXPECT_EQ(tick.safety.fault, SafetyFault::kNone);
+    pressed += (pressing.of(tick.sample).value_or(0.0) - pressed) * tick.dt_s / 0.020;
+    if (t_s < 2.0) continue;
+    const double width = width_of_pressure({}, pressed);
+    widths.least_mm = std::min(widths.least_mm, width);
+    widths.most_mm = std::max(widths.most_mm, width);
+    widths.least_sent_n = std::min(widths.least_sent_n, tick.sent.z);
+  }
+  return widths;
+}
+
+TEST(SteadyPush, R14_DrawsTheSameWidthHoweverWarmTheMotorsAre) {
+  for (const StylusPreset& preset : stylus_presets()) {
+    if (!preset.capabilities.has_force()) continue;
+    for (const double push_n : {0.3, 0.65, 0.98}) {
+      const Widths widths = widths_of(preset, push_n, 0.0);
+      EXPECT_LE(widths.most_mm - widths.least_mm, 0.05)
+          << preset.name << ", " << push_n << " N: " << widths.least_mm << " to " << widths.most_mm
+          << " mm";
+      if (push_n > 0.9) {
+        EXPECT_GT(widths.least_sent_n, 0.4) << preset.name << ": it is held";
+      }
+    }
+  }
+}
+
+TEST(SteadyPush, R14_FullWidthCanBeHeldWhileDrawing) {
+  const StylusPreset& touch = *find_stylus_preset("touch");
+  const double full_n = firm_push_n(touch.capabilities);
+  // Device friction takes a part of what the hand pushes; the rest is just over full width.
+  const Widths widths = widths_of(touch, full_n + 0.35, 15.0);
+  EXPECT_NEAR(widths.most_mm, WidthMapOptions{}.max_mm, 1e-9);
+  EXPECT_GT(widths.least_mm, WidthMapOptions{}.max_mm - 0.05);
+}
+
+TEST(SlowLoop, R30_R56_APullIsHeldByTheWholeLawAt250Hz) {
+  for (const std::int64_t period_ns : {1'000'000, 4'000'000}) {
+    StylusPreset premium = *find_stylus_preset("premium");
+    premium.capabilities.period_ns = period_ns;
+    Pressed pen(premium);
+    const Point origin = kMiddle - Vec{12.0, 0.0};
+    pen.servo->publish(ForceModel(EditSpring(origin)));
+    pen.stylus->place({origin.x, origin.y, 1.0});
+    pen.servo->arm();
+    VirtualClock clock(*pen.servo);
+    double sent_n = 0.0, far_mm = 0.0;
+    while (clock.next_ns() < 4'000'000'000) {
+      const double t_s = 1e-9 * static_cast<double>(clock.next_ns());
+      const double way = std::min(std::max(0.0, (t_s - 1.0) / 1.5), 1.0);
+      pen.stylus->aim({origin.x + 15.0 * way, origin.y, 1.0}, {}, 0);
+      const TickReport& tick = clock.tick();
+      sent_n = -tick.sent.x;
+      far_mm = tick.sample.position.x - origin.x;
+    }
+    EXPECT_GT(far_mm, 8.0);
+    EXPECT_NEAR(sent_n, kEditLaw.force_n(far_mm), 0.01) << period_ns;
+  }
+}
+
+}  // namespace
+}  // namespace felt
