@@ -7,6 +7,7 @@
 #include "felt/io/ndjson_parser.h"
 #include "fit_source.h"
 #include "fit_worker.h"
+#include "print.h"
 
 namespace felt::cli {
 namespace {
@@ -72,26 +73,25 @@ FitStats measure(const Strokes& strokes, double tolerance_mm, bool refine) {
 }
 
 void print_row(double tolerance_mm, const char* what, const FitStats& stats) {
-  fmt::print(
-      "{:>9g}  {:8} {:>8} {:>9} {:>9} {:>8} {:>11.6f} {:>10.1f} {:>8} {:>8} {:>10.1f} {:>9g}\n",
-      tolerance_mm, what, stats.strokes, stats.samples, stats.segments, stats.corners,
-      stats.max_error_mm, per(static_cast<double>(stats.fit_ns), stats.samples),
-      stats.calls.quantile_ns(0.999), stats.calls.max_ns(),
-      per(static_cast<double>(stats.refine_ns), stats.samples),
-      per(static_cast<double>(stats.allocations), stats.samples));
+  print("{:>9g}  {:8} {:>8} {:>9} {:>9} {:>8} {:>11.6f} {:>10.1f} {:>8} {:>8} {:>10.1f} {:>9g}\n",
+        tolerance_mm, what, stats.strokes, stats.samples, stats.segments, stats.corners,
+        stats.max_error_mm, per(static_cast<double>(stats.fit_ns), stats.samples),
+        stats.calls.quantile_ns(0.999), stats.calls.max_ns(),
+        per(static_cast<double>(stats.refine_ns), stats.samples),
+        per(static_cast<double>(stats.allocations), stats.samples));
 }
 
 void run_bench(const BenchArguments& args, Console& console) {
   const Strokes strokes = args.inputs.empty() ? simulated_strokes() : read_strokes(args, console);
   if (strokes.empty()) return;
-  fmt::print("{:>9}  {:8} {:>8} {:>9} {:>9} {:>8} {:>11} {:>10} {:>8} {:>8} {:>10} {:>9}\n",
-             "tolerance", "curve", "strokes", "samples", "segments", "corners", "max error",
-             "ns/sample", "p99.9", "max", "refine", "allocs");
+  print("{:>9}  {:8} {:>8} {:>9} {:>9} {:>8} {:>11} {:>10} {:>8} {:>8} {:>10} {:>9}\n", "tolerance",
+        "curve", "strokes", "samples", "segments", "corners", "max error", "ns/sample", "p99.9",
+        "max", "refine", "allocs");
   for (const double tolerance_mm : args.tolerances_mm) {
     print_row(tolerance_mm, "online", measure(strokes, tolerance_mm, false));
     print_row(tolerance_mm, "refined", measure(strokes, tolerance_mm, true));
   }
-  fmt::print(
+  print(
       "Lengths in mm. Thread CPU time: ns/sample from pen-down to pen-up, p99.9 and max of "
       "single calls,\nrefine per sample at pen-up. Allocations per sample once warm.\n");
 }

@@ -7,14 +7,27 @@
 #include <cstdlib>
 #include <string_view>
 
+#include "felt/base/printable.h"
+#include "felt/io/import.h"
+#include "print.h"
+
 namespace felt::cli {
 namespace {
 
 constexpr int kBarCells = 24;
+constexpr std::size_t kMaxKinds =
+    100;  // of messages that are counted; beyond, one more for all others
 
 bool can_redraw_stderr() {
   const char* terminal = std::getenv("TERM");
   return isatty(STDERR_FILENO) != 0 && terminal != nullptr && std::string_view(terminal) != "dumb";
+}
+
+/// "65,997"
+std::string with_commas(std::int64_t number) {
+  std::string text = std::to_string(number);
+  for (std::size_t at = text.size(); at > 3;) text.insert(at -= 3, ",");
+  return text;
 }
 
 /// The bar uses characters only, no colour, so there is nothing that NO_COLOR would switch off.
@@ -37,14 +50,41 @@ Console::~Console() {
 void Console::error(const std::string& message) {
   end_progress();
   failed_ = true;
-  fmt::print(stderr, "feltline: {}\n", message);
+  say("feltline: {}\n", printable(message));
 }
 
 void Console::notice(const std::string& message) {
   if (strict_) return error(message);
   if (!shows_notices_) return;
   end_progress();
-  fmt::print(stderr, "feltline: {}\n", message);
+  say("feltline: {}\n", printable(message));
+}
+
+Console::Repeated& Console::repeated(const std::string& name, std::int64_t line,
+                                     const std::string& what) {
+  std::string kind = notice_kind(what);
+  if (repeated_.size() >= kMaxKinds) kind.clear();
+  const auto same = std::find_if(repeated_.begin(), repeated_.end(), [&](const Repeated& r) {
+    return r.name == name && r.kind == kind;
+  });
+  if (same != repeated_.end()) return *same;
+  return repeated_.emplace_back(Repeated{name, std::move(kind), line, 0});
+}
+
+void Console::record_error(const std::string& name, std::int64_t line, const std::string& what) {
+  failed_ = true;
+  if (++repeated(name, line, what).count > kShownOfAKind) return;
+  error(line > 0 ? fmt::format("{}:{}: {}", name, line, what) : name + ": " + what);
+}
+
+void Console::end_records() {
+  for (const Repeated& r : repeated_) {
+    if (r.count <= kShownOfAKind) continue;
+    error(fmt::format("{}: ... and {} more like it (line {}{})", r.name,
+                      with_commas(r.count - kShownOfAKind), r.first_line,
+                      r.kind.empty() ? ", and others" : ""));
+  }
+  repeated_.clear();
 }
 
 void Console::progress(const char* what, std::int64_t done, std::int64_t total,
@@ -56,23 +96,20 @@ void Console::progress(const char* what, std::int64_t done, std::int64_t total,
     const double fraction = static_cast<double>(done) / static_cast<double>(total);
     line += fmt::format("{} {:3.0f} %  ", bar(fraction), std::min(100.0, 100.0 * fraction));
   }
-  fmt::print(stderr, "{}{} strokes\x1b[K", line, strokes);
-  std::fflush(stderr);
+  say("{}{} strokes\x1b[K", line, strokes);
   drawn_ = true;
 }
 
 void Console::status(const std::string& line) {
   if (!shows_progress_ || Clock::now() < next_draw_) return;
   next_draw_ = Clock::now() + std::chrono::milliseconds(100);
-  fmt::print(stderr, "\r{}\x1b[K", line);
-  std::fflush(stderr);
+  say("\r{}\x1b[K", line);
   drawn_ = true;
 }
 
 void Console::end_progress() {
   if (!drawn_) return;
-  fmt::print(stderr, "\r\x1b[K");
-  std::fflush(stderr);
+  say("\r\x1b[K");
   drawn_ = false;
 }
 

@@ -3,11 +3,13 @@
 #include <chrono>
 #include <cstdint>
 #include <string>
+#include <vector>
 
 namespace felt::cli {
 
-/// What the program says to the person at the terminal: errors, notices, and a progress line while
-/// work goes on. All of it on stderr, since stdout carries data. Main thread only.
+/// What the program says to the user at the terminal: errors, notices, and a progress line while
+/// it works. All of it goes to stderr, because stdout carries data. Each message is one line, with
+/// control characters escaped; one that cannot be written is dropped (print.h). Main thread only.
 class Console {
  public:
   /// The progress line is shown when stderr is a terminal that can erase a line.
@@ -29,6 +31,13 @@ class Console {
   /// Prints "feltline: message": something of a file could not be taken as it was, and the rest
   /// goes on. No failure unless --strict.
   void notice(const std::string& message);
+  /// A record of a file could not be read, or not be written to the output: prints "feltline:
+  /// name:line: what" (without the line if it is 0). Of the messages that differ in numbers and
+  /// names only, the first kShownOfAKind of each file are printed; end_records() counts the rest.
+  void record_error(const std::string& name, std::int64_t line, const std::string& what);
+  /// Prints how many messages of each kind were not printed: "name: ... and 65,997 more like it".
+  void end_records();
+  static constexpr std::int64_t kShownOfAKind = 3;
   /// Something failed, and stdout says what.
   void set_failed() noexcept { failed_ = true; }
   /// True once an error was reported: the exit code is then 1.
@@ -44,7 +53,13 @@ class Console {
 
  private:
   using Clock = std::chrono::steady_clock;
+  struct Repeated {
+    std::string name, kind;
+    std::int64_t first_line = 0, count = 0;
+  };
+  Repeated& repeated(const std::string& name, std::int64_t line, const std::string& what);
 
+  std::vector<Repeated> repeated_;
   bool shows_progress_;
   bool shows_notices_ = true;
   bool strict_ = false;

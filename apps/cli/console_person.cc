@@ -1,7 +1,6 @@
 #include "console_person.h"
 
-#include <fmt/core.h>
-
+#include "print.h"
 #include "question.h"
 #include "text_table.h"
 
@@ -10,7 +9,7 @@ namespace felt::cli {
 bool ConsolePerson::does(PersonTask task, const std::string& words) {
   const bool is_consent = task == PersonTask::kAgreeToForces || task == PersonTask::kFindHome;
   const bool needs_hands = task == PersonTask::kUnplug || task == PersonTask::kReplug;
-  fmt::print(stderr, "\n{}\n", wrapped(words, 80, 0));
+  say("\n{}\n", wrapped(words, 80, 0));
   if (agrees_to_all_) return !needs_hands || somebody_is_there();
   return ask(is_consent ? "Do you agree?" : "Ready?");
 }

@@ -5,6 +5,7 @@
 #include "drawing_output.h"
 #include "felt/formats/file_format.h"
 #include "felt/formats/format_traits.h"
+#include "given_files.h"
 #include "input.h"
 #include "sketch_input.h"
 #include "sketch_output.h"
@@ -30,9 +31,11 @@ void add_options(CLI::App& command, ConvertArguments& args, const char* output_h
       ->required();
   command.add_option("-o,--output", args.output, output_help)->required();
   command.add_option("--to", args.to, "Format of the output, instead of by its extension");
-  command.add_option("--layers", args.layers,
-                     "Only these layers, shown: 'visible', 'all', numbers as info tells them\n"
-                     "('1,3') or the name of one. Without it all, hidden ones hidden");
+  command
+      .add_option("--layers", args.layers,
+                  "Only these layers, shown: 'visible', 'all', numbers as info tells them\n"
+                  "('1,3') or the name of one. Without it all, hidden ones hidden")
+      ->check(not_empty());
   command.add_flag("--salvage", args.salvage,
                    "Of a damaged .felt take what can be had, and say what is missing");
   args.picture.add_to(command);
@@ -59,6 +62,20 @@ void convert_lines(const Input& input, const ConvertArguments& args, Format form
   if (Result<void> done = (*output)->finish(); !done) console.error(done.error().message);
 }
 
+/// Says what becomes of hidden layers in a format that cannot hide them.
+void note_hidden_layers(const OpenedDrawing& opened, Format format, const std::string& output,
+                        Console& console) {
+  if (format != Format::kNdjson && format != Format::kXopp) return;
+  std::size_t strokes = 0;
+  for (const Layer& layer : opened.drawing.document.layers()) {
+    if (!layer.visible) strokes += layer.strokes.size();
+  }
+  if (strokes == 0) return;
+  console.notice(output + ": " + std::to_string(strokes) + " strokes of hidden layers " +
+                 (format == Format::kXopp ? "show, because .xopp has no hidden layers"
+                                          : "were left out; --layers all writes them"));
+}
+
 void convert_whole(const Input& input, const ConvertArguments& args, Format format,
                    const PictureOptions& picture, Console& console) {
   Result<OpenedDrawing> opened = input.read_drawing({.salvage = args.salvage});
@@ -71,13 +88,17 @@ void convert_whole(const Input& input, const ConvertArguments& args, Format form
   const Result<void> done =
       choose_layers(args.layers, opened->drawing)
           .and_then([&] { return DrawingOutput::create(args.output, format, picture); })
-          .and_then([&](DrawingOutput output) { return output.write(*std::move(opened)); });
+          .and_then([&](DrawingOutput output) {
+            note_hidden_layers(*opened, format, args.output, console);
+            return output.write(*std::move(opened));
+          });
   if (!done) console.error(done.error().message);
 }
 
 void convert(const ConvertArguments& args, Format format, Console& console) {
+  check_given_files({args.input}, {{"-o", args.output}}, console);
   const Result<PictureOptions> picture = args.picture.parse(console);
-  if (!picture) throw UsageError(picture.error().message);
+  if (!picture) throw UsageError(picture.error());
   const Result<Input> input = Input::open(args.input);
   if (!input) return console.error(input_name(args.input) + ": " + input.error().message);
   // What is compressed as a whole, or shows the sheet that the file names, is not streamed.

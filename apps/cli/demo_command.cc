@@ -13,6 +13,7 @@
 #include "felt/render/page.h"
 #include "force_plot.h"
 #include "forces_csv.h"
+#include "print.h"
 #include "replay_arguments.h"
 #include "replay_run.h"
 #include "sketch_output.h"
@@ -80,8 +81,8 @@ class Summary {
   }
   void print() const {
     const TextStyle style = TextStyle::of_stdout();
-    fmt::print("{}\n{}\n", table_.text(style), wrapped(kLegend, style.width, 0));
-    if (faults_ > 0) fmt::print("The safety chain stepped in {} times.\n", faults_);
+    cli::print("{}\n{}\n", table_.text(style), wrapped(kLegend, style.width, 0));
+    if (faults_ > 0) cli::print("The safety chain stepped in {} times.\n", faults_);
   }
 
  private:
@@ -198,9 +199,9 @@ void run_demo(const DemoArguments& args, Console& console) {
   const Result<void> played = play_acts(args, console, recorder);
   console.end_progress();
   if (!played) return console.error(played.error().message);
-  fmt::print("\nIn {}: sketch.svg, sketch.png, sketch.ndjson, forces.csv, forces.png", args.folder);
-  for (const DemoScript& act : demo_scripts()) fmt::print(", {}.png", act.name);
-  fmt::print("\n");
+  print("\nIn {}: sketch.svg, sketch.png, sketch.ndjson, forces.csv, forces.png", args.folder);
+  for (const DemoScript& act : demo_scripts()) print(", {}.png", act.name);
+  print("\n");
 }
 
 }  // namespace

@@ -1,4 +1,3 @@
-#include <fmt/core.h>
 #include <unistd.h>
 
 #include <memory>
@@ -12,6 +11,7 @@
 #include "interrupt.h"
 #include "json_text.h"
 #include "output.h"
+#include "print.h"
 #include "real_device.h"
 
 namespace felt::cli {
@@ -70,7 +70,7 @@ ValidationOptions options_of(const DeviceTestArguments& args) {
   options.is_cancelled = Interrupt::was_asked;
   if (isatty(STDERR_FILENO) != 0) {
     options.on_begin = [](const CheckResult& check) {
-      fmt::print(stderr, "level {}: {} ...\n", check.level, check.title);
+      say("level {}: {} ...\n", check.level, check.title);
     };
   }
   return options;
@@ -112,7 +112,7 @@ void run_device_test(const DeviceTestArguments& args, Console& console) {
   const Result<ValidationReport> report =
       preset != nullptr ? Result<ValidationReport>(test_simulated(*preset, args)) : test_real(args);
   if (!report) return console.error(report.error().message);
-  fmt::print("{}", args.json ? report_json(*report) : report_text(*report));
+  print("{}", args.json ? report_json(*report) : report_text(*report));
   if (!report->passed()) console.set_failed();
   if (args.report.empty()) return;
   if (Result<void> written = write_report(args.report, *report); !written) {
@@ -135,6 +135,7 @@ void add_device_test_command(CLI::App& app, Console& console) {
       ->check(CLI::Range(1, 10))
       ->capture_default_str();
   command->add_option("--seed", args->seed, "Orders what needs no order of its own")
+      ->check(whole_number())
       ->capture_default_str();
   command->add_option("--report", args->report, "Write the report there, too: text, or .json");
   command->add_option("--soak", args->soak_s, "Seconds that level 10 takes")

@@ -9,6 +9,7 @@
 #include "felt/devices/simulated/simulated_hand.h"
 #include "felt/devices/simulated/stylus_presets.h"
 #include "json_text.h"
+#include "print.h"
 #include "text_table.h"
 
 namespace felt::cli {
@@ -62,7 +63,7 @@ std::string count_words(const std::vector<DeviceDescriptor>& devices) {
 void print_real(const std::vector<DriverLook>& looks, const TextStyle& style) {
   using Align = TextTable::Align;
   const std::vector<DeviceDescriptor> devices = real_devices(looks);
-  fmt::print("{}\n\n", wrapped(devices.empty() ? kNothing : count_words(devices), style.width, 0));
+  print("{}\n\n", wrapped(devices.empty() ? kNothing : count_words(devices), style.width, 0));
   if (!devices.empty()) {
     TextTable table({{"id"},
                      {"peak N", Align::kRight},
@@ -78,13 +79,13 @@ void print_real(const std::vector<DriverLook>& looks, const TextStyle& style) {
                      device.kind == DeviceKind::kForce ? "force" : "cues", or_dash(device.serial),
                      or_dash(device.version), state_of(device), device.label});
     }
-    fmt::print("{}\n", table.text(style));
+    print("{}\n", table.text(style));
   }
   for (const DriverLook& look : looks) {
     for (const Finding& finding : look.findings) {
-      fmt::print("{}: {}\n\n", look.name,
-                 wrapped(finding.what + " 'feltline doctor " + look.name + "' says more.",
-                         style.width, 0));
+      print("{}: {}\n\n", look.name,
+            wrapped(finding.what + " 'feltline doctor " + look.name + "' says more.", style.width,
+                    0));
     }
   }
 }
@@ -114,8 +115,7 @@ void print_simulated(const TextStyle& style) {
     hands.add_row({std::string(hand.name), json_number(1000.0 * hand.mass_kg),
                    json_number(hand.stiffness_n_per_m), json_number(hand.damping_n_s_per_m)});
   }
-  fmt::print("{}\n{}\n{}\n", devices.text(style), hands.text(style),
-             wrapped(kNote, style.width, 0));
+  print("{}\n{}\n{}\n", devices.text(style), hands.text(style), wrapped(kNote, style.width, 0));
 }
 
 std::string vector_json(const Vec3& v) {
@@ -197,8 +197,8 @@ void print_json(const std::vector<DriverLook>& looks) {
   }
   for (const StylusPreset& preset : stylus_presets()) devices.push_back(device_json(preset));
   for (const SimulatedHand& hand : simulated_hands()) hands.push_back(hand_json(hand));
-  fmt::print("{{\"devices\":{},\"hands\":{},\"troubles\":{}}}\n", json_array(devices),
-             json_array(hands), json_array(troubles));
+  print("{{\"devices\":{},\"hands\":{},\"troubles\":{}}}\n", json_array(devices), json_array(hands),
+        json_array(troubles));
 }
 
 void run_devices(bool json) {

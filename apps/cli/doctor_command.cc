@@ -1,4 +1,3 @@
-#include <fmt/core.h>
 #include <unistd.h>
 
 #include <memory>
@@ -7,6 +6,7 @@
 #include "doctor_report.h"
 #include "felt/devices/drivers.h"
 #include "felt/driver/machine_checks.h"
+#include "print.h"
 #include "question.h"
 #include "system_fix.h"
 
@@ -65,9 +65,9 @@ bool is_agreed(const PlannedFix& fix, bool agreed_to_all, Console& console) {
 }
 
 void say_that_nothing_is_missing() {
-  fmt::print("There is nothing that Feltline could write to mend anything.\n");
+  print("There is nothing that Feltline could write to mend anything.\n");
   if (geteuid() != 0) return;
-  fmt::print(
+  print(
       "Root may do all of it already: run this as the person who draws. It asks for root by itself "
       "where it needs it.\n");
 }
@@ -78,10 +78,10 @@ void fix(const DoctorReport& report, const DoctorArguments& args, Console& conso
   const bool is_done = std::all_of(plan->begin(), plan->end(), [](const PlannedFix& fix) {
     return fix.state == PlannedFix::State::kSame;
   });
-  fmt::print("{}", plan_text(*plan));
+  print("{}", plan_text(*plan));
   if (is_done) return say_that_nothing_is_missing();
   if (args.dry_run) {
-    fmt::print("Nothing was written (--dry-run).\n");
+    print("Nothing was written (--dry-run).\n");
     return;
   }
   std::fflush(stdout);
@@ -98,12 +98,12 @@ void fix(const DoctorReport& report, const DoctorArguments& args, Console& conso
     written.push_back(next);
   }
   if (written.empty()) {
-    fmt::print("Nothing was written.\n");
+    print("Nothing was written.\n");
     return;
   }
   if (Result<void> done = activate_fixes(written); !done) console.error(done.error().message);
-  for (const PlannedFix& next : written) fmt::print("Written: {}\n", next.path);
-  fmt::print("Unplug the device and plug it in again, then run 'feltline doctor' once more.\n");
+  for (const PlannedFix& next : written) print("Written: {}\n", next.path);
+  print("Unplug the device and plug it in again, then run 'feltline doctor' once more.\n");
 }
 
 void run_doctor(const DoctorArguments& args, Console& console) {
@@ -113,7 +113,7 @@ void run_doctor(const DoctorArguments& args, Console& console) {
   if (args.fix && args.json) throw UsageError("--fix does not go with --json");
   const DoctorReport report = examine(args);
   if (args.fix) return fix(report, args, console);
-  fmt::print("{}", args.json ? doctor_json(report) : doctor_text(report, TextStyle::of_stdout()));
+  print("{}", args.json ? doctor_json(report) : doctor_text(report, TextStyle::of_stdout()));
   if (count_problems(report) > 0) console.set_failed();
 }
 

@@ -62,9 +62,12 @@ Result<WriteOptions> write_options(OpenedDrawing& opened, Format format, Picture
 
 /// As a stream of lines is written, without a header: what `convert` gives does not depend on what
 /// it was given.
-std::string lines(const Document& document) {
+Result<std::string> lines(const Document& document) {
   std::string text;
   for (const SketchStroke& s : visible_strokes(document)) {
+    if (Result<void> fits = check_sketch_numbers(s.stroke.data()); !fits) {
+      return tl::unexpected(with_context(fits.error(), "stroke " + s.id));
+    }
     append_sketch_line(text, s.id, s.stroke.data());
   }
   return text;

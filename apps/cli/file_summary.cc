@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "felt/base/printable.h"
 #include "felt/formats/format_traits.h"
 #include "felt/io/ndjson_writer.h"
 #include "felt/store/felt_recording.h"
@@ -67,8 +68,8 @@ std::string layers_text(const OpenedDrawing& opened) {
   int place = 0;
   for (const Layer& layer : opened.drawing.document.layers()) {
     text += fmt::format("{:16}{} strokes, '{}'{}{}\n", fmt::format("layer {}", ++place),
-                        layer.strokes.size(), layer.name, layer.visible ? "" : ", hidden",
-                        layer.locked ? ", locked" : "");
+                        layer.strokes.size(), printable(layer.name),
+                        layer.visible ? "" : ", hidden", layer.locked ? ", locked" : "");
   }
   return text;
 }
@@ -94,7 +95,7 @@ std::string recordings_text(const OpenedDrawing& opened) {
   for (const RecordingInfo& r : recordings(opened)) {
     text += fmt::format("{:16}{} samples, {} events, {:.3f} s, of '{}'\n",
                         fmt::format("recording {}", ++place), r.samples, r.events, r.duration_s,
-                        r.device);
+                        printable(r.device));
   }
   return text;
 }

@@ -11,7 +11,9 @@
 #include "felt/tools/medium_line.h"
 #include "fit_source.h"
 #include "fit_worker.h"
+#include "given_files.h"
 #include "ordered_pipeline.h"
+#include "print.h"
 
 namespace felt::cli {
 namespace {
@@ -140,6 +142,7 @@ FitPlan plan_of(const FitArguments& args, Console& console) {
   if (args.output == "-" && !args.stats.empty()) {
     throw UsageError("-o - and --stats both want stdout");
   }
+  check_given_files(args.inputs, {{"-o", args.output}}, console);
   FitPlan plan;
   plan.settings.ink = ink_of(args);
   plan.settings.ink.scheme =
@@ -156,7 +159,7 @@ FitPlan plan_of(const FitArguments& args, Console& console) {
     plan.settings.format = *format;
   }
   const Result<PictureOptions> picture = args.picture.parse(console);
-  if (!picture) throw UsageError(picture.error().message);
+  if (!picture) throw UsageError(picture.error());
   plan.picture = *picture;
   const int cores = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
   plan.jobs = args.jobs == 0 ? cores : args.jobs;
@@ -171,7 +174,7 @@ bool fit_all(const FitArguments& args, const FitPlan& plan, SketchOutput* output
   OrderedPipeline<FitItem, FitOutput> pipeline(plan.jobs);
   const auto take = [&](const FitOutput& fitted) {
     for (const std::string& notice : fitted.notices) console.notice(notice);
-    for (const std::string& error : fitted.errors) console.error(error);
+    for (const FitError& e : fitted.errors) console.record_error(fitted.name, e.line, e.what);
     stats.add(fitted.stats);
     const Result<void> appended = output ? output->append(fitted.sketch) : Result<void>();
     if (!appended) console.error(appended.error().message);
@@ -181,6 +184,7 @@ bool fit_all(const FitArguments& args, const FitPlan& plan, SketchOutput* output
   pipeline.run([&plan] { return FitWorker(plan.settings); },
                [&source](FitItem& item) { return source.next(item); }, take);
   console.end_progress();
+  console.end_records();
   return written;
 }
 
@@ -200,7 +204,7 @@ void run_fit(const FitArguments& args, Console& console) {
   if (output) {
     if (Result<void> done = output->finish(); !done) return console.error(done.error().message);
   }
-  if (!args.stats.empty()) fmt::print("{}", stats_json(stats));
+  if (!args.stats.empty()) print("{}", stats_json(stats));
 }
 
 }  // namespace

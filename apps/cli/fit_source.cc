@@ -1,10 +1,23 @@
 #include "fit_source.h"
 
+#include <algorithm>
+#include <string_view>
+
 namespace felt::cli {
 namespace {
 
 /// Enough for the cost of handing over not to count, small enough to spread evenly.
 constexpr std::size_t kBatchBytes = std::size_t{64} << 10;
+
+/// The first stroke is a fitted one, hence all of them.
+bool is_sketch(const LineBatch& lines) {
+  for (std::size_t i = 0; i < std::min<std::size_t>(lines.size(), 2); ++i) {  // 0 may be a header
+    const std::string_view text = lines.line(i).text();
+    if (text.find("\"points\"") != std::string_view::npos) return false;
+    if (text.find("\"segments\"") != std::string_view::npos) return true;
+  }
+  return false;
+}
 
 }  // namespace
 
@@ -25,6 +38,13 @@ bool FitSource::next(FitItem& item) {
     }
     const Result<bool> more = reader_->fill(item.lines, kBatchBytes);
     if (more && *more) {
+      if (input_is_empty_ && is_sketch(item.lines)) {
+        item.failure =
+            Error{ErrorCode::kUnsupported, "holds curves, which are fitted already; see convert"};
+        item.lines = {};
+        input_.reset();
+        return true;
+      }
       input_is_empty_ = false;
       item.first_record = records_ + 1;
       records_ += static_cast<std::int64_t>(item.lines.size());

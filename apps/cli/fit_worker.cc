@@ -28,6 +28,7 @@ FitWorker::FitWorker(const FitSettings& settings)
       meter_(settings.measure ? std::make_unique<StrokeMeter>(settings.ink) : nullptr) {}
 
 void FitWorker::operator()(const FitItem& item, FitOutput& output) {
+  output.name = item.name;
   output.sketch.clear();
   output.errors.clear();
   output.notices.clear();
@@ -36,11 +37,10 @@ void FitWorker::operator()(const FitItem& item, FitOutput& output) {
     const NdjsonLine line = item.lines.line(i);
     Result<void> done = process(line, item.first_record + static_cast<std::int64_t>(i), output);
     if (done) continue;
-    output.errors.push_back(
-        fmt::format("{}:{}: {}", item.name, line.number(), done.error().message));
+    output.errors.push_back({line.number(), done.error().message});
   }
   if (item.drawing) take(item, *item.drawing, output);
-  if (item.failure) output.errors.push_back(item.name + ": " + item.failure->message);
+  if (item.failure) output.errors.push_back({0, item.failure->message});
 }
 
 /// The reader of the format has fitted its samples already.
@@ -56,7 +56,7 @@ void FitWorker::take(const FitItem& item, const OpenedDrawing& drawing, FitOutpu
     if (!settings_.format) continue;
     const Result<void> done = encode(s, record++, *settings_.format, output.sketch);
     if (done) continue;
-    output.errors.push_back(fmt::format("{}: {}: {}", item.name, s.id, done.error().message));
+    output.errors.push_back({0, s.id + ": " + done.error().message});
   }
 }
 

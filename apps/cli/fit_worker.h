@@ -36,11 +36,18 @@ struct FitItem {
   [[nodiscard]] std::size_t bytes() const noexcept { return lines.bytes(); }
 };
 
+/// What is wrong with a line, or with a whole input (line 0).
+struct FitError {
+  std::int64_t line = 0;
+  std::string what;
+};
+
 /// What a worker makes of them.
 struct FitOutput {
+  std::string name;  ///< of the input, for errors
   SketchPiece sketch;
-  std::vector<std::string> errors;   ///< whole messages, in order of the lines
-  std::vector<std::string> notices;  ///< likewise
+  std::vector<FitError> errors;      ///< in order of the lines
+  std::vector<std::string> notices;  ///< whole messages
   FitStats stats;
 };
 

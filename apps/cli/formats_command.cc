@@ -1,10 +1,9 @@
-#include <fmt/core.h>
-
 #include <memory>
 
 #include "commands.h"
 #include "felt/formats/format_traits.h"
 #include "json_text.h"
+#include "print.h"
 #include "text_table.h"
 
 namespace felt::cli {
@@ -65,8 +64,8 @@ void add_formats_command(CLI::App& app) {
       examples("feltline formats\n"
                "feltline formats --json"));
   command->callback([json] {
-    if (!*json) return fmt::print("{}", table_text());
-    for (const FormatTraits& row : format_table()) fmt::print("{}", row_json(row));
+    if (!*json) return print("{}", table_text());
+    for (const FormatTraits& row : format_table()) print("{}", row_json(row));
   });
 }
 

@@ -9,6 +9,7 @@
 #include "felt/stroke/mend_joints.h"
 #include "file_summary.h"
 #include "input.h"
+#include "print.h"
 #include "sketch_input.h"
 
 namespace felt::cli {
@@ -66,11 +67,12 @@ void summarize_lines(const Input& input, Console& console, FileSummary& summary)
       const NdjsonLine line = batch.line(i);
       const Result<void> added = summarizer.add(line);
       if (added) continue;
-      console.error(fmt::format("{}:{}: {}", input.name(), line.number(), added.error().message));
+      console.record_error(input.name(), line.number(), added.error().message);
     }
     console.progress("reading", reader.bytes_read(), input.size_bytes(), summary.strokes);
   }
   console.end_progress();
+  console.end_records();
   if (summary.strokes == 0 && !console.failed()) {
     console.error(input.name() + ": holds no strokes");
   }
@@ -124,7 +126,7 @@ void add_info_command(CLI::App& app, Console& console) {
   command->callback([args, &console] {
     FileSummary summary;
     if (!summarize(args->input, console, summary)) return;
-    fmt::print("{}", args->json ? summary_json(summary) : summary_text(summary));
+    print("{}", args->json ? summary_json(summary) : summary_text(summary));
   });
 }
 

@@ -2,11 +2,13 @@
 
 #include <fcntl.h>
 #include <sys/stat.h>
+#include <sys/sysmacros.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
+#include <new>
 #include <system_error>
 #include <utility>
 
@@ -18,6 +20,12 @@ constexpr std::size_t kBlockBytes = std::size_t{1} << 18;
 tl::unexpected<Error> cannot_open(int error) {
   const ErrorCode code = error == ENOENT ? ErrorCode::kNotFound : ErrorCode::kIo;
   return fail(code, std::generic_category().message(error));
+}
+
+/// A device that never ends, like /dev/zero. Terminals end by Ctrl-D, and /dev/null at once.
+bool is_endless(const struct stat& status, int fd) {
+  if (S_ISBLK(status.st_mode)) return true;
+  return S_ISCHR(status.st_mode) && ::isatty(fd) == 0 && status.st_rdev != makedev(1, 3);
 }
 
 /// What has no name that could tell: a stream is lines unless its first bytes show something else.
@@ -32,13 +40,24 @@ std::string input_name(const std::string& path) {
 }
 
 Result<Input> Input::open(const std::string& path) {
-  const bool is_stdin = path == "-";
-  const int fd = is_stdin ? STDIN_FILENO : ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+  return begin(path, path == "-" ? STDIN_FILENO : ::open(path.c_str(), O_RDONLY | O_CLOEXEC),
+               false);
+}
+
+Result<Input> Input::open_regular(const std::string& path) {
+  // Opening a pipe without O_NONBLOCK waits for its writer.
+  return begin(path, ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NOCTTY | O_NONBLOCK), true);
+}
+
+Result<Input> Input::begin(const std::string& path, int fd, bool regular_only) {
   if (fd < 0) return cannot_open(errno);
   Input input(input_name(path), fd);
   struct stat status {};
   if (::fstat(fd, &status) != 0) return cannot_open(errno);
   if (S_ISDIR(status.st_mode)) return cannot_open(EISDIR);
+  if (is_endless(status, fd) || (regular_only && !S_ISREG(status.st_mode))) {
+    return fail(ErrorCode::kUnsupported, "not a regular file");
+  }
   if (S_ISREG(status.st_mode)) input.size_bytes_ = status.st_size;
   if (Result<void> read = input.read_head(); !read) return tl::unexpected(read.error());
   if (Result<void> known = input.find_kind(path); !known) return tl::unexpected(known.error());
@@ -87,29 +106,42 @@ ReadBytes Input::reader() const {
   };
 }
 
-Result<OpenedDrawing> Input::read_drawing(const ReadOptions& options) const {
-  const std::size_t most = format_ == FileFormat::kFelt ? kMaxFeltBytes : kMaxDrawingBytes;
+Result<std::string> Input::read_all(std::size_t most) const {
+  const auto too_large = [most] {
+    return fail(ErrorCode::kLimitExceeded, "is larger than " + std::to_string(most) + " bytes");
+  };
+  if (static_cast<std::uint64_t>(size_bytes_) > most) return too_large();
   std::string bytes = head_;
-  if (size_bytes_ > 0) bytes.reserve(std::min(static_cast<std::size_t>(size_bytes_), most) + 1);
+  // A block more than there is: the end is found by reading, which must not double the memory.
+  if (size_bytes_ > 0) bytes.reserve(static_cast<std::size_t>(size_bytes_) + kBlockBytes);
   const ReadBytes read = read_descriptor(fd_);
   for (std::size_t more = head_.size(); more > 0;) {
     const std::size_t have = bytes.size();
-    if (have > most) {
-      return fail(ErrorCode::kLimitExceeded, "is larger than " + std::to_string(most) + " bytes");
-    }
+    if (have > most) return too_large();
     bytes.resize(have + kBlockBytes);
     const Result<std::size_t> got = read({bytes.data() + have, kBlockBytes});
     if (!got) return tl::unexpected(got.error());
     more = *got;
     bytes.resize(have + more);
   }
-  Result<OpenedDrawing> drawing = parse_drawing(bytes, name_, options);
-  if (drawing || format_ != FileFormat::kFelt || options.salvage ||
-      drawing.error().code != ErrorCode::kInvalidData) {
-    return drawing;
+  return bytes;
+}
+
+Result<OpenedDrawing> Input::read_drawing(const ReadOptions& options) const {
+  try {
+    const Result<std::string> bytes =
+        read_all(format_ == FileFormat::kFelt ? kMaxFeltBytes : kMaxDrawingBytes);
+    if (!bytes) return tl::unexpected(bytes.error());
+    Result<OpenedDrawing> drawing = parse_drawing(*bytes, name_, options);
+    if (drawing || format_ != FileFormat::kFelt || options.salvage ||
+        drawing.error().code != ErrorCode::kInvalidData) {
+      return drawing;
+    }
+    return fail(drawing.error().code,
+                drawing.error().message + "; `feltline convert --salvage` takes what can be had");
+  } catch (const std::bad_alloc&) {
+    return fail(ErrorCode::kLimitExceeded, "not enough memory to read it");
   }
-  return fail(drawing.error().code,
-              drawing.error().message + "; `feltline convert --salvage` takes what can be had");
 }
 
 Input::Input(Input&& other) noexcept

@@ -9,13 +9,16 @@
 
 namespace felt::cli {
 
-/// An input given on the command line: a file, or stdin as "-". Closes what it opened. Its first
-/// bytes are read at once and say what it is; the rest comes as it is asked for, once.
+/// An input given on the command line: a file, a pipe, or stdin as "-". Closes what it opened. Its
+/// first bytes are read at once and say what it is; the rest comes as it is asked for, once.
 class Input {
  public:
   /// Error: missing, not readable, a folder, or of a format that is not read. The message is the
   /// reason alone.
   static Result<Input> open(const std::string& path);
+  /// The same for a name out of a file, an import of a script. Error also if it is not a regular
+  /// file: a pipe would be waited for.
+  static Result<Input> open_regular(const std::string& path);
   Input(Input&& other) noexcept;
   ~Input();
 
@@ -35,6 +38,8 @@ class Input {
 
  private:
   Input(std::string name, int fd) noexcept : name_(std::move(name)), fd_(fd) {}
+  static Result<Input> begin(const std::string& path, int fd, bool regular_only);
+  [[nodiscard]] Result<std::string> read_all(std::size_t most) const;
   Result<void> read_head();
   Result<void> find_kind(const std::string& path);
 

@@ -1,12 +1,11 @@
 #include "live_loop.h"
 
-#include <fmt/core.h>
-
 #include <optional>
 #include <utility>
 
 #include "felt/driver/page_fit.h"
 #include "felt/rt/abandon.h"
+#include "print.h"
 #include "question.h"
 
 namespace felt::cli {
@@ -22,7 +21,7 @@ PlaneCalibration plane_of(const std::optional<PlaneCalibration>& shown, const Re
 
 Result<void> bring_home(DriverDevice& device, bool asks) {
   if (device.homing() == Homing::kNone) return {};
-  fmt::print(stderr, "{}\n", device.homing_words());
+  say("{}\n", device.homing_words());
   if (asks && !ask("Ready?")) {
     return fail(ErrorCode::kUnsupported, device.descriptor().id +
                                              ": it must find its home first, and nobody agreed "

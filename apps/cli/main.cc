@@ -3,12 +3,18 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <charconv>
 #include <csignal>
-#include <cstdio>
+#include <cstdint>
+#include <exception>
+#include <iostream>
 #include <new>
 
 #include "commands.h"
+#include "felt/base/printable.h"
+#include "felt/base/standard_streams.h"
+#include "print.h"
 
 namespace felt::cli {
 namespace {
@@ -58,16 +64,29 @@ void check_command_name(const CLI::App& app, int argc, char** argv) {
   throw UsageError(fmt::format("there is no command '{}'", argv[1]));
 }
 
+/// Its lines, each safe for a terminal: what was typed or came out of a file is in them.
+std::string usage_text(const CLI::Error& error) {
+  std::string text;
+  for (std::string_view rest = error.what();;) {
+    const std::size_t end = std::min(rest.find('\n'), rest.size());
+    text += printable(rest.substr(0, end));
+    if (end == rest.size()) return text;
+    text += '\n';
+    rest.remove_prefix(end + 1);
+  }
+}
+
 int report_usage(const CLI::App& app, const CLI::Error& error) {
   const std::vector<CLI::App*> commands = app.get_subcommands();
   const std::string name = commands.empty() ? "" : " " + commands.front()->get_name();
-  fmt::print(stderr, "feltline: {}\nTry 'feltline{} --help'.\n", error.what(), name);
+  say("feltline: {}\nTry 'feltline{} --help'.\n", usage_text(error), name);
   return 2;
 }
 
 int run(int argc, char** argv) {
   // A reader that has seen enough ends us without a word, also when our parent ignores SIGPIPE.
   std::signal(SIGPIPE, SIG_DFL);
+  std::signal(SIGXFSZ, SIG_IGN);  // a file at `ulimit -f` is an error with a name, not our end
   Console console;
   CLI::App app(kDescription, "feltline");
   try {
@@ -75,14 +94,18 @@ int run(int argc, char** argv) {
     check_command_name(app, argc, argv);
     app.parse(argc, argv);
   } catch (const CLI::Success& help) {
-    return app.exit(help);
+    const int code = app.exit(help);
+    return std::cout.flush() && stdout_is_whole() ? code : 1;
   } catch (const CLI::Error& error) {
     console.end_progress();
-    return report_usage(app, error);
+    if (error.get_exit_code() != 1) return report_usage(app, error);
+    console.error(error.what());
   } catch (const std::bad_alloc&) {
     console.error("not enough memory");
+  } catch (const std::exception& error) {
+    console.error(error.what());
   }
-  if (std::fflush(stdout) != 0) console.error("stdout: cannot write");
+  if (!stdout_is_whole()) console.error("stdout: cannot write");
   return console.failed() ? 1 : 0;
 }
 
@@ -100,6 +123,22 @@ CLI::Validator number_between(double low, double high) {
   return CLI::Validator(check, range);
 }
 
+CLI::Validator not_empty() {
+  return CLI::Validator(
+      [](const std::string& text) -> std::string { return text.empty() ? "it is empty" : ""; },
+      "TEXT");
+}
+
+CLI::Validator whole_number() {
+  const auto check = [](const std::string& text) -> std::string {
+    std::uint64_t number = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+    const bool fine = error == std::errc() && end == text.data() + text.size();
+    return fine ? "" : "'" + text + "' is not a whole number from 0 to 2^64 - 1";
+  };
+  return CLI::Validator(check, "NUMBER");
+}
+
 std::string examples(const std::string& lines) {
   std::string text = "Examples:\n  ";
   for (const char c : lines) text += c == '\n' ? std::string("\n  ") : std::string(1, c);
@@ -109,5 +148,6 @@ std::string examples(const std::string& lines) {
 }  // namespace felt::cli
 
 int main(int argc, char** argv) {
+  felt::open_standard_streams();
   return felt::cli::run(argc, argv);
 }

@@ -8,6 +8,7 @@
 #include "felt/material/material_fields.h"
 #include "json_text.h"
 #include "own_materials.h"
+#include "print.h"
 #include "text_table.h"
 
 namespace felt::cli {
@@ -65,7 +66,7 @@ void print_table(const MaterialLibrary& library) {
                    std::visit([](const auto& one) { return figures_of(one); }, row.material),
                    row.path.empty() ? kBuiltIn : row.path});
   }
-  fmt::print("{}", table.text(TextStyle::of_stdout()));
+  print("{}", table.text(TextStyle::of_stdout()));
 }
 
 template <class Material, class Field>
@@ -118,7 +119,7 @@ std::string row_json(const Row& row) {
 void list(bool as_json, Console& console) {
   const MaterialLibrary& library = known_materials(console);
   if (!as_json) return print_table(library);
-  for (const Row& row : rows_of(library)) fmt::print("{}", row_json(row));
+  for (const Row& row : rows_of(library)) print("{}", row_json(row));
 }
 
 /// By id, those that draw or are drawn on. Error: none; lists them.
@@ -133,16 +134,17 @@ Result<AnyMaterial> find_any(const std::string& id, Console& console) {
 
 void show(const std::string& id, Console& console) {
   for (const BuiltInText& built_in : built_in_texts()) {
-    if (built_in.id == id) return fmt::print("{}", built_in.text);
+    if (built_in.id == id) return print("{}", built_in.text);
   }
   const Result<AnyMaterial> material = find_any(id, console);
   if (!material) return console.error(material.error().message);
-  fmt::print("{}", write_material(*material));
+  print("{}", write_material(*material));
 }
 
 void check(const std::vector<std::string>& files, Console& console) {
   for (const std::string& file : files) {
-    const Result<std::string> text = read_file(file, kMaxMaterialBytes);
+    const Result<std::string> text = file == "-" ? read_file(file, kMaxMaterialBytes)
+                                                 : read_regular_file(file, kMaxMaterialBytes);
     if (!text) {
       console.error(text.error().message);
       continue;
@@ -155,7 +157,7 @@ void check(const std::vector<std::string>& files, Console& console) {
     const std::string taken = own_id_error(id_of(*material));
     const std::string note =
         taken.empty() ? "" : " (to read, but not as one of your own: " + taken + ")";
-    fmt::print("{}: {} {}{}\n", source.name, kind_of(*material), id_of(*material), note);
+    print("{}: {} {}{}\n", source.name, kind_of(*material), id_of(*material), note);
   }
 }
 
@@ -175,7 +177,7 @@ void make_new(const NewArguments& args, Console& console) {
         one.label = label_of_id(args.id);
       },
       *material);
-  if (!args.save) return fmt::print("{}", write_material(*material));
+  if (!args.save) return print("{}", write_material(*material));
   for (const MaterialEntry& own : known_materials(console).own) {
     if (id_of(own.material) == args.id) {
       return console.error(own.path + " is " + args.id + " already; it stays as it is");
@@ -183,7 +185,7 @@ void make_new(const NewArguments& args, Console& console) {
   }
   const Result<std::string> path = save_material(material_folders().front(), *material);
   if (!path) return console.error(path.error().message);
-  fmt::print("{}\n", *path);
+  print("{}\n", *path);
 }
 
 void add_show(CLI::App& materials, Console& console) {

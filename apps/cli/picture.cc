@@ -77,6 +77,7 @@ void PictureArguments::add_to(CLI::App& command) {
               "\n(smooth), one of your own, or a grey NAME.png: white is high, as wide as it says\n"
               "or 40 mm; without it, ink is solid. Ink pen and felt-tip, which are wet, show "
               "none")
+      ->check(not_empty())
       ->group("Pictures (.svg, .pdf, .png)");
 }
 
@@ -173,11 +174,15 @@ Result<void> parse_surface(const std::string& text, PictureOptions& options) {
     return {};
   }
   const Result<HeightPicture> picture = read_height_png(text);
-  if (!picture) return tl::unexpected(with_context(picture.error(), "--surface"));
+  if (!picture) {
+    return fail(ErrorCode::kInvalidData, "--surface: " + picture.error().message);
+  }
   HeightPictureSpec spec;
   if (picture->width_mm >= 5.0 && picture->width_mm <= 500.0) spec.tile_mm = picture->width_mm;
   Result<HeightField> field = height_field_of(*picture, spec);
-  if (!field) return tl::unexpected(with_context(field.error(), "--surface: " + text));
+  if (!field) {
+    return fail(ErrorCode::kInvalidData, "--surface: " + text + ": " + field.error().message);
+  }
   options.own_relief = std::make_shared<const HeightField>(*std::move(field));
   options.relief = options.own_relief.get();
   options.grain = Grain(options.relief, options.materials);

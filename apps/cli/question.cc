@@ -1,9 +1,10 @@
 #include "question.h"
 
-#include <fmt/core.h>
 #include <unistd.h>
 
 #include <cstdio>
+
+#include "print.h"
 
 namespace felt::cli {
 
@@ -13,7 +14,7 @@ bool somebody_is_there() {
 
 bool ask(const std::string& question) {
   if (!somebody_is_there()) return false;
-  fmt::print(stderr, "{} [y/N] ", question);
+  say("{} [y/N] ", question);
   std::fflush(stderr);
   std::string answer;
   for (char c = 0; read(STDIN_FILENO, &c, 1) == 1 && c != '\n' && answer.size() < 16;) answer += c;

@@ -12,9 +12,11 @@
 #include "felt/session/recorder.h"
 #include "felt/tools/tool.h"
 #include "forces_csv.h"
+#include "given_files.h"
 #include "interrupt.h"
 #include "option_text.h"
 #include "own_materials.h"
+#include "print.h"
 #include "question.h"
 #include "record_copy.h"
 #include "record_run.h"
@@ -126,7 +128,7 @@ Result<void> write_outputs(RecordOutputs& outputs, Recorder& recorder, const Ses
 
 bool agrees_to_forces(const RecordArguments& args) {
   if (args.yes) return true;
-  fmt::print(stderr, "{}\n", kConsent);
+  say("{}\n", kConsent);
   return ask("Do you agree?");
 }
 
@@ -139,6 +141,8 @@ bool agrees_to_forces(const RecordArguments& args) {
 }
 
 void run_record(const RecordArguments& args, Console& console) {
+  check_given_files({}, {{"-o", args.output}, {"--events", args.events}, {"--forces", args.forces}},
+                    console);
   const Result<std::optional<Rect>> page = parse_page(args.page);
   if (!page || !*page) throw UsageError("--page: '" + args.page + "' is no size of a page");
   const std::vector<std::unique_ptr<Driver>> drivers = make_drivers();
@@ -223,7 +227,9 @@ void add_record_command(CLI::App& app, Console& console) {
       "While it draws: Enter switches forces off and on, Ctrl-C ends and saves. When the device\n"
       "is lost, the ink so far is kept, and drawing goes on when it is connected again, without\n"
       "forces until Enter allows them again. Every few seconds a copy goes into\n"
-      "OUTPUT.unsaved-NUMBER.ndjson; only a crash leaves it there.\n" +
+      "OUTPUT.unsaved-NUMBER.ndjson, the stroke in progress included; only a crash leaves it "
+      "there,\n"
+      "and 'feltline recover' finds it.\n" +
       examples(kRecordExamples));
   command->callback([args, &console] { run_record(*args, console); });
 }

@@ -3,18 +3,27 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cerrno>
+#include <charconv>
+#include <csignal>
 #include <filesystem>
+#include <optional>
+#include <span>
+#include <string_view>
 #include <system_error>
 #include <utility>
+#include <variant>
 
 #include "felt/base/atomic_file.h"
 #include "felt/io/ndjson_writer.h"
+#include "felt/tools/overlay.h"
 
 namespace felt::cli {
 namespace {
 
-/// Telling the strokes takes a share of our time that a hand does not feel.
+/// Writing the strokes as text takes at most this share of the time.
 constexpr int kMostShare = 50;
+constexpr std::string_view kMark = ".unsaved-", kEnding = ".ndjson";
 
 std::string path_for(const std::string& output) {
   std::error_code none;
@@ -22,7 +31,58 @@ std::string path_for(const std::string& output) {
   const bool is_file = output != "-" && (!std::filesystem::exists(status) ||
                                          std::filesystem::is_regular_file(status));
   const std::string name = std::filesystem::temp_directory_path(none).string() + "/feltline-record";
-  return (is_file ? output : name) + ".unsaved-" + std::to_string(getpid()) + ".ndjson";
+  return (is_file ? output : name) + std::string(kMark) + std::to_string(getpid()) +
+         std::string(kEnding);
+}
+
+/// A stroke of the segments of wet ink that follow each other. Short ones become part of the next.
+StrokeData wet_stroke(std::span<const Overlay::InkSegment> ink) {
+  StrokeData data;
+  for (const Overlay::InkSegment& segment : ink) {
+    const Cubic& c = segment.curve;
+    if (data.points.empty()) {
+      data.points.push_back(c.p[0]);
+      data.widths.push_back({0.0, segment.start_width_mm, segment.start_tone});
+    }
+    const bool is_short = distance(data.points.back(), c.p[3]) < 2.0 * kMinSegmentMm;
+    if (is_short && &segment != &ink.back()) continue;
+    if (data.points.size() > 1) data.joints.push_back(JointKind::kCorner);
+    data.points.insert(data.points.end(), {c.p[1], c.p[2], c.p[3]});
+    data.widths.push_back(
+        {static_cast<double>(data.widths.size()), segment.end_width_mm, segment.end_tone});
+  }
+  for (WidthKnot& knot : data.widths) knot.width_mm = std::max(knot.width_mm, kMinWidthMm);
+  return data;
+}
+
+/// Adds the stroke that the pen is drawing, if there is one.
+void append_stroke_in_progress(std::string& text, const Session& session) {
+  Overlay overlay;
+  session.draw(overlay);
+  if (overlay.ink.empty()) return;
+  StrokeData data = wet_stroke(overlay.ink);
+  data.color = overlay.ink_color;
+  const Result<OptionValue> medium = session.option("pencil.material");
+  if (const auto* id = medium ? std::get_if<std::string>(&*medium) : nullptr) data.material = *id;
+  // The end of the line may be too short yet for a segment.
+  if (!check_invariants(data) && data.joints.size() > 0) {
+    data.points.resize(data.points.size() - 3);
+    data.joints.pop_back();
+    data.widths.pop_back();
+  }
+  if (check_invariants(data)) append_sketch_line(text, "unfinished", data);
+}
+
+/// The number of the process that wrote a copy of this name; none: it is another file.
+std::optional<pid_t> writer_of(std::string_view name) {
+  const std::size_t mark = name.rfind(kMark);
+  if (mark == std::string_view::npos || !name.ends_with(kEnding)) return std::nullopt;
+  const char* const first = name.data() + mark + kMark.size();
+  const char* const last = name.data() + name.size() - kEnding.size();
+  pid_t number = 0;
+  const auto [end, error] = std::from_chars(first, last, number);
+  if (error != std::errc() || end != last || number <= 0) return std::nullopt;
+  return number;
 }
 
 }  // namespace
@@ -32,15 +92,17 @@ RecordCopy::RecordCopy(const std::string& output, Clock::duration every)
 
 void RecordCopy::keep(const Session& session) {
   const Clock::time_point now = Clock::now();
-  if (!is_changed_ || now < next_) return;
+  const bool is_drawing = session.gesture_in_work();
+  if ((!is_changed_ && !is_drawing) || now < next_) return;
   if (writing_.valid() && writing_.wait_for(std::chrono::seconds(0)) != std::future_status::ready) {
     return;
   }
-  is_changed_ = false;
+  is_changed_ = is_drawing;  // what comes of the stroke in progress replaces it
   std::string text;
   for (const SketchStroke& stroke : session.sketch()) {
     append_sketch_line(text, stroke.id, stroke.stroke.data());
   }
+  append_stroke_in_progress(text, session);
   next_ = now + std::max(every_, kMostShare * (Clock::now() - now));
   try {
     writing_ = std::async(std::launch::async, [path = path_, text = std::move(text)] {
@@ -51,10 +113,30 @@ void RecordCopy::keep(const Session& session) {
   }
 }
 
-void RecordCopy::remove() {
+void RecordCopy::wait() {
   if (writing_.valid()) writing_.wait();
+}
+
+void RecordCopy::remove() {
+  wait();
   std::error_code none;
   std::filesystem::remove(path_, none);
+}
+
+std::vector<std::string> find_record_copies(const std::vector<std::string>& folders) {
+  std::vector<std::string> copies;
+  for (const std::string& folder : folders) {
+    std::error_code error;
+    for (std::filesystem::directory_iterator at(folder, error), end; !error && at != end;
+         at.increment(error)) {
+      const std::optional<pid_t> writer = writer_of(at->path().filename().string());
+      const bool lives = writer && (::kill(*writer, 0) == 0 || errno != ESRCH);
+      std::error_code none;
+      if (writer && !lives && at->is_regular_file(none)) copies.push_back(at->path().string());
+    }
+  }
+  std::sort(copies.begin(), copies.end());
+  return copies;
 }
 
 }  // namespace felt::cli

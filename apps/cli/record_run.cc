@@ -8,6 +8,7 @@
 #include <thread>
 #include <utility>
 
+#include "print.h"
 #include "question.h"
 
 namespace felt::cli {
@@ -225,7 +226,7 @@ void RecordRun::listen_to_keys() {
   if (!has_agreed_) {
     // Not a notice: --quiet does not hide what somebody agrees to.
     console_.end_progress();
-    fmt::print(stderr, "{}\nEnter again: you agree to forces.\n", options_.consent);
+    say("{}\nEnter again: you agree to forces.\n", options_.consent);
     has_agreed_ = true;
     return;
   }

@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <atomic>
@@ -14,6 +15,8 @@
 #include <thread>
 #include <utility>
 
+#include "felt/document/visible_strokes.h"
+#include "felt/formats/drawing_reader.h"
 #include "felt/tools/tool.h"
 #include "felt/validate/driver_subject.h"
 #include "record_copy.h"
@@ -347,6 +350,63 @@ TEST(RecordRunTest, ACopyOfTheDrawingIsThereWhileItIsMade) {
   copy.remove();
   EXPECT_FALSE(std::filesystem::exists(copy.path()));
   EXPECT_TRUE(RecordCopy("-").path().starts_with(std::filesystem::temp_directory_path().string()));
+}
+
+/// A pen that is moved along a circle; no force, pressure says that it touches.
+void draw_arc(Session& session, int from, int to) {
+  for (int i = from; i < to; ++i) {
+    PenSample sample;
+    sample.time_ns = 1'000'000 * (i + 1);
+    const double angle = 0.002 * i;
+    sample.position = {40.0 * std::cos(angle), 40.0 * std::sin(angle), i < 5 ? 2.0 : -0.5};
+    sample.pressure = i < 5 ? 0.0 : 0.5;
+    ASSERT_TRUE(session.sample(sample));
+  }
+}
+
+/// What a copy holds, read as the program reads it.
+Sketch read_copy(RecordCopy& copy, const Session& session) {
+  copy.keep(session);
+  copy.wait();
+  Result<OpenedDrawing> opened = read_drawing(copy.path());
+  return opened ? visible_strokes(opened->drawing.document) : Sketch();
+}
+
+TEST(RecordCopyTest, HasTheStrokeInProgress) {
+  const std::string path = scratch_path("in_progress");
+  RecordCopy copy(path, std::chrono::seconds(0));
+  Session session(make_tools(), {});
+  draw_arc(session, 0, 2000);
+  ASSERT_EQ(session.document().stroke_count(), 0U);
+  const Sketch one = read_copy(copy, session);
+  ASSERT_EQ(one.size(), 1U);
+  draw_arc(session, 2000, 4000);  // more of the same stroke, and no edit
+  const Sketch more = read_copy(copy, session);
+  ASSERT_EQ(more.size(), 1U);
+  const auto length_mm = [](const Stroke& stroke) {
+    double length = 0.0;
+    for (int i = 0; i < stroke.segment_count(); ++i) length += control_length(stroke.segment(i));
+    return length;
+  };
+  EXPECT_NEAR(length_mm(one[0].stroke), 40.0 * 0.002 * 2000, 3.0);
+  EXPECT_NEAR(length_mm(more[0].stroke), 40.0 * 0.002 * 4000, 3.0);
+  ASSERT_TRUE(session.finish());
+  copy.note_edit();
+  EXPECT_EQ(read_copy(copy, session).size(), session.document().stroke_count());
+  copy.remove();
+}
+
+TEST(RecordCopyTest, CopiesOfDeadProcessesAreFound) {
+  const std::string folder = scratch_path("copies");
+  std::filesystem::create_directories(folder);
+  const std::string dead = folder + "/a.felt.unsaved-999999999.ndjson";
+  for (const std::string& name :
+       {dead, folder + "/b.felt.unsaved-" + std::to_string(getpid()) + ".ndjson",
+        folder + "/c.felt.unsaved-x.ndjson", folder + "/d.ndjson"}) {
+    std::ofstream(name) << "{}\n";
+  }
+  EXPECT_EQ(find_record_copies({folder, folder + "/none"}), std::vector<std::string>{dead});
+  std::filesystem::remove_all(folder);
 }
 
 TEST(LiveLoopTest, LimitsCountThePlanesScaleAndThePersonsWishes) {

@@ -1,4 +1,5 @@
 #include <fmt/core.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <ctime>
@@ -9,8 +10,11 @@
 #include <vector>
 
 #include "commands.h"
+#include "felt/base/printable.h"
 #include "felt/store/folder_lock.h"
 #include "felt/store/recovery.h"
+#include "print.h"
+#include "record_copy.h"
 
 namespace felt::cli {
 namespace {
@@ -42,11 +46,11 @@ std::string stem_of(const RecoveredDrawing& recovered) {
 
 std::string described(const RecoveredDrawing& recovered) {
   const std::size_t count = recovered.drawing.document.stroke_count();
-  return fmt::format("{}: {}, {} line{}{}, {}",
-                     recovered.name.empty() ? "Untitled" : recovered.name,
-                     time_text(recovered.changed_at_s), count, count == 1 ? "" : "s",
-                     recovered.has_changes ? "" : ", all of it saved",
-                     recovered.path.empty() ? "never saved" : "saved as " + recovered.path);
+  return fmt::format(
+      "{}: {}, {} line{}{}, {}", recovered.name.empty() ? "Untitled" : printable(recovered.name),
+      time_text(recovered.changed_at_s), count, count == 1 ? "" : "s",
+      recovered.has_changes ? "" : ", all of it saved",
+      recovered.path.empty() ? "never saved" : "saved as " + printable(recovered.path));
 }
 
 /// Under a name that nothing has yet. Returns it.
@@ -60,7 +64,35 @@ Result<std::string> write_new(const std::string& folder, const RecoveredDrawing&
   return fail(ErrorCode::kIo, stem + ").felt: there are too many of this name");
 }
 
+/// Lists what `feltline record` left, which convert reads as it is. Returns how many there are.
+int list_record_copies(const RecoverArguments& args) {
+  std::error_code none;
+  const std::vector<std::string> copies = find_record_copies(
+      args.from.empty() ? std::vector<std::string>{".", fs::temp_directory_path(none).string()}
+                        : args.from);
+  for (const std::string& copy : copies) {
+    struct stat info {};
+    if (::stat(copy.c_str(), &info) != 0) continue;
+    print("{}: {}, copy of a recording\n  feltline convert '{}' -o recovered.felt\n",
+          printable(copy), time_text(info.st_mtime), printable(copy));
+  }
+  return static_cast<int>(copies.size());
+}
+
+/// A folder that is not there is a mistyped name, not one without drawings.
+bool check_folders(const RecoverArguments& args, Console& console) {
+  for (const std::string& folder : args.from) {
+    std::error_code error;
+    const fs::file_status status = fs::status(folder, error);
+    if (fs::is_directory(status)) continue;
+    console.error("--from " + folder + ": " +
+                  (fs::exists(status) ? "is not a folder" : "there is no such folder"));
+  }
+  return !console.failed();
+}
+
 void recover(const RecoverArguments& args, Console& console) {
+  if (!check_folders(args, console)) return;
   const std::vector<AbandonedStore> stores =
       find_abandoned(args.from.empty() ? working_roots() : args.from);
   if (!args.list) {
@@ -80,19 +112,21 @@ void recover(const RecoverArguments& args, Console& console) {
     }
     if (!recovered->has_changes && recovered->drawing.document.stroke_count() == 0) continue;
     ++found;
-    fmt::print("{}\n", described(*recovered));
+    print("{}\n", described(*recovered));
     if (args.list) continue;
     const Result<std::string> path = write_new(args.folder, *recovered);
     if (!path) {
       console.error(path.error().message);
     } else {
-      fmt::print("  -> {}\n", *path);
+      print("  -> {}\n", printable(*path));
     }
   }
+  const int copies = list_record_copies(args);
+  if (found == 0 && copies > 0) return;
   if (found == 0) {
-    fmt::print("Nothing to recover: no drawing was left behind.\n");
+    print("Nothing to recover: no drawing was left behind.\n");
   } else if (args.list) {
-    fmt::print("To bring them back: feltline recover -o FOLDER\n");
+    print("To bring them back: feltline recover -o FOLDER\n");
   }
 }
 
@@ -111,8 +145,12 @@ void add_recover_command(CLI::App& app, Console& console) {
       examples("feltline recover --list\n"
                "feltline recover -o rescued\n"
                "feltline recover --from /media/old/home/me/.local/state/feltline/working -o .") +
-      "\n\nNothing is deleted and no file is written over: feltline-desktop goes on offering what\n"
-      "was not saved, until it is saved there or discarded.");
+      "\n\nA crash of 'feltline record' leaves OUTPUT.unsaved-NUMBER.ndjson beside its output; "
+      "those\n"
+      "in the current folder, in the one for temporary files and in --from are listed.\n"
+      "Nothing is deleted and no file is overwritten: feltline-desktop goes on offering what was "
+      "not\n"
+      "saved, until it is saved there or discarded.");
   command->callback([args, &console] {
     if (!args->list && args->folder.empty()) args->list = true;
     recover(*args, console);

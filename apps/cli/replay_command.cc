@@ -15,9 +15,11 @@
 #include "felt/stroke/color_text.h"
 #include "force_plot.h"
 #include "forces_csv.h"
+#include "given_files.h"
 #include "overlay_picture.h"
 #include "own_materials.h"
 #include "picture.h"
+#include "print.h"
 #include "recording.h"
 #include "replay_arguments.h"
 #include "replay_drawing.h"
@@ -81,6 +83,7 @@ void add_options(CLI::App& command, ReplayCommandArguments& args) {
   args.pen.add_pen_to(command);
   args.pen.add_loop_to(command);
   command.add_option("--seed", args.seed, "Number of a tremor for raw strokes; 0 = none")
+      ->check(whole_number())
       ->capture_default_str();
   command.add_option("--sheet,--material", args.sheet,
                      "What is drawn on:\n" + surface_names() +
@@ -133,6 +136,18 @@ void check_recording(const ReplayCommandArguments& args) {
   }
 }
 
+/// No file is both read and written, or written twice.
+void check_files(const ReplayCommandArguments& args, Console& console) {
+  std::vector<std::string> inputs = args.scripts;
+  if (!args.on.empty()) inputs.push_back(args.on);
+  check_given_files(inputs,
+                    {{"-o", args.output},
+                     {"--forces", args.forces},
+                     {"--plot", args.plot},
+                     {"--sound", args.sound}},
+                    console);
+}
+
 void check_outputs(const ReplayCommandArguments& args) {
   if (args.overlay && args.output.empty()) throw UsageError("--overlay needs -o OUT.png");
   if (args.output.empty() && args.forces.empty() && args.plot.empty() && args.sound.empty() &&
@@ -153,7 +168,7 @@ void check_outputs(const ReplayCommandArguments& args) {
 PictureOptions picture_of(const ReplayCommandArguments& args, const Materials& known,
                           Console& console) {
   Result<PictureOptions> picture = args.picture.parse(console);
-  if (!picture) throw UsageError(picture.error().message);
+  if (!picture) throw UsageError(picture.error());
   const SurfaceMaterial* sheet = args.sheet.empty() ? nullptr : known.find_surface(args.sheet);
   if (sheet && !picture->paper) picture->paper = usual_color(sheet->color_rgb);
   return *std::move(picture);
@@ -415,6 +430,7 @@ void run_as_recorded(const ReplayCommandArguments& args, Console& console) {
 
 void run_replay(const ReplayCommandArguments& args, Console& console) {
   check_outputs(args);
+  check_files(args, console);
   const auto begin = std::chrono::steady_clock::now();
   Result<OpenedDrawing> start = start_of(args);
   if (!start) return console.error(start.error().message);
@@ -436,7 +452,7 @@ void run_replay(const ReplayCommandArguments& args, Console& console) {
   if (args.stats.empty()) return;
   ReplayStats stats = machine.take_stats();
   stats.wall_s = wall.count();
-  fmt::print("{}", stats_json(stats));
+  print("{}", stats_json(stats));
 }
 
 }  // namespace
@@ -450,6 +466,7 @@ void add_replay_command(CLI::App& app, Console& console) {
   command->callback([args, command, &console] {
     if (args->as_recorded) {
       check_as_recorded(*args, *command);
+      check_files(*args, console);
       return run_as_recorded(*args, console);
     }
     run_replay(*args, console);

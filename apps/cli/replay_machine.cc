@@ -273,7 +273,7 @@ Result<OpenedDrawing> read_start(const std::string& path) {
 }
 
 Result<Sketch> read_sketch(const std::string& path) {
-  const Result<Input> input = Input::open(path);
+  const Result<Input> input = Input::open_regular(path);
   if (!input) return fail(input.error().code, input_name(path) + ": " + input.error().message);
   if (input->is_lines()) return read_lines(*input);
   return read_whole(*input).map(

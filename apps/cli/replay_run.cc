@@ -29,6 +29,7 @@ FeedSink ReplayRun::sink() {
 }
 
 Result<void> ReplayRun::script(const std::string& name, const std::string& folder, ReadBytes read) {
+  name_ = name;
   folder_ = folder;
   return feed_.read(name, [this, read = std::move(read)](std::span<char> into) {
     Result<std::size_t> count = read(into);
@@ -63,7 +64,9 @@ Result<void> ReplayRun::file(const std::string& path) {
 
 Result<void> ReplayRun::play() {
   if (Result<void> rested = feed_.rest(); !rested) return rested;
-  if (Result<void> played = machine_.play(); !played) return played;
+  if (Result<void> played = machine_.play(); !played) {
+    return tl::unexpected(with_context(played.error(), name_));
+  }
   feed_.begin_play(machine_.next_ns());
   played_bytes_ = taken_bytes_;
   return {};

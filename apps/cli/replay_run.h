@@ -32,6 +32,7 @@ class ReplayRun {
 
   ReplayMachine& machine_;
   ScriptFeed feed_;
+  std::string name_;  // of the script that was read last
   std::string folder_;
   double expected_bytes_ = 0.0;  // of all files
   double taken_bytes_ = 0.0;     // so far

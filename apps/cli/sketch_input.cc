@@ -37,12 +37,13 @@ bool for_each_piece(const Input& input, Format format, Console& console,
       const Result<void> added = add_line(strokes, line, ++records, format, piece);
       mended += added && strokes.was_mended() ? 1 : 0;
       if (added) continue;
-      console.error(fmt::format("{}:{}: {}", input.name(), line.number(), added.error().message));
+      console.record_error(input.name(), line.number(), added.error().message);
     }
     if (!piece.text.empty() && !take(piece)) return false;
     console.progress("reading", reader.bytes_read(), input.size_bytes(), records);
   }
   console.end_progress();
+  console.end_records();
   if (mended > 0) {
     console.notice(
         fmt::format("{}: {} of {} lines: {}", input.name(), mended, records, kMendedNotice));

@@ -73,8 +73,8 @@ class WholeOutput final : public SketchOutput {
  public:
   using ToBytes = std::function<Result<std::string>(const Sketch&)>;
 
-  WholeOutput(Output output, ToBytes to_bytes)
-      : output_(std::move(output)), to_bytes_(std::move(to_bytes)) {}
+  WholeOutput(Output output, Format format, ToBytes to_bytes)
+      : output_(std::move(output)), format_(format), to_bytes_(std::move(to_bytes)) {}
 
   Result<void> append(const SketchPiece& piece) override { return spool_.add_lines(piece.text); }
 
@@ -87,12 +87,12 @@ class WholeOutput final : public SketchOutput {
     if (!read) return read;
     const Result<std::string> bytes = to_bytes_(sketch);
     if (!bytes) return tl::unexpected(bytes.error());
-    if (Result<void> written = output_.write(*bytes); !written) return written;
-    return output_.commit();
+    return format_ == Format::kFelt ? output_.save(*bytes) : output_.write_all(*bytes);
   }
 
  private:
   Output output_;
+  Format format_;
   ToBytes to_bytes_;
   SketchSpool spool_;
 };
@@ -151,6 +151,8 @@ Result<void> encode(const SketchStroke& stroke, std::int64_t number, Format form
     const Result<void> done = append_svg_stroke(
         piece.text, stroke, static_cast<std::size_t>(number), SvgOptions{}.tolerance_mm);
     if (!done) return done;
+  } else if (Result<void> fits = check_sketch_numbers(stroke.stroke.data()); !fits) {
+    return fits;
   } else {
     append_sketch_line(piece.text, stroke.id, stroke.stroke.data());
   }
@@ -169,9 +171,10 @@ Result<std::unique_ptr<SketchOutput>> open_sketch_output(const std::string& path
   if (!output) return tl::unexpected(output.error());
   if (format == Format::kPng) return std::make_unique<PngOutput>(*std::move(output), picture);
   if (format == Format::kNdjson) return std::make_unique<NdjsonOutput>(*std::move(output));
-  return std::make_unique<WholeOutput>(*std::move(output), [format, picture](const Sketch& sketch) {
+  const auto to_bytes = [format, picture](const Sketch& sketch) {
     return format == Format::kPdf ? pdf_of(sketch, picture) : bytes_of(sketch, format, picture);
-  });
+  };
+  return std::make_unique<WholeOutput>(*std::move(output), format, to_bytes);
 }
 
 Result<void> write_strokes(const Sketch& sketch, Format format, SketchOutput& output) {

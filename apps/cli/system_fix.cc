@@ -1,6 +1,5 @@
 #include "system_fix.h"
 
-#include <fmt/core.h>
 #include <spawn.h>
 #include <sys/stat.h>
 #include <sys/wait.h>
@@ -16,6 +15,7 @@
 #include <utility>
 
 #include "felt/base/atomic_file.h"
+#include "print.h"
 
 namespace felt::cli {
 namespace {
@@ -80,7 +80,7 @@ std::string shown(const std::vector<std::string>& command) {
 }
 
 Result<void> run(const std::vector<std::string>& command) {
-  fmt::print(stderr, "  {}\n", shown(command));
+  say("  {}\n", shown(command));
   std::vector<char*> words;
   words.reserve(command.size() + 1);
   for (const std::string& word : command) words.push_back(const_cast<char*>(word.c_str()));

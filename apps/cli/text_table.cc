@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "felt/base/check.h"
+#include "felt/base/printable.h"
 
 namespace felt::cli {
 namespace {
@@ -67,6 +68,7 @@ std::string wrapped(const std::string& text, std::size_t width, std::size_t inde
 
 void TextTable::add_row(std::vector<std::string> cells) {
   FELT_CHECK(cells.size() == columns_.size());
+  for (std::string& cell : cells) cell = printable(cell);
   rows_.push_back(std::move(cells));
 }
 

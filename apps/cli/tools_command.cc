@@ -7,6 +7,7 @@
 #include "felt/tools/tool.h"
 #include "json_text.h"
 #include "own_materials.h"
+#include "print.h"
 #include "text_table.h"
 
 namespace felt::cli {
@@ -51,12 +52,12 @@ void print_options(std::string_view owner, std::span<const OptionSpec> options,
                                     allowed_of(option, known)};
   };
   if (is_narrow) {
-    fmt::print("\n");
+    print("\n");
     for (const OptionSpec& option : options) {
       const std::vector<std::string> row = cells(option);
-      fmt::print("{} = {}    {}\n", row[0], row[1], row[2]);
-      fmt::print("{}{}\n", std::string(kHelpIndent, ' '),
-                 wrapped(std::string(option.help), style.width - kHelpIndent, kHelpIndent));
+      print("{} = {}    {}\n", row[0], row[1], row[2]);
+      print("{}{}\n", std::string(kHelpIndent, ' '),
+            wrapped(std::string(option.help), style.width - kHelpIndent, kHelpIndent));
     }
     return;
   }
@@ -66,13 +67,13 @@ void print_options(std::string_view owner, std::span<const OptionSpec> options,
     row.emplace_back(option.help);
     table.add_row(std::move(row));
   }
-  fmt::print("\n{}", table.text(style));
+  print("\n{}", table.text(style));
 }
 
 void print_text(const ToolInfo& tool, const Materials& known, const TextStyle& style) {
   const std::string shortcut = tool.shortcut ? fmt::format("  [{}]", tool.shortcut) : "";
-  fmt::print("{}{}\n{}\n", heading(std::string(tool.id), style), shortcut,
-             wrapped(std::string(tool.help), style.width, 0));
+  print("{}{}\n{}\n", heading(std::string(tool.id), style), shortcut,
+        wrapped(std::string(tool.help), style.width, 0));
   if (!tool.options.empty()) print_options(tool.id, tool.options, known, style);
 }
 
@@ -130,17 +131,17 @@ void print_tools(bool as_json, const Materials& known) {
     std::vector<std::string> objects;
     objects.reserve(tools.size());
     for (const auto& tool : tools) objects.push_back(tool_json(tool->info(), known));
-    fmt::print("{{\"tools\":{},\"sheet\":{}}}\n", json_array(objects),
-               options_json(SheetOptions::table(), known));
+    print("{{\"tools\":{},\"sheet\":{}}}\n", json_array(objects),
+          options_json(SheetOptions::table(), known));
     return;
   }
   const TextStyle style = TextStyle::of_stdout();
   for (const auto& tool : tools) {
-    if (tool != tools.front()) fmt::print("\n");
+    if (tool != tools.front()) print("\n");
     print_text(tool->info(), known, style);
   }
-  fmt::print("\n{}\nWhat is drawn on; sheet.color, \"#rrggbb\", is the colour of new ink.\n",
-             heading("sheet", style));
+  print("\n{}\nWhat is drawn on; sheet.color, \"#rrggbb\", is the colour of new ink.\n",
+        heading("sheet", style));
   print_options("sheet", SheetOptions::table(), known, style);
 }
 

@@ -21,6 +21,7 @@
 #include "desktop/window/start_watch.h"
 #include "desktop/window/theme.h"
 #include "desktop/window/windows.h"
+#include "felt/base/standard_streams.h"
 #include "felt/devices/drivers.h"
 
 namespace {
@@ -137,6 +138,7 @@ int run(const StartOptions& options) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  felt::open_standard_streams();
   set_names();
   if (answer(argc, argv)) return 0;
   const std::span arguments(argv, std::size_t(argc));

@@ -28,9 +28,9 @@ for extension in ndjson svg png; do
   cmp -s old "$output" && fail "$output is still the older file"
 done
 
-# The same file as input and output.
+# The same file as input and output is refused.
 cp sketch.ndjson twice.ndjson
-run 0 "$feltline" convert twice.ndjson -o twice.ndjson
+run 2 "$feltline" convert twice.ndjson -o twice.ndjson
 same twice.ndjson sketch.ndjson
 
 # Through a symbolic link, the file that it points to changes; its permissions stay.

@@ -28,6 +28,59 @@ feed 20 1000000 1 < <(printf '{"points":[[' && digits 10000000 && printf ',1]]}\
 has err "stdin:1: points[0]: x: number of 10000000 characters, at most 64 allowed"
 has out '"id":"good"'
 
+# What never ends, and pipes that nobody writes to, in the place of files.
+mkfifo pipe
+for endless in /dev/zero /dev/urandom; do
+  echo "{\"t_ms\":0,\"event\":\"import\",\"path\":\"$endless\"}" >import.ndjson
+  for command in "convert $endless -o x.felt" "info $endless" "fit $endless -o x.felt" \
+    "replay $endless -o x.felt" "replay good.ndjson --on $endless -o x.felt" \
+    "materials check $endless" "replay import.ndjson -o x.felt"; do
+    echo "$good" >good.ndjson
+    # shellcheck disable=SC2086  # words on purpose
+    run 1 timeout 20 "$feltline" $command
+    lines err 1
+    has err "$endless: not a regular file"
+  done
+done
+echo '{"t_ms":0,"event":"import","path":"pipe"}' >import.ndjson
+for command in "replay import.ndjson -o x.felt" "materials check pipe"; do
+  # shellcheck disable=SC2086  # words on purpose
+  run 1 timeout 20 "$feltline" $command
+  has err "pipe: not a regular file"
+done
+# Pipes that somebody does write to are inputs.
+run 0 timeout 20 "$feltline" fit <(echo "$good") -o -
+run 0 timeout 20 bash -c "cat good.ndjson | '$feltline' fit /dev/stdin -o -"
+"$feltline" fit good.ndjson -o piped.felt
+run 0 timeout 20 "$feltline" replay <(echo "$good") --on <(cat piped.felt) -o x.felt
+rm -f x.felt
+
+# 10,000 layers, which a drawing may have, one event each. Seconds of the processor, not of the clock.
+awk 'BEGIN { for (i = 0; i < 9999; i++) print "{\"t_ms\":" i ",\"event\":\"layer\",\"do\":\"add\"}" }' >layers.ndjson
+if [ -z "${FELT_SANITIZE:-}" ]; then
+  run 0 bash -c "ulimit -t 60; '$feltline' replay layers.ndjson -o layers.felt"
+fi
+
+# A path of more segments than a stroke of a file may have.
+{
+  echo '<svg xmlns="http://www.w3.org/2000/svg"><path fill="none" stroke="red" d="M0 0'
+  awk 'BEGIN { for (i = 1; i <= 1000100; i++) print "L" i % 1000 " " i % 7 * 5 }'
+  echo '"/></svg>'
+} >long.svg
+run 0 "$feltline" convert long.svg -o long.felt
+has err "more than 250000 segments and became several strokes"
+run 0 "$feltline" info long.felt
+rm -f long.*
+
+# A file larger than any drawing is refused by its size, not read first.
+printf 'SQLite format 3\0' >large.felt
+truncate -s 2200M large.felt
+run 1 limit_memory 1000000 "$feltline" info large.felt
+has err "large.felt: is larger than 2147483648 bytes"
+rm large.felt
+run 1 bash -c "ulimit -f 1; '$feltline' fit - -o big.felt" < <(strokes 50)
+has err "cannot write: File too large"
+
 # A nesting bomb.
 feed 20 1000000 1 < <(printf '{"x":' && head -c 10000000 /dev/zero | tr '\0' '[' && printf '\n%s\n' "$good")
 lines err 1

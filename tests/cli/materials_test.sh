@@ -80,7 +80,7 @@ same a.png b.png
 run 0 "$feltline" fit in.ndjson -o b.png --dpi 50 --surface "$XDG_DATA_HOME/feltline/materials/my-paper.toml"
 same a.png b.png
 run 2 "$feltline" fit in.ndjson -o b.png --surface my-chalk
-run 2 "$feltline" fit in.ndjson -o b.png --surface bad.toml
+run 1 "$feltline" fit in.ndjson -o b.png --surface bad.toml
 has err "bad.toml:$wrong: "
 
 # On a sheet of one's choice, too, a medium that the drawing brings looks like itself.

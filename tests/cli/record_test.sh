@@ -74,6 +74,37 @@ wait $pid || fail "ended with $? after Ctrl-backslash: $(cat quit.err)"
 [ -e quit.ndjson ] || fail "nothing saved after Ctrl-backslash"
 for copy in *.unsaved-*; do [ ! -e "$copy" ] || fail "$copy was left"; done
 
+# A terminal that goes away (a window closed, ssh dropped) ends it in order; so do messages that
+# cannot be written anywhere.
+if command -v script >/dev/null; then
+  export TERM=xterm  # one that shows the status line
+  # shellcheck disable=SC2016  # the inner shell's variables
+  SHELL=/bin/sh script -qc "echo \$\$ >pid; exec '$feltline' record --device openhaptics -o hung_up.felt" \
+    /dev/null </dev/zero >screen 2>&1 &
+  terminal=$!
+  soon grep -q "Hz" screen
+  kill -KILL $terminal
+  soon test -e hung_up.felt
+  soon eval '! kill -0 "$(cat pid)" 2>/dev/null'
+fi
+if [ -w /dev/full ]; then
+  code=0
+  "$feltline" record --device openhaptics -o full.felt --seconds 1 --yes 2>/dev/full || code=$?
+  [ "$code" = 0 ] || fail "exit code $code with a full log"
+  run 0 "$feltline" info full.felt
+fi
+
+# A kill leaves the copy, which recover finds and convert reads.
+FAKE_LIBHD_HAND=circles "$feltline" record --device openhaptics -o killed.felt --yes 2>killed.err &
+pid=$!
+soon eval 'compgen -G "killed.felt.unsaved-*" >/dev/null'
+kill -KILL $pid
+wait $pid 2>/dev/null
+run 0 "$feltline" recover --list --from .
+has out "killed.felt.unsaved-$pid.ndjson"
+run 0 "$feltline" convert "killed.felt.unsaved-$pid.ndjson" -o killed.felt
+rm "killed.felt.unsaved-$pid.ndjson"
+
 run 1 "$feltline" record --device nonsense -o x.ndjson
 has err "there is no device 'nonsense'"
 run 2 "$feltline" record -o x.ndjson

@@ -19,8 +19,9 @@ is_empty err
 run 0 "$feltline" info "rescued here/Killed (recovered).felt"
 run 0 "$feltline" recover -o "rescued here"
 same "rescued here/Killed (recovered).felt" "rescued here/Killed (recovered 2).felt"
-run 0 "$feltline" recover --list --from nowhere
-has out "Nothing to recover"
+run 1 "$feltline" recover --list --from nowhere
+has err "--from nowhere: there is no such folder"
+is_empty out
 echo >file
 run 1 "$feltline" recover -o file/below
 has err "file/below"

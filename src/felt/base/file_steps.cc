@@ -216,7 +216,7 @@ void copy_attributes(int from, int to) noexcept {
   if (::fstat(from, &info) != 0 || ::fstat(to, &present) != 0) return;
   if (info.st_gid != present.st_gid) static_cast<void>(::fchown(to, uid_t(-1), info.st_gid) == 0);
   if (info.st_uid != present.st_uid) static_cast<void>(::fchown(to, info.st_uid, gid_t(-1)) == 0);
-  static_cast<void>(::fchmod(to, info.st_mode & 07777));  // after the owner, which clears bits
+  static_cast<void>(::fchmod(to, info.st_mode & 01777));  // no set-uid: other content
   const ssize_t size = ::flistxattr(from, nullptr, 0);
   if (size <= 0) return;
   std::vector<char> names(static_cast<std::size_t>(size));

@@ -18,11 +18,18 @@ tl::unexpected<Error> system_error(const std::string& name, int reason) {
               name + ": cannot read: " + std::strerror(reason));
 }
 
+tl::unexpected<Error> too_large(const std::string& name, std::size_t max_bytes) {
+  return fail(ErrorCode::kLimitExceeded,
+              name + ": is larger than " + std::to_string(max_bytes) + " bytes");
+}
+
 Result<std::string> read_all(int fd, const std::string& name, std::size_t max_bytes) {
   std::string bytes;
   struct stat info {};
   if (::fstat(fd, &info) == 0 && S_ISREG(info.st_mode)) {
-    bytes.reserve(std::min(static_cast<std::size_t>(info.st_size), max_bytes) + 1);
+    if (static_cast<std::uint64_t>(info.st_size) > max_bytes) return too_large(name, max_bytes);
+    // A chunk more than there is: the end is found by reading, which must not double the memory.
+    bytes.reserve(static_cast<std::size_t>(info.st_size) + kChunkBytes);
   }
   for (;;) {
     const std::size_t have = bytes.size();
@@ -33,10 +40,7 @@ Result<std::string> read_all(int fd, const std::string& name, std::size_t max_by
     if (n < 0 && reason == EINTR) continue;
     if (n < 0) return system_error(name, reason);
     if (n == 0) return bytes;
-    if (bytes.size() > max_bytes) {
-      return fail(ErrorCode::kLimitExceeded,
-                  name + ": is larger than " + std::to_string(max_bytes) + " bytes");
-    }
+    if (bytes.size() > max_bytes) return too_large(name, max_bytes);
   }
 }
 
@@ -55,8 +59,7 @@ Result<std::string> read_regular_file(const std::string& path, std::size_t max_b
   // Opening a pipe would wait for its writer already.
   const int fd = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NOCTTY | O_NONBLOCK);
   if (fd < 0) return system_error(path, errno);
-  Result<std::string> bytes =
-      fail(ErrorCode::kUnsupported, path + ": is no file, but a pipe or a device");
+  Result<std::string> bytes = fail(ErrorCode::kUnsupported, path + ": not a regular file");
   struct stat info {};
   // Of a folder the system itself says what it is.
   if (::fstat(fd, &info) == 0 && (S_ISREG(info.st_mode) || S_ISDIR(info.st_mode))) {

@@ -167,9 +167,23 @@ class Document::Plan {
   }
 
   void arrange_layers() {
+    std::vector<Layer>& layers = document_.layers_;
+    const auto is_in_place = [](const Layer& l, LayerId id) { return l.id == id; };
+    if (std::equal(layers.begin(), layers.end(), layer_order_.begin(), layer_order_.end(),
+                   is_in_place)) {
+      return;
+    }
+    // By id first: looking for each among all would make n new layers cost n^3.
+    std::sort(layers.begin(), layers.end(),
+              [](const Layer& a, const Layer& b) { return a.id < b.id; });
     std::vector<Layer> arranged;
-    for (LayerId id : layer_order_) arranged.push_back(std::move(*layer(id)));
-    document_.layers_ = std::move(arranged);
+    arranged.reserve(layer_order_.size());
+    for (const LayerId id : layer_order_) {
+      const auto found = std::lower_bound(layers.begin(), layers.end(), id,
+                                          [](const Layer& l, LayerId x) { return l.id < x; });
+      arranged.push_back(std::move(*found));
+    }
+    layers = std::move(arranged);
   }
 
   void change_stroke(const StrokeChange& c) {

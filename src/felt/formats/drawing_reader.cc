@@ -95,7 +95,7 @@ Result<void> check_kind(const std::string& path, bool files_only) {
   if (path == "-" || ::stat(path.c_str(), &info) != 0) return {};  // open says why
   if (S_ISDIR(info.st_mode)) return fail(ErrorCode::kUnsupported, path + ": is a folder");
   if (S_ISREG(info.st_mode) || !files_only) return {};
-  return fail(ErrorCode::kUnsupported, path + ": is no file, but a pipe or a device");
+  return fail(ErrorCode::kUnsupported, path + ": not a regular file");
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include "felt/formats/layered_drawing.h"
 #include "felt/formats/line_drawing.h"
 #include "felt/io/inkml_writer.h"
+#include "felt/io/ndjson_writer.h"
 #include "felt/io/pdf_writer.h"
 #include "felt/io/png.h"
 #include "felt/io/svg_writer.h"
@@ -60,6 +61,11 @@ Result<std::string> drawing_bytes(const StoredDrawing& drawing, FileFormat forma
     case FileFormat::kFelt:
       return felt_bytes(drawing);
     case FileFormat::kNdjson:
+      for (const SketchStroke& s : visible_strokes(drawing.document)) {
+        if (Result<void> fits = check_sketch_numbers(s.stroke.data()); !fits) {
+          return tl::unexpected(with_context(fits.error(), "stroke " + s.id));
+        }
+      }
       return lines_of(visible_strokes(drawing.document));
     case FileFormat::kSvg:
       return svg_bytes(drawing, options);

@@ -12,6 +12,12 @@ void ImportReport::add(std::int64_t line, std::string element, std::string what)
     ++same->count;
     return;
   }
+  std::string kind = notice_kind(what);
+  if (std::count(kinds_.begin(), kinds_.end(), kind) == kMostOfAKind) {
+    const auto last = std::find(kinds_.rbegin(), kinds_.rend(), kind);
+    ++notices_[static_cast<std::size_t>(kinds_.rend() - last) - 1].count;
+    return;
+  }
   if (notices_.size() == kMostKinds) {
     ++notices_.back().count;
     return;
@@ -24,6 +30,19 @@ void ImportReport::add(std::int64_t line, std::string element, std::string what)
     element += "...";
   }
   notices_.push_back({line, std::move(element), std::move(what), 1});
+  kinds_.push_back(std::move(kind));
+}
+
+std::string notice_kind(std::string_view text) {
+  std::string kind;
+  bool in_quotes = false, in_number = false;
+  for (const char c : text) {
+    const bool is_digit = c >= '0' && c <= '9';
+    in_number = !in_quotes && (is_digit || (in_number && c == '.'));
+    if (!in_quotes && !in_number) kind += c;
+    if (c == '\'') in_quotes = !in_quotes;
+  }
+  return kind;
 }
 
 std::string notice_text(const ImportNotice& notice) {

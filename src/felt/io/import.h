@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "felt/io/layered_sketch.h"
@@ -22,11 +23,13 @@ struct ImportNotice {
   friend bool operator==(const ImportNotice&, const ImportNotice&) = default;
 };
 
-/// Notices of one file in the order in which they first came, the same `what` counted together.
+/// Notices of one file in the order in which they first came. The same `what` is counted together;
+/// of those that differ in numbers and quoted names only, the first three are kept.
 /// Bounded, whatever the file: beyond kMostKinds all others become one.
 class ImportReport {
  public:
   static constexpr std::size_t kMostKinds = 100;
+  static constexpr int kMostOfAKind = 3;
   static constexpr std::size_t kMaxElementBytes = 200;  ///< longer names are shortened
 
   void add(std::int64_t line, std::string element, std::string what);
@@ -35,7 +38,11 @@ class ImportReport {
 
  private:
   std::vector<ImportNotice> notices_;
+  std::vector<std::string> kinds_;  // of each
 };
+
+/// Returns `text` without numbers and names in single quotes: messages of the same kind are equal.
+std::string notice_kind(std::string_view text);
 
 /// "line 12: text 'title' is no ink and was left out (and 3 more like it)".
 std::string notice_text(const ImportNotice& notice);

@@ -20,11 +20,25 @@ TEST(ImportReport, TheSameIsCountedAndTheFirstPlaceKept) {
 TEST(ImportReport, IsBoundedWhateverTheFile) {
   ImportReport report;
   for (int k = 0; k < 5000; ++k) {
-    report.add(k, std::string(100'000, 'x'), "oddity " + std::to_string(k));
+    const std::string letters{char('a' + k % 26), char('a' + k / 26 % 26), char('a' + k / 676)};
+    report.add(k, std::string(100'000, 'x'), "oddity " + letters);
   }
   ASSERT_EQ(report.notices().size(), ImportReport::kMostKinds);
   EXPECT_EQ(report.notices().back().count, 5000 - 99);
   EXPECT_LE(report.notices().front().element.size(), ImportReport::kMaxElementBytes + 3);
+}
+
+TEST(ImportReport, OfAKindThreeAreShownAndTheRestIsCounted) {
+  ImportReport report;
+  for (int k = 0; k < 66'000; ++k) {
+    report.add(k + 1, "stroke",
+               "turns by 0." + std::to_string(k) + " degrees at 's1." + std::to_string(k) + "'");
+  }
+  report.add(7, "stroke", "has no points");
+  ASSERT_EQ(report.notices().size(), 4u);
+  EXPECT_EQ(notice_text(report.notices()[1]), "line 2: stroke turns by 0.1 degrees at 's1.1'");
+  EXPECT_EQ(notice_text(report.notices()[2]),
+            "line 3: stroke turns by 0.2 degrees at 's1.2' (and 65997 more like it)");
 }
 
 TEST(ImportReport, ANameIsNotCutWithinACharacter) {

@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <cmath>
 
 #include "felt/geometry/lean.h"
+#include "felt/io/limits.h"
 #include "felt/stroke/color_text.h"
 #include "felt/stroke/width_profile.h"
 
@@ -44,6 +46,16 @@ double milliseconds(std::int64_t time_ns) {
 }
 
 }  // namespace
+
+Result<void> check_sketch_numbers(const StrokeData& data) {
+  const auto fits = [](double number) { return std::fabs(number) <= limits::kMaxSketchNumber; };
+  const bool is_fine = std::all_of(data.points.begin(), data.points.end(),
+                                   [&](Point p) { return fits(p.x) && fits(p.y); }) &&
+                       std::all_of(data.widths.begin(), data.widths.end(),
+                                   [&](const WidthKnot& knot) { return fits(knot.width_mm); });
+  if (is_fine) return {};
+  return fail(ErrorCode::kLimitExceeded, "reaches farther than 1e10 mm, which .ndjson cannot hold");
+}
 
 void append_sketch_line(std::string& out, std::string_view id, const StrokeData& data) {
   out += R"({"id":)";

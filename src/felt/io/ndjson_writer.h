@@ -4,6 +4,7 @@
 #include <string>
 #include <string_view>
 
+#include "felt/base/result.h"
 #include "felt/io/ndjson_record.h"
 
 namespace felt {
@@ -15,6 +16,10 @@ namespace felt {
 /// {"id":..,"closed":..,"segments":..,"joints":..,"widths":..}, then "material" and "color" where
 /// they are not the default ones.
 void append_sketch_line(std::string& out, std::string_view id, const StrokeData& data);
+
+/// Fails if a line could not be read back: a number of the stroke is larger than
+/// limits::kMaxSketchNumber.
+Result<void> check_sketch_numbers(const StrokeData& data);
 
 /// {"id":..,"points":[[x,y,pressure|null,t_ms|null],...]}; both last parts are left out when no
 /// sample has them.

@@ -137,7 +137,7 @@ TEST(Png, AReliefIsReadFromAFileOnly) {
     const auto picture = read_height_png(path);
     std::filesystem::remove(path);
     ASSERT_FALSE(picture) << path;
-    EXPECT_EQ(picture.error().message, path + ": is no file, but a pipe or a device");
+    EXPECT_EQ(picture.error().message, path + ": not a regular file");
   }
   const auto standard_input = read_height_png("-");
   ASSERT_FALSE(standard_input);

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "felt/io/svg_color_names.h"
+#include "felt/io/svg_color_spaces.h"
 #include "felt/io/svg_scan.h"
 #include "felt/stroke/color_text.h"
 
@@ -118,6 +119,7 @@ std::optional<std::string_view> take_reference(SvgScan& scan) {
 std::optional<Rgba> whole_color(std::string_view text) {
   SvgScan scan(svg_trimmed(text));
   const std::optional<Rgba> color = take_color(scan);
+  if (!color) return svg_color_in_space(text);
   if (color && !scan.at_end() && !scan.take("icc-color(")) return std::nullopt;
   return color;
 }

@@ -8,7 +8,8 @@
 namespace felt {
 
 /// A colour of CSS: #rgb, #rgba, #rrggbb, #rrggbbaa, rgb(), rgba(), hsl(), hsla() with commas or
-/// spaces, a name in any case, "transparent". None for anything else, "currentColor" included.
+/// spaces, a name in any case, "transparent", and what svg_color_in_space() reads. None for
+/// anything else, "currentColor" included.
 std::optional<Rgba> svg_color(std::string_view text);
 
 /// What fills or strokes a shape, as the property says it.

@@ -155,13 +155,23 @@ class SvgStyleSheet::Parser {
         ++sheet_.left_out_;
       } else {
         const std::size_t close = end > body && css_[end - 1] == '}' ? end - 1 : end;
-        add_rules(selectors, css_.substr(body, close - body));
+        const std::string_view block = css_.substr(body, close - body);
+        add_rules(selectors, without_nested_rules(block));
       }
       css_.remove_prefix(end);
     }
   }
 
  private:
+  /// The declarations before the first rule inside of this one; those after it are left out too.
+  std::string_view without_nested_rules(std::string_view block) {
+    const std::size_t brace = block.find('{');
+    if (brace == std::string_view::npos) return block;
+    ++sheet_.left_out_;
+    const std::size_t last = block.substr(0, brace).rfind(';');
+    return block.substr(0, last == std::string_view::npos ? 0 : last);
+  }
+
   /// One rule for each selector of a list.
   void add_rules(std::string_view selectors, std::string_view body) {
     while (!selectors.empty()) {
@@ -283,6 +293,13 @@ class SvgStyleSheet::Parser {
 void SvgStyleSheet::add(std::string_view css) {
   texts_.push_back(svg_without_comments(css));
   Parser(*this, texts_.back()).read();
+}
+
+std::string_view SvgStyleSheet::keep(std::string_view value) {
+  constexpr std::size_t kMaxKeptBytes = std::size_t{16} << 20;
+  if (const auto known = kept_.find(value); known != kept_.end()) return *known;
+  if ((kept_bytes_ += value.size()) > kMaxKeptBytes) return {};
+  return *kept_.emplace(value).first;
 }
 
 bool SvgStyleSheet::is_like(const Compound& c, const pugi::xml_node& node) {

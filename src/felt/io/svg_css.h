@@ -4,9 +4,13 @@
 #include <deque>
 #include <functional>
 #include <map>
+#include <set>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
+
+#include "felt/io/svg_variables.h"
 
 namespace pugi {
 class xml_node;
@@ -45,6 +49,11 @@ class SvgStyleSheet {
              const std::function<void(const SvgDeclaration&, std::uint64_t precedence)>& found);
 
   [[nodiscard]] bool empty() const noexcept { return rules_.empty(); }
+  /// Keeps a value for as long as the sheet lives; "" once those of a file are 16 MiB.
+  std::string_view keep(std::string_view value);
+  /// The custom properties of the root, which hold wherever no others do.
+  [[nodiscard]] const SvgVariables& root_variables() const noexcept { return root_variables_; }
+  void set_root_variables(SvgVariables variables) { root_variables_ = std::move(variables); }
   /// Rules and @-rules that were left out.
   [[nodiscard]] std::int64_t left_out() const noexcept { return left_out_; }
 
@@ -75,6 +84,9 @@ class SvgStyleSheet {
   std::vector<Rule> rules_;
   std::map<std::string_view, std::vector<std::uint32_t>> by_id_, by_class_, by_type_;
   std::vector<std::uint32_t> for_all_;
+  SvgVariables root_variables_;
+  std::set<std::string, std::less<>> kept_;
+  std::size_t kept_bytes_ = 0;
   std::int64_t left_out_ = 0;
   std::int64_t steps_left_ = 20'000'000;
 };

@@ -55,6 +55,8 @@ Result<std::unique_ptr<SvgDocument>> SvgDocument::parse(std::string_view text) {
                 "is no SVG: its first element is '" + std::string(name.substr(0, 100)) + "'");
   }
   std::unique_ptr<SvgDocument> document(new SvgDocument(*std::move(input)));
+  document->names_outer_style_ =
+      text.substr(0, text.find("<svg")).find("<?xml-stylesheet") != std::string_view::npos;
   if (auto ok = document->look_through(); !ok) return tl::unexpected(ok.error());
   return document;
 }
@@ -70,6 +72,7 @@ Result<void> SvgDocument::look_through() {
                                                  XmlInput::describe(node) +
                                                  " has more than 1000 attributes");
     }
+    note_prefixes(node);
     if (const pugi::xml_attribute id = node.attribute("id")) ids_.emplace(id.value(), node);
     if (is_style_sheet(node)) {
       sheet_.add(xml_text_of(node));
@@ -84,6 +87,20 @@ Result<void> SvgDocument::look_through() {
     }
     if (!next) return {};
     node = next;
+  }
+}
+
+/// Prefixes may be declared on any element. One that means the same everywhere is enough for what
+/// programs write.
+void SvgDocument::note_prefixes(const pugi::xml_node& node) {
+  for (const pugi::xml_attribute& a : node.attributes()) {
+    const std::string_view name = a.name(), space = a.value();
+    if (name.substr(0, 6) != "xmlns:") continue;
+    const std::string prefix = std::string(name.substr(6)) + ":";
+    if (space == kSvgElementNamespace && prefix != svg_prefix_) more_svg_prefixes_.insert(prefix);
+    if (space == kInkscapeNamespace && inkscape_prefix_.empty()) inkscape_prefix_ = prefix;
+    if (space == kSodipodiNamespace && sodipodi_prefix_.empty()) sodipodi_prefix_ = prefix;
+    if (space == kSvgNamespace && felt_prefix_.empty()) felt_prefix_ = prefix;
   }
 }
 
@@ -108,7 +125,10 @@ std::string_view SvgDocument::svg_name(const pugi::xml_node& node, bool default_
   const std::string_view name = node.name();
   const std::size_t colon = name.rfind(':');
   if (colon == std::string_view::npos) return default_is_svg ? name : std::string_view();
-  return name.substr(0, colon + 1) == svg_prefix_ ? name.substr(colon + 1) : std::string_view();
+  const std::string_view prefix = name.substr(0, colon + 1);
+  const bool is_svg =
+      prefix == svg_prefix_ || more_svg_prefixes_.find(prefix) != more_svg_prefixes_.end();
+  return is_svg ? name.substr(colon + 1) : std::string_view();
 }
 
 std::string_view svg_href(const pugi::xml_node& node) {

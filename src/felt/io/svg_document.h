@@ -1,7 +1,9 @@
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <pugixml.hpp>
+#include <set>
 #include <string>
 #include <string_view>
 #include <unordered_map>
@@ -34,16 +36,21 @@ class SvgDocument {
   /// `default_is_svg` says whether names without a prefix are of SVG where it stands.
   [[nodiscard]] std::string_view svg_name(const pugi::xml_node& node, bool default_is_svg) const;
   SvgStyleSheet& sheet() noexcept { return sheet_; }
+  /// The file names a style sheet in another one (xml-stylesheet).
+  [[nodiscard]] bool names_outer_style() const noexcept { return names_outer_style_; }
 
  private:
   explicit SvgDocument(XmlInput input);
   Result<void> look_through();
+  void note_prefixes(const pugi::xml_node& node);
 
   XmlInput input_;
   pugi::xml_node root_;
   std::unordered_map<std::string_view, pugi::xml_node> ids_;
   std::string svg_prefix_, inkscape_prefix_, felt_prefix_, sodipodi_prefix_;
+  std::set<std::string, std::less<>> more_svg_prefixes_;  // declared below the root
   SvgStyleSheet sheet_;
+  bool names_outer_style_ = false;
 };
 
 /// The value of `href`, with whatever prefix or none; empty where there is none.

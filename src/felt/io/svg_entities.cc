@@ -102,6 +102,39 @@ class Definitions {
   std::map<std::string_view, std::string_view> entities_;
 };
 
+/// Replaces entities, also those inside of others, within a budget for the whole file.
+class Expander {
+ public:
+  using Entities = std::map<std::string_view, std::string_view>;
+  explicit Expander(const Entities& entities) : entities_(entities) {}
+
+  /// False: more is added than a file may, or they are nested too deep.
+  bool append(std::string_view text, std::string& result, int nesting) {
+    constexpr int kMaxNesting = 16;
+    added_ += text.size();
+    if (nesting > kMaxNesting || added_ > limits::kMaxSvgEntityBytes) return false;
+    while (true) {
+      const std::size_t mark = std::min(text.find('&'), text.size());
+      result += text.substr(0, mark);
+      text.remove_prefix(mark);
+      if (text.empty()) return true;
+      SvgScan scan(text.substr(1, 256));
+      const auto entity = entities_.find(scan.name());
+      if (entity == entities_.end() || !scan.take(';')) {
+        result += '&';
+        text.remove_prefix(1);
+        continue;
+      }
+      if (!append(entity->second, result, nesting + 1)) return false;
+      text.remove_prefix(1 + scan.taken());
+    }
+  }
+
+ private:
+  const Entities& entities_;
+  std::size_t added_ = 0;
+};
+
 }  // namespace
 
 bool has_svg_entities(std::string_view text) noexcept {
@@ -118,7 +151,7 @@ Result<std::string> svg_with_entities(std::string_view text) {
   std::string result(text.substr(0, begin));
   const std::string_view doctype = text.substr(begin, end - begin);
   result.append(static_cast<std::size_t>(std::count(doctype.begin(), doctype.end(), '\n')), '\n');
-  std::size_t added = 0;
+  Expander expander(definitions.entities());
   std::string_view rest = text.substr(end);
   while (!rest.empty()) {
     const std::size_t mark = std::min(rest.find('&'), rest.size());
@@ -132,10 +165,10 @@ Result<std::string> svg_with_entities(std::string_view text) {
       rest.remove_prefix(1);
       continue;
     }
-    if ((added += entity->second.size()) > limits::kMaxSvgEntityBytes) {
-      return fail(ErrorCode::kLimitExceeded, "has entities that add more than 1 MiB");
+    if (!expander.append(entity->second, result, 0)) {
+      return fail(ErrorCode::kLimitExceeded,
+                  "has entities that add more than 1 MiB, or are nested more than 16 deep");
     }
-    result += entity->second;
     rest.remove_prefix(1 + scan.taken());
   }
   return result;

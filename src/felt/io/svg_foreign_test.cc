@@ -148,7 +148,7 @@ TEST(SvgForeign, SaysWhatItLeavesOut) {
         "line 5: script was left out: nothing moves", "line 6: g has a filter",
         "line 6: g has a mask", "line 6: g is cut to a clip path", "line 7: path has markers",
         "it is in another file", "what it repeats is not in the file", "is hidden in the file",
-        "colour of the first stop", "as far as it can be read: no command at character 7",
+        "mean colour of its stops", "as far as it can be read: no command at character 7",
         "has flat or square ends"}) {
     EXPECT_THAT(text, HasSubstr(expected));
   }
@@ -269,13 +269,20 @@ TEST(SvgForeign, EntitiesAddLittle) {
   EXPECT_TRUE(with(kMost / 8 - 1, 8));
   EXPECT_TRUE(with(kMost / 8, 8));
   EXPECT_FALSE(with(kMost / 8, 9));
-  // A billion laughs: entities inside of entities stay as they are.
+  // Entities inside of entities; a billion laughs are refused.
+  const ImportedDrawing nested = imported(
+      "<!DOCTYPE svg [<!ENTITY c 'red'><!ENTITY st 'stroke:&c;'>]>\n<svg "
+      "xmlns='http://www.w3.org/2000/svg'><path style='&st;' d='M1 1h9'/></svg>");
+  ASSERT_EQ(strokes(nested).size(), 1U);
+  EXPECT_EQ(strokes(nested)[0].stroke.color(), (Rgba{255, 0, 0, 255}));
   std::string laughs = "<!DOCTYPE svg [<!ENTITY a \"ha\">";
   for (char c = 'b'; c <= 'z'; ++c) {
     const std::string before = std::string("&") + static_cast<char>(c - 1) + ";";
     laughs += std::string("<!ENTITY ") + c + " \"" + before + before + before + before + "\">";
   }
-  EXPECT_TRUE(import_svg(laughs + "]><svg><desc>&z;&z;</desc></svg>"));
+  const auto laughed = import_svg(laughs + "]><svg><desc>&z;&z;</desc></svg>");
+  ASSERT_FALSE(laughed);
+  EXPECT_EQ(laughed.error().code, ErrorCode::kLimitExceeded);
   EXPECT_TRUE(
       import_svg("<!DOCTYPE svg [<!ENTITY x SYSTEM \"file:///etc/passwd\">]><svg>&x;</svg>"));
   EXPECT_FALSE(import_svg("<!DOCTYPE svg [<!ENTITY x 'a'><svg/>"));

@@ -112,7 +112,7 @@ void SvgInk::paper(Rgba color) {
 void SvgInk::layer(const SvgLayer& layer) {
   std::vector<SketchLayer>& layers = imported_.drawing.layers;
   if (layers.size() >= limits::kMaxSvgLayers) {
-    return notice(0, "svg", "has more than 1000 layers; the others joined the last");
+    return notice(0, "svg", "has more than 10000 layers; the others joined the last");
   }
   std::string name = layer.number == 0 ? kLayerName : svg_clean_name(layer.label);
   layers.push_back({std::move(name), layer.visible, layer.locked, {}});
@@ -130,7 +130,8 @@ void SvgInk::shape(SvgShape shape) {
 }
 
 bool SvgInk::take_as_paper(const SvgShape& shape) {
-  const bool is_plain = shape.element == "rect" && shape.fill && !shape.line && !is_ours_;
+  const bool is_plain =
+      shape.element == "rect" && shape.fill && !shape.line && !shape.is_cut && !is_ours_;
   if (!is_plain || !imported_.drawing.page) return false;
   const Rect box = bounds_mm(shape), page = imported_.drawing.page->area();
   const double off = std::max({std::fabs(box.x0 - page.x0), std::fabs(box.y0 - page.y0),
@@ -190,8 +191,44 @@ void SvgInk::notice_ends(const SvgShape& shape) {
   }
 }
 
+namespace {
+
+/// Flat dashes made shorter by the width of the line, so that round ends reach as far as the flat
+/// ones do. One that is not longer than the line is wide becomes a dot in its middle.
+struct RoundDashes {
+  std::vector<double> pattern;
+  double offset = 0.0;
+  bool has_dots = false, runs_together = false;
+};
+RoundDashes round_dashes(const SvgLine& line) {
+  RoundDashes result{line.dashes, line.dash_offset};
+  const auto inset = [&](std::size_t i) { return 0.5 * std::min(line.width, line.dashes[i]); };
+  const std::size_t count = line.dashes.size();
+  for (std::size_t i = 0; i < count; i += 2) {
+    if (line.dashes[i] == 0.0) return {line.dashes, line.dash_offset};  // flat ones show nothing
+    result.pattern[i] -= 2.0 * inset(i);
+    result.pattern[i + 1] += inset(i) + inset((i + 2) % count);
+    result.has_dots = result.has_dots || line.dashes[i] < line.width;
+    result.runs_together = result.runs_together || result.pattern[i + 1] <= line.width;
+  }
+  result.offset -= inset(0);
+  return result;
+}
+
+}  // namespace
+
 void SvgInk::add_line(SvgShape& shape) {
-  const SvgLine line = *shape.line;
+  SvgLine line = *shape.line;
+  const bool is_flat = !line.dashes.empty() && line.cap == SvgCap::kButt;
+  if (is_flat) {
+    RoundDashes round = round_dashes(line);
+    const bool changes = round.pattern != line.dashes;
+    line.dashes = std::move(round.pattern);
+    line.dash_offset = round.offset;
+    if (round.has_dots) say(shape, "has flat dashes shorter than its width, which became dots");
+    if (round.runs_together) say(shape, "has dashes that run together, because ends are round");
+    if (changes) line.cap = shape.line->cap = SvgCap::kRound;
+  }
   if (shows_filling(shape)) say(shape, "has a filling, which was left out: ink is lines");
   notice_ends(shape);
   if (line.color.a < 255 && (shape.contours.size() > 1 || !line.dashes.empty())) {
@@ -230,8 +267,22 @@ void SvgInk::add_edge(SvgShape& shape) {
   }
 }
 
-/// One contour as a stroke of a width in user units.
-void SvgInk::add_contour(const SvgShape& shape, SvgContour moved, Rgba color, double width) {
+/// One contour as a stroke of a width in user units, or as several end to end where it is longer
+/// than a stroke may be.
+void SvgInk::add_contour(const SvgShape& shape, SvgContour contour, Rgba color, double width) {
+  constexpr std::size_t kMost = limits::kMaxSvgStrokeSegments;
+  const std::size_t count = contour.segment_count();
+  if (count <= kMost) return add_part(shape, std::move(contour), color, width);
+  say(shape, "has more than 250000 segments and became several strokes");
+  for (std::size_t begin = 0; begin < count; begin += kMost) {
+    const auto first = contour.points.begin() + static_cast<std::ptrdiff_t>(3 * begin);
+    const std::size_t points = 3 * std::min(kMost, count - begin) + 1;
+    SvgContour part{{first, first + static_cast<std::ptrdiff_t>(points)}, false};
+    add_part(shape, std::move(part), color, width);
+  }
+}
+
+void SvgInk::add_part(const SvgShape& shape, SvgContour moved, Rgba color, double width) {
   Rect box;
   for (Point& p : moved.points) {
     p = apply(shape.to_mm, p);

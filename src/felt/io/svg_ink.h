@@ -34,6 +34,7 @@ class SvgInk final : public SvgSceneSink {
   void add_line(SvgShape& shape);
   void add_edge(SvgShape& shape);
   void add_contour(const SvgShape& shape, SvgContour contour, Rgba color, double width);
+  void add_part(const SvgShape& shape, SvgContour moved, Rgba color, double width);
   void notice_ends(const SvgShape& shape);
   void push(const SvgShape& shape, StrokeData data, std::string id);
 

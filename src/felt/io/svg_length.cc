@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "felt/io/svg_scan.h"
+#include "felt/io/svg_variables.h"
 
 namespace felt {
 namespace {
@@ -119,6 +120,10 @@ double origin_part(std::string_view word, SvgAxis axis, const SvgUnits& units) {
 }  // namespace
 
 std::optional<double> svg_length(std::string_view text, SvgAxis axis, const SvgUnits& units) {
+  if (SvgScan calc(svg_trimmed(text)); calc.take("calc(")) {
+    const std::string_view whole = svg_trimmed(text);
+    return svg_calc(whole, [&](std::string_view one) { return svg_length(one, axis, units); });
+  }
   SvgScan scan(svg_trimmed(text));
   double value = 0.0;
   if (!scan.number(value)) return std::nullopt;

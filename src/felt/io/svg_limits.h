@@ -23,6 +23,8 @@ inline constexpr std::size_t kMaxSvgSegments = 20'000'000;
 inline constexpr std::size_t kSpareSvgSegments = 500'000;
 /// Dashes of all lines together.
 inline constexpr std::size_t kMaxSvgDashes = 100'000;
+/// Segments of one stroke, fewer than a .felt file takes; a longer path becomes several strokes.
+inline constexpr std::size_t kMaxSvgStrokeSegments = 250'000;
 /// Layers of a drawing; further ones join the last.
-inline constexpr std::size_t kMaxSvgLayers = 1000;
+inline constexpr std::size_t kMaxSvgLayers = 10'000;
 }  // namespace felt::limits

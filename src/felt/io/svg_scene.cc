@@ -80,6 +80,7 @@ Result<void> SvgWalker::begin() {
   place_page(box, root, e.state);
   sink_.root(root);
   if (!resolve(e)) return {};
+  if (e.state.variables) document_.sheet().set_root_variables(*e.state.variables);
   if (const auto color = svg_color(e.declared[SvgProperty::kBackgroundColor]); color) {
     sink_.paper(*color);
   }
@@ -97,6 +98,9 @@ Result<void> read_svg_scene(std::string_view text, SvgSceneSink& sink) {
   if (const std::int64_t rules = (*document)->sheet().left_out(); rules > 0) {
     sink.notice(0, "style",
                 std::to_string(rules) + " rules of style sheets are not known and were ignored");
+  }
+  if ((*document)->names_outer_style()) {
+    sink.notice(0, "xml-stylesheet", "names a style sheet in another file, and none is opened");
   }
   return SvgWalker(**document, text.size(), sink).walk();
 }

@@ -57,6 +57,7 @@ struct SvgShape {
   std::optional<SvgLine> line;
   std::optional<SvgVariableWidth> variable_width;
   std::optional<Rect> frame;  ///< what of it its viewport shows, in mm
+  bool is_cut = false;        ///< by a clip path or mask, which was ignored
 };
 
 /// A layer of Inkscape, or what stands in none.

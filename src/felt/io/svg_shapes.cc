@@ -16,8 +16,9 @@ constexpr std::array<std::string_view, 7> kShapes{"path", "rect",     "circle", 
 /// Lengths of one element.
 class Lengths {
  public:
-  Lengths(const pugi::xml_node& node, const SvgUnits& units, std::string& problem)
-      : node_(node), units_(units), problem_(problem) {}
+  Lengths(const pugi::xml_node& node, const SvgDeclared& declared, const SvgUnits& units,
+          std::string& problem)
+      : node_(node), declared_(declared), units_(units), problem_(problem) {}
 
   /// The attribute, or 0.
   [[nodiscard]] double operator()(const char* name, SvgAxis axis) const {
@@ -32,7 +33,8 @@ class Lengths {
  private:
   /// What is there and no length is a problem to be told.
   [[nodiscard]] std::optional<double> given(const char* name, SvgAxis axis) const {
-    const std::string_view text = svg_trimmed(node_.attribute(name).value());
+    const std::string_view said = declared_.value_of(name);
+    const std::string_view text = said.empty() ? svg_trimmed(node_.attribute(name).value()) : said;
     if (text.empty() || svg_same_word(text, "auto")) return std::nullopt;
     const std::optional<double> length = svg_length(text, axis, units_);
     if (!length) problem_ = std::string(name) + " is no length";
@@ -40,6 +42,7 @@ class Lengths {
   }
 
   const pugi::xml_node& node_;
+  const SvgDeclared& declared_;
   const SvgUnits& units_;
   std::string& problem_;
 };
@@ -93,21 +96,34 @@ std::string add_points(std::string_view text, bool closed, SvgPathBuilder& path)
   return list.problem;
 }
 
+/// The commands of an attribute `d`, or of CSS: path(evenodd, "M0 0...").
+std::string_view path_data(std::string_view text) {
+  SvgScan scan(text);
+  if (svg_same_word(text, "none")) return {};
+  if (!scan.take("path(")) return text;
+  const std::size_t begin = text.find_first_of("\"'");
+  if (begin == std::string_view::npos) return {};
+  const std::size_t end = text.find(text[begin], begin + 1);
+  return end == std::string_view::npos ? std::string_view()
+                                       : text.substr(begin + 1, end - begin - 1);
+}
+
 }  // namespace
 
 bool is_svg_shape(std::string_view name) noexcept {
   return std::find(kShapes.begin(), kShapes.end(), name) != kShapes.end();
 }
 
-SvgOutline svg_outline(std::string_view name, const pugi::xml_node& node, const SvgUnits& units,
+SvgOutline svg_outline(std::string_view name, const pugi::xml_node& node,
+                       const SvgDeclared& declared, const SvgUnits& units,
                        std::size_t most_segments) {
   SvgOutline outline;
   if (name == "path") {
-    SvgPathData data = parse_svg_path(node.attribute("d").value(), most_segments);
+    SvgPathData data = parse_svg_path(path_data(declared[SvgProperty::kD]), most_segments);
     return {std::move(data.contours), std::move(data.problem)};
   }
   SvgPathBuilder path(most_segments);
-  const Lengths length(node, units, outline.problem);
+  const Lengths length(node, declared, units, outline.problem);
   const auto x = [&](const char* attribute) { return length(attribute, SvgAxis::kX); };
   const auto y = [&](const char* attribute) { return length(attribute, SvgAxis::kY); };
   if (name == "rect") {

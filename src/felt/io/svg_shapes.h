@@ -7,6 +7,7 @@
 
 #include "felt/io/svg_length.h"
 #include "felt/io/svg_path.h"
+#include "felt/io/svg_style.h"
 
 namespace pugi {
 class xml_node;
@@ -25,7 +26,8 @@ bool is_svg_shape(std::string_view name) noexcept;
 
 /// The outline of an element with such a name, `most_segments` curves of it at most. None of it
 /// where its sizes are zero, negative or missing, as the standard has it.
-SvgOutline svg_outline(std::string_view name, const pugi::xml_node& node, const SvgUnits& units,
+SvgOutline svg_outline(std::string_view name, const pugi::xml_node& node,
+                       const SvgDeclared& declared, const SvgUnits& units,
                        std::size_t most_segments);
 
 }  // namespace felt

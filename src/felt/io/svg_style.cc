@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <optional>
 #include <pugixml.hpp>
 #include <string>
+#include <utility>
 
 #include "felt/io/svg_css.h"
 #include "felt/io/svg_scan.h"
@@ -18,12 +20,16 @@ constexpr std::size_t kCount = static_cast<std::size_t>(SvgProperty::kCount);
 constexpr std::array<std::string_view, kCount> kNames{"background-color",
                                                       "clip-path",
                                                       "color",
+                                                      "cx",
+                                                      "cy",
+                                                      "d",
                                                       "display",
                                                       "fill",
                                                       "fill-opacity",
                                                       "fill-rule",
                                                       "filter",
                                                       "font-size",
+                                                      "height",
                                                       "marker",
                                                       "marker-end",
                                                       "marker-mid",
@@ -33,6 +39,12 @@ constexpr std::array<std::string_view, kCount> kNames{"background-color",
                                                       "opacity",
                                                       "overflow",
                                                       "paint-order",
+                                                      "r",
+                                                      "rotate",
+                                                      "rx",
+                                                      "ry",
+                                                      "scale",
+                                                      "solid-color",
                                                       "stop-color",
                                                       "stop-opacity",
                                                       "stroke",
@@ -45,7 +57,13 @@ constexpr std::array<std::string_view, kCount> kNames{"background-color",
                                                       "stroke-width",
                                                       "transform",
                                                       "transform-origin",
-                                                      "visibility"};
+                                                      "translate",
+                                                      "vector-effect",
+                                                      "visibility",
+                                                      "width",
+                                                      "x",
+                                                      "y",
+                                                      "zoom"};
 
 constexpr std::size_t kMostDashes = 1000;
 
@@ -57,21 +75,31 @@ std::optional<std::size_t> property_of(std::string_view name) noexcept {
 
 /// A value that leaves the property as the parent has it, or at its beginning.
 bool is_inherit(std::string_view value) noexcept {
-  return svg_same_word(value, "inherit") || svg_same_word(value, "unset");
+  return svg_same_word(value, "inherit") || svg_same_word(value, "unset") ||
+         svg_same_word(value, "revert") || svg_same_word(value, "revert-layer");
 }
 bool is_initial(std::string_view value) noexcept {
   return svg_same_word(value, "initial");
 }
 
-/// Whether a paint, colour or opacity can be read, so that an earlier declaration stays where not.
+std::optional<std::vector<double>> dash_list(std::string_view text, const SvgUnits& units);
+
+/// Whether a paint, colour, opacity or width can be read, so that an earlier declaration stays if
+/// not. What has variables is looked at once they are replaced.
 bool is_readable(SvgProperty p, std::string_view value) {
   if (is_inherit(value) || is_initial(value)) return true;
+  if (value.find("var(") != std::string_view::npos) return true;
   switch (p) {
+    case SvgProperty::kStrokeWidth:
+      return svg_length(value, SvgAxis::kDiagonal, SvgUnits()).has_value();
+    case SvgProperty::kStrokeDasharray:
+      return dash_list(value, SvgUnits()).has_value();
     case SvgProperty::kFill:
     case SvgProperty::kStroke:
       return svg_paint(value).has_value();
     case SvgProperty::kBackgroundColor:
     case SvgProperty::kColor:
+    case SvgProperty::kSolidColor:
     case SvgProperty::kStopColor:
       return svg_color(value).has_value() || svg_same_word(value, "currentColor");
     case SvgProperty::kOpacity:
@@ -82,6 +110,24 @@ bool is_readable(SvgProperty p, std::string_view value) {
     default:
       return true;
   }
+}
+
+bool is_geometry(SvgProperty p) noexcept {
+  using P = SvgProperty;
+  return p == P::kCx || p == P::kCy || p == P::kHeight || p == P::kR || p == P::kRx ||
+         p == P::kRy || p == P::kWidth || p == P::kX || p == P::kY;
+}
+
+/// A length of CSS has a unit; without one only the attribute counts.
+bool is_css_length(std::string_view value) noexcept {
+  const char last = value.back();
+  return value == "0" || last == '%' || last == ')' || (last >= 'a' && last <= 'z') ||
+         (last >= 'A' && last <= 'Z');
+}
+
+bool is_color(SvgProperty p) noexcept {
+  return p == SvgProperty::kFill || p == SvgProperty::kStroke || p == SvgProperty::kColor ||
+         p == SvgProperty::kStopColor || p == SvgProperty::kSolidColor;
 }
 
 /// Sets an inherited property: `read` gives the value or none where it has an error.
@@ -219,25 +265,94 @@ void apply_line(const SvgDeclared& d, SvgStyle& s, const SvgUnits& units) {
 
 }  // namespace
 
+std::string_view SvgDeclared::value_of(std::string_view name) const noexcept {
+  const std::optional<std::size_t> p = property_of(name);
+  return p ? values_[*p] : std::string_view();
+}
+
+namespace {
+
+/// What is declared on one element, by the rank of each declaration.
+class Declarations {
+ public:
+  explicit Declarations(SvgDeclared& declared) : declared_(declared) {}
+
+  void say(std::string_view name, std::string_view value, std::uint64_t rank) {
+    if (value.empty()) return;
+    if (name.substr(0, 2) == "--") return say_variable(name, value, rank);
+    const std::optional<std::size_t> p = property_of(name);
+    if (!p || ranks_[*p] > rank) return;
+    const auto property = static_cast<SvgProperty>(*p);
+    if (rank > 0 && is_geometry(property) && !is_css_length(value)) return;
+    if (!is_readable(property, value)) {
+      unread_[*p] = true;
+      return;
+    }
+    declared_.set(property, value);
+    ranks_[*p] = rank;
+  }
+
+  /// Once all is said: replaces variables, and finds what has no value that can be read.
+  void finish(SvgStyleSheet& sheet) {
+    if (!own_.empty()) {
+      SvgVariables all = inherited(sheet);
+      for (auto& [name, value] : own_) all.insert_or_assign(std::string(name), value.second);
+      declared_.variables = std::make_shared<const SvgVariables>(std::move(all));
+    }
+    for (std::size_t i = 0; i < kCount; ++i) {
+      const auto p = static_cast<SvgProperty>(i);
+      if (declared_[p].find("var(") != std::string_view::npos) replace_variables(p, sheet);
+      if (!unread_[i] || !declared_[p].empty()) continue;
+      declared_.unread = kNames[i];
+      if (is_color(p)) declared_.set(p, "black");
+    }
+  }
+
+ private:
+  static constexpr std::size_t kMaxVariables = 1000;
+
+  [[nodiscard]] const SvgVariables& inherited(const SvgStyleSheet& sheet) const {
+    return declared_.variables ? *declared_.variables : sheet.root_variables();
+  }
+
+  void say_variable(std::string_view name, std::string_view value, std::uint64_t rank) {
+    if (own_.size() == kMaxVariables && own_.find(name) == own_.end()) return;
+    auto& [known_rank, known] = own_[name];
+    if (known_rank <= rank) known = value;
+    known_rank = std::max(known_rank, rank);
+  }
+
+  void replace_variables(SvgProperty p, SvgStyleSheet& sheet) {
+    const auto value = svg_with_variables(declared_[p], inherited(sheet));
+    const std::string_view kept = value ? sheet.keep(svg_trimmed(*value)) : std::string_view();
+    declared_.set(p, kept.empty() || !is_readable(p, kept) ? std::string_view() : kept);
+    unread_[static_cast<std::size_t>(p)] = declared_[p].empty();
+  }
+
+  SvgDeclared& declared_;
+  std::array<std::uint64_t, kCount> ranks_{};
+  std::array<bool, kCount> unread_{};
+  std::map<std::string_view, std::pair<std::uint64_t, std::string>> own_;
+};
+
+}  // namespace
+
 bool svg_declared(const pugi::xml_node& node, SvgStyleSheet& sheet, std::string& clean_style,
                   SvgDeclared& declared) {
   constexpr std::uint64_t kInline = std::uint64_t{1} << 60, kImportant = std::uint64_t{1} << 61;
-  std::array<std::uint64_t, kCount> ranks{};
-  const auto say = [&](std::string_view name, std::string_view value, std::uint64_t rank) {
-    const std::optional<std::size_t> p = property_of(name);
-    if (!p || ranks[*p] > rank || value.empty()) return;
-    if (!is_readable(static_cast<SvgProperty>(*p), value)) return;
-    declared.set(static_cast<SvgProperty>(*p), value);
-    ranks[*p] = rank;
-  };
+  constexpr std::array<std::string_view, 7> kNoAttributes{
+      "background-color", "marker", "mix-blend-mode", "rotate", "scale", "translate", "zoom"};
+  Declarations all(declared);
   for (const pugi::xml_attribute& a : node.attributes()) {
     const std::string_view name = a.name();
-    if (name != "marker" && name != "mix-blend-mode" && name != "background-color")
-      say(name, svg_trimmed(a.value()), 0);
+    const bool counts =
+        std::find(kNoAttributes.begin(), kNoAttributes.end(), name) == kNoAttributes.end() &&
+        name.substr(0, 2) != "--";
+    if (counts) all.say(name, svg_trimmed(a.value()), 0);
   }
   const bool within_budget =
       sheet.match(node, [&](const SvgDeclaration& d, std::uint64_t precedence) {
-        say(d.name, d.value, precedence + 1 + (d.important ? kImportant : 0));
+        all.say(d.name, d.value, precedence + 1 + (d.important ? kImportant : 0));
       });
   std::string_view style = node.attribute("style").value();
   if (style.find("/*") != std::string_view::npos) {
@@ -245,8 +360,9 @@ bool svg_declared(const pugi::xml_node& node, SvgStyleSheet& sheet, std::string&
     style = clean_style;
   }
   svg_declarations(style, [&](const SvgDeclaration& d) {
-    say(d.name, d.value, kInline + (d.important ? kImportant : 0));
+    all.say(d.name, d.value, kInline + (d.important ? kImportant : 0));
   });
+  all.finish(sheet);
   return within_budget;
 }
 
@@ -265,6 +381,7 @@ SvgStyle svg_style(const SvgDeclared& declared, const SvgStyle& parent, SvgUnits
   s.displayed = !svg_same_word(declared[SvgProperty::kDisplay], "none");
   const std::string_view overflow = declared[SvgProperty::kOverflow];
   s.overflows = overflow == "visible" || overflow == "auto";
+  s.scales_line = !svg_same_word(declared[SvgProperty::kVectorEffect], "non-scaling-stroke");
   return s;
 }
 

@@ -10,6 +10,7 @@
 
 #include "felt/io/svg_color.h"
 #include "felt/io/svg_length.h"
+#include "felt/io/svg_variables.h"
 
 namespace pugi {
 class xml_node;
@@ -24,12 +25,16 @@ enum class SvgProperty : std::uint8_t {
   kBackgroundColor,
   kClipPath,
   kColor,
+  kCx,
+  kCy,
+  kD,
   kDisplay,
   kFill,
   kFillOpacity,
   kFillRule,
   kFilter,
   kFontSize,
+  kHeight,
   kMarker,
   kMarkerEnd,
   kMarkerMid,
@@ -39,6 +44,12 @@ enum class SvgProperty : std::uint8_t {
   kOpacity,
   kOverflow,
   kPaintOrder,
+  kR,
+  kRotate,
+  kRx,
+  kRy,
+  kScale,
+  kSolidColor,
   kStopColor,
   kStopOpacity,
   kStroke,
@@ -51,13 +62,27 @@ enum class SvgProperty : std::uint8_t {
   kStrokeWidth,
   kTransform,
   kTransformOrigin,
+  kTranslate,
+  kVectorEffect,
   kVisibility,
+  kWidth,
+  kX,
+  kY,
+  kZoom,
   kCount,
 };
 
-/// What an element itself says of each property; empty where it says nothing. Views into the file.
+/// What an element itself says of each property; empty where it says nothing. Views into the file,
+/// or into its style sheet.
 class SvgDeclared {
  public:
+  /// The same by name; empty for a name that is no property.
+  [[nodiscard]] std::string_view value_of(std::string_view name) const noexcept;
+  /// The properties "--name" that hold here; null: those of the root.
+  std::shared_ptr<const SvgVariables> variables;
+  /// A property whose value could not be read, and that has no other one; empty if there is none.
+  std::string_view unread;
+
   [[nodiscard]] std::string_view operator[](SvgProperty p) const noexcept {
     return values_[static_cast<std::size_t>(p)];
   }
@@ -71,7 +96,8 @@ class SvgDeclared {
 
 /// The declarations of an element in the order of CSS: presentation attributes, then rules, then
 /// its style attribute, then what is `!important`. `clean_style` takes the style attribute where it
-/// has comments to be left out, and must live as long as the result. False: see
+/// has comments to be left out, and must live as long as the result. `declared.variables` are those
+/// of the parent before, its own after. A colour that cannot be read becomes black. False: see
 /// SvgStyleSheet::match.
 bool svg_declared(const pugi::xml_node& node, SvgStyleSheet& sheet, std::string& clean_style,
                   SvgDeclared& declared);
@@ -102,6 +128,7 @@ struct SvgStyle {
   bool displayed = true;
   double opacity = 1.0;
   bool overflows = false;
+  bool scales_line = true;  ///< vector-effect is not non-scaling-stroke
 };
 
 /// The style of an element with these declarations inside of one with the style `parent`.

@@ -17,16 +17,17 @@ namespace felt {
 namespace {
 
 /// Elements that paint nothing by themselves.
-constexpr std::array<std::string_view, 27> kSilent{
-    "clipPath", "color-profile",  "cursor",
-    "defs",     "desc",           "filter",
-    "font",     "font-face",      "glyph",
-    "hatch",    "linearGradient", "marker",
-    "mask",     "mesh",           "meshgradient",
-    "metadata", "missing-glyph",  "path-effect",
-    "pattern",  "radialGradient", "solidcolor",
-    "stop",     "style",          "symbol",
-    "title",    "view",           "linearGradientStop"};
+constexpr std::array<std::string_view, 28> kSilent{
+    "clipPath",  "color-profile",  "cursor",
+    "defs",      "desc",           "filter",
+    "font",      "font-face",      "glyph",
+    "hatch",     "linearGradient", "marker",
+    "mask",      "mesh",           "meshgradient",
+    "metadata",  "missing-glyph",  "path-effect",
+    "pattern",   "radialGradient", "solidcolor",
+    "stop",      "style",          "symbol",
+    "title",     "view",           "linearGradientStop",
+    "solidColor"};
 constexpr std::array<std::string_view, 9> kAnimations{
     "animate", "animateColor", "animateMotion", "animateTransform", "discard",
     "handler", "script",       "set",           "listener"};
@@ -86,6 +87,9 @@ void SvgWalker::notice(const pugi::xml_node& node, std::string what) {
 
 Result<void> SvgWalker::walk() {
   if (auto ok = begin(); !ok) return ok;
+  for (pugi::xml_node next = document_.root().next_sibling(); next; next = next.next_sibling()) {
+    if (next.type() == pugi::node_element) notice(next, "was left out: it is behind the end");
+  }
   while (!stack_.empty()) {
     Frame& top = stack_.back();
     const pugi::xml_node node = top.next;
@@ -146,10 +150,17 @@ void SvgWalker::visit(const pugi::xml_node& node, const Frame& from) {
 
 /// Style and transform. False: it is not displayed.
 bool SvgWalker::resolve(Element& e) {
+  State& s = e.state;
+  e.declared.variables = s.variables;
   if (!svg_declared(e.node, document_.sheet(), clean_style_, e.declared)) {
     notice(e.node, "has not got all its styles: the style sheet asks for too many steps");
   }
-  State& s = e.state;
+  s.variables = e.declared.variables;
+  if (!e.declared.unread.empty()) {
+    const bool is_color = e.declared.value_of(e.declared.unread) == "black";
+    notice(e.node, "has a " + std::string(e.declared.unread) + " that is not read, " +
+                       (is_color ? "and became black" : "which was ignored"));
+  }
   s.style = svg_style(e.declared, s.style, s.units);
   s.units.font_size = s.style.font_size;
   for (SvgPaint* paint : {&s.style.fill, &s.style.stroke}) {
@@ -164,7 +175,26 @@ bool SvgWalker::resolve(Element& e) {
     return false;
   }
   s.opacity *= s.style.opacity;
-  const std::string_view text = e.declared[SvgProperty::kTransform];
+  apply_transform(e);
+  notice_effects(e);
+  return true;
+}
+
+/// The properties translate, rotate and scale come before `transform`, in this order.
+void SvgWalker::apply_transform(Element& e) {
+  State& s = e.state;
+  std::string text;
+  const auto add = [&](SvgProperty p, const char* name) {
+    const std::string_view value = e.declared[p];
+    if (!is_given(value)) return;
+    text += name;
+    for (const char c : value) text += c;
+    text += ") ";
+  };
+  add(SvgProperty::kTranslate, "translate(");
+  add(SvgProperty::kRotate, "rotate(");
+  add(SvgProperty::kScale, "scale(");
+  text += e.declared[SvgProperty::kTransform];
   if (!text.empty()) {
     if (const std::optional<Affine> m = svg_transform(text)) {
       const Vec origin = svg_transform_origin(e.declared[SvgProperty::kTransformOrigin], s.units);
@@ -175,11 +205,9 @@ bool SvgWalker::resolve(Element& e) {
       notice(e.node, "has a transform with an error, which was ignored");
     }
   }
-  notice_effects(e);
-  return true;
 }
 
-void SvgWalker::notice_effects(const Element& e) {
+void SvgWalker::notice_effects(Element& e) {
   const auto check = [&](SvgProperty p, const char* what) {
     if (is_given(e.declared[p])) notice(e.node, what);
   };
@@ -190,6 +218,14 @@ void SvgWalker::notice_effects(const Element& e) {
       e.declared[SvgProperty::kMask].starts_with("url(#" + std::string(kSvgMaskId));
   if (!is_grain) check(SvgProperty::kMask, "has a mask, which was ignored");
   check(SvgProperty::kFilter, "has a filter, which was ignored");
+  check(SvgProperty::kZoom, "has a zoom, which was ignored");
+  const std::string_view blend = e.declared[SvgProperty::kMixBlendMode];
+  if (is_given(blend) && !svg_same_word(blend, "normal")) {
+    notice(e.node, "is mixed with what is below it by a blend mode, which was ignored");
+  }
+  if (is_given(e.declared[SvgProperty::kClipPath]) || is_given(e.declared[SvgProperty::kMask])) {
+    e.state.is_cut = true;
+  }
 }
 
 void SvgWalker::dispatch(Element& e, const Frame& from) {
@@ -336,9 +372,11 @@ std::optional<Rgba> SvgWalker::paint_color(const SvgPaint& paint, const Element&
     const SvgServerColor server = svg_server_color(document_, paint.server, style.color);
     if (!server.paints || !server.color) {
       color = plain(paint.fallback, paint.fallback_color);
+    } else if (server.is_solid) {
+      color = server.color;
     } else if (server.is_gradient) {
       color = server.color;
-      notice(e.node, "is painted by a gradient; it got the colour of the first stop");
+      notice(e.node, "is painted by a gradient; it got the mean colour of its stops");
     } else {
       color = plain(paint.fallback, paint.fallback_color);
       if (!color) color = server.color;
@@ -368,7 +406,7 @@ void SvgWalker::visit_shape(Element& e) {
     return sink_.paper(svg_faded(style.fill.color, style.fill_opacity));
   }
   if (!e.state.style.visible) return notice(e.node, "is hidden in the file and was left out");
-  SvgOutline outline = svg_outline(e.name, e.node, e.state.units, segments_left_);
+  SvgOutline outline = svg_outline(e.name, e.node, e.declared, e.state.units, segments_left_);
   if (!outline.problem.empty()) {
     notice(e.node, "was taken as far as it can be read: " + outline.problem);
   }
@@ -408,6 +446,35 @@ std::optional<SvgVariableWidth> SvgWalker::variable_width(const Element& e) cons
   return v;
 }
 
+/// The line of a shape, if it has one.
+void SvgWalker::draw_line(const Element& e, SvgShape& shape) {
+  const SvgStyle& style = e.state.style;
+  const auto color = paint_color(style.stroke, e, style.stroke_opacity);
+  if (!color || !(style.stroke_width > 0.0)) return;
+  SvgLine& line = shape.line.emplace(SvgLine{
+      *color, style.stroke_width, style.cap, style.join, style.miter_limit, {}, style.dash_offset});
+  double dash_scale = 1.0;
+  if (style.dashes) {
+    line.dashes = *style.dashes;
+    const std::optional<double> said =
+        svg_length(e.node.attribute("pathLength").value(), SvgAxis::kDiagonal, SvgUnits());
+    double length = 0.0;
+    for (const SvgContour& c : shape.contours) {
+      for (std::size_t i = 0; said && i < c.segment_count(); ++i)
+        length += arc_length(c.segment(i));
+    }
+    if (said && *said > 0.0 && length > 0.0) dash_scale = length / *said;
+  }
+  // As wide as on a page without any transform: 1 px is 1/96 inch.
+  const double scale = std::sqrt(std::fabs(determinant(shape.to_mm))) / kSvgMmPerPx;
+  if (!style.scales_line && scale > 0.0) {
+    line.width /= scale;
+    if (dash_scale == 1.0) dash_scale = 1.0 / scale;
+  }
+  line.dash_offset *= dash_scale;
+  for (double& dash : line.dashes) dash *= dash_scale;
+}
+
 void SvgWalker::emit(Element& e, std::vector<SvgContour> contours) {
   const SvgStyle& style = e.state.style;
   SvgShape shape;
@@ -422,20 +489,16 @@ void SvgWalker::emit(Element& e, std::vector<SvgContour> contours) {
       color && e.name != "line") {
     shape.fill = SvgFill{*color, style.even_odd};
   }
-  if (const auto color = paint_color(style.stroke, e, style.stroke_opacity);
-      color && style.stroke_width > 0.0) {
-    shape.line = SvgLine{*color, style.stroke_width, style.cap, style.join, style.miter_limit,
-                         {},     style.dash_offset};
-    if (style.dashes) shape.line->dashes = *style.dashes;
-  }
+  shape.is_cut = e.state.is_cut;
+  draw_line(e, shape);
   const bool is_ink = shape.variable_width && shape.variable_width->is_ours;
   if (is_ink) {
     shape.variable_width->color =
         svg_faded(style.fill.kind == SvgPaint::Kind::kCurrent ? style.color : style.fill.color,
                   style.fill_opacity * e.state.opacity);
   }
-  if (!shape.fill && !shape.line && !is_ink) return;
   if (style.has_marker) notice(e.node, "has markers, which were left out");
+  if (!shape.fill && !shape.line && !is_ink) return;
   if (shape.fill && shape.line && style.reorders_paint) {
     notice(e.node, "paints its line below its filling, which was ignored");
   }

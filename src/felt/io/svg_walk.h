@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <pugixml.hpp>
 #include <string>
@@ -31,6 +32,8 @@ class SvgWalker {
     std::optional<Rect> frame;
     SvgPaint context_fill, context_stroke;  ///< of the use around it
     bool default_is_svg = true;
+    bool is_cut = false;  ///< by a clip path or mask
+    std::shared_ptr<const SvgVariables> variables;
     SvgLayer layer;
   };
   /// An element whose children are looked at.
@@ -63,7 +66,9 @@ class SvgWalker {
   void visit_use(Element& e, const Frame& from);
   void enter_layer(Element& e);
   void visit_shape(Element& e);
-  void notice_effects(const Element& e);
+  void apply_transform(Element& e);
+  void notice_effects(Element& e);
+  void draw_line(const Element& e, SvgShape& shape);
   std::optional<Rgba> paint_color(const SvgPaint& paint, const Element& e, double opacity);
   std::optional<SvgVariableWidth> variable_width(const Element& e) const;
   void emit(Element& e, std::vector<SvgContour> contours);

@@ -146,7 +146,7 @@ TEST(MaterialLibrary, WaitsForNoPipe) {
         return HeightPicture{};
       });
   EXPECT_THAT(ids_of(library), ElementsAre("good"));
-  const std::string why = ": is no file, but a pipe or a device";
+  const std::string why = ": not a regular file";
   EXPECT_THAT(
       library.problems,
       ElementsAre(own.path() + "/b.toml:6: grain.picture: " + own.path() + "/pipe.png" + why,

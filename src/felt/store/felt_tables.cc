@@ -173,7 +173,8 @@ Result<Head> read_drawing_row(const Database& db, StoredDrawing& d) {
 Result<void> read_layers(const Database& db, const Document& empty, Edit& edit) {
   const Layer& first = empty.layers().front();
   edit.layers.push_back({first.id, first.state(), std::nullopt, 0, 0});
-  const auto row = db.prepare("SELECT id, name, visible, locked FROM layer ORDER BY place, id");
+  const auto row =
+      db.prepare("SELECT id, name, visible, locked, place FROM layer ORDER BY place, id");
   if (!row) return tl::unexpected(row.error());
   std::size_t place = 0;
   for (;; ++place) {
@@ -185,7 +186,8 @@ Result<void> read_layers(const Database& db, const Document& empty, Edit& edit) 
       return row->is_integer(column) && (row->integer(column) | 1) == 1;
     };
     if (!is_id(row->integer(0)) || !row->is_text(1) || !is_name(row->text(1)) || !is_switch(2) ||
-        !is_switch(3)) {
+        !is_switch(3) || !row->is_integer(4) ||
+        row->integer(4) != static_cast<std::int64_t>(place)) {
       return bad("layer " + std::to_string(row->integer(0)) + " holds an impossible value");
     }
     LayerChange change{

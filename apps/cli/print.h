@@ -1,0 +1,29 @@
+#pragma once
+
+#include <fmt/core.h>
+
+#include <string_view>
+#include <utility>
+
+namespace felt::cli {
+
+/// Writes to stdout. A stream that cannot be written is reported once, at the end of the program.
+void print_text(std::string_view text) noexcept;
+/// Writes to stderr. Messages that cannot be written (a full disk, a closed pipe, a terminal that
+/// is gone) are dropped: they never end the program or its work.
+void say_text(std::string_view text) noexcept;
+
+/// The same with a format string.
+template <typename... Values>
+void print(fmt::format_string<Values...> format, Values&&... values) {
+  print_text(fmt::format(format, std::forward<Values>(values)...));
+}
+template <typename... Values>
+void say(fmt::format_string<Values...> format, Values&&... values) {
+  say_text(fmt::format(format, std::forward<Values>(values)...));
+}
+
+/// False if anything that was printed did not reach stdout. Flushes it.
+bool stdout_is_whole() noexcept;
+
+}  // namespace felt::cli
