@@ -52,6 +52,10 @@ struct CheckWhat {
   }
   void operator()(const DeleteEvent&) const {}
   void operator()(const DuplicateEvent&) const {}
+  void operator()(const RestyleEvent& e) const {
+    if (!e.color.empty()) check_text(e.color);
+    if (!e.medium.empty()) check_text(e.medium);
+  }
   void operator()(const LayerEvent& e) const {
     using Do = LayerEvent::Do;
     FELT_CHECK(e.what <= Do::kMove);

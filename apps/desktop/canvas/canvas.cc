@@ -18,6 +18,7 @@ constexpr double kDearMs = 1.0;  // a refresh and its paint that take less may f
 constexpr double kMostPaceMs = 33;
 constexpr int kLongSegments = 400;  // a stroke of more is not at once in the picture of the ink
 constexpr int kDryMs = 8;
+constexpr int kSizeMs = 1200;  // the ring of a size that was changed
 
 /// A cross with an open middle, dark on a light rim: seen on every paper, and exact.
 QCursor make_pen_cursor() {
@@ -64,6 +65,9 @@ Canvas::Canvas(Studio& studio, QWidget* parent)
   shown_->place.setSingleShot(true);
   shown_->place.setInterval(kPlaceMs);
   connect(&shown_->place, &QTimer::timeout, this, &Canvas::place_changed);
+  shown_->size_ring.setSingleShot(true);
+  shown_->size_ring.setInterval(kSizeMs);
+  connect(&shown_->size_ring, &QTimer::timeout, this, &Canvas::refresh_soon);
   pace_.setSingleShot(true);
   pace_.setTimerType(Qt::PreciseTimer);
   connect(&pace_, &QTimer::timeout, this, &Canvas::flush);
@@ -95,6 +99,8 @@ void Canvas::listen() {
   connect(&studio_, &Studio::tool_changed, this, &Canvas::hint_changed);
   connect(&studio_, &Studio::option_changed, this, [this](const QString& id) {
     if (id.endsWith(QLatin1String(".material"))) take_grain();
+    if (id.endsWith(QLatin1String(".mode"))) Q_EMIT hint_changed();
+    show_size(id);
   });
   connect(&studio_, &Studio::materials_changed, this, &Canvas::take_grain);
   connect(&Settings::the(), &Settings::changed, this, [this](const QString& key) {
@@ -236,6 +242,7 @@ void Canvas::refresh() {
   const Session& session = studio_.session();
   ink_.show(session.preview());
   session.draw(s.overlay);
+  if (s.size_ring.isActive()) add_size_ring();
   QRegion dirty(s.bands.update(s.overlay.spans));
   dirty += s.wet.update(s.overlay.ink, s.overlay.ink_color);
   list_marks();

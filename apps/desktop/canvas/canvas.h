@@ -52,8 +52,13 @@ class Canvas : public QWidget {
   void set_tablet_in_hand(bool tablet);
   /// What the empty sheet says of pressure, translated. Empty: what is known from the samples.
   void set_pen_status(const QString& status);
+  /// What the right button of the mouse does, for the hint; "" for nothing.
+  void set_right_button(const QString& what);
   /// A small exact cross; for whoever has set another cursor for a while.
   [[nodiscard]] const QCursor& pen_cursor() const noexcept { return pen_cursor_; }
+
+  /// The focus came by Tab, F6 or another key.
+  [[nodiscard]] bool has_focus_by_key() const noexcept { return focus_by_key_; }
 
   /// For the status line: what the tool in hand does, and with which modifiers.
   [[nodiscard]] QString hint() const;
@@ -92,6 +97,8 @@ class Canvas : public QWidget {
   void take_layers();
   void take_look();
   void take_status();
+  void show_size(const QString& option_id);
+  void add_size_ring();
   [[nodiscard]] bool shows_first_minute() const;
   void paint_ground(QPainter& painter, const QRegion& region);
   void paint_marks(QPainter& painter, const QRegion& region);
@@ -102,6 +109,7 @@ class Canvas : public QWidget {
   std::unique_ptr<Shown> shown_;
   QCursor pen_cursor_;
   QString pen_status_;
+  QString right_button_;
   QTimer pace_;  // until the next refresh, where they are dear
   QElapsedTimer clock_;
   QRegion painting_;          // this is being painted

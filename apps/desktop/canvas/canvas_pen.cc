@@ -1,6 +1,8 @@
 #include <QLocale>
 #include <algorithm>
 #include <cmath>
+#include <string>
+#include <utility>
 
 #include "desktop/canvas/canvas.h"
 #include "desktop/canvas/canvas_shown.h"
@@ -18,6 +20,22 @@ double number(const Session& session, const char* option) {
   const Result<OptionValue> value = session.option(option);
   const double* found = value ? std::get_if<double>(&*value) : nullptr;
   return found ? *found : 0.0;
+}
+
+/// The choice of its option "mode"; "" if it has none.
+std::string mode_of(const Session& session) {
+  const auto mode = session.option(std::string(session.tool().info().id) + ".mode");
+  const auto* word = mode ? std::get_if<std::string>(&*mode) : nullptr;
+  return word ? *word : std::string();
+}
+
+/// The width of the line that a mouse would draw.
+double mouse_width_mm(const Session& session) {
+  const double least = number(session, "pencil.min_width_mm");
+  const double most = std::max(least, number(session, "pencil.max_width_mm"));
+  const double pressure = number(session, "pencil.mouse_pressure");
+  const double gamma = std::max(0.1, number(session, "pencil.gamma"));
+  return least + (most - least) * std::pow(pressure, gamma);
 }
 
 }  // namespace
@@ -74,22 +92,45 @@ double Canvas::nib_radius_px(double pull_n) const {
   const Session& session = studio_.session();
   const Shown& s = *shown_;
   if (session.tool().info().id != "pencil" || !s.wet.is_empty()) return 0.0;
-  const double least = number(session, "pencil.min_width_mm");
-  const double most = std::max(least, number(session, "pencil.max_width_mm"));
-  const double pressure = number(session, "pencil.mouse_pressure");
-  const double gamma = std::max(0.1, number(session, "pencil.gamma"));
-  const double width = least + (most - least) * std::pow(pressure, gamma);
+  const double width = mouse_width_mm(session);
   const bool attracts = std::any_of(s.overlay.rings.begin(), s.overlay.rings.end(),
                                     [](const auto& r) { return r.role == Overlay::Role::kSnap; });
   const double shrunk = attracts ? 1.0 - kShrink * std::min(1.0, pull_n) : 1.0;
   return std::max(2.5, 0.5 * width * view_.px_per_mm() * shrunk);
 }
 
+/// The tool in hand has another size: it is shown for a moment.
+void Canvas::show_size(const QString& option_id) {
+  const bool is_size = option_id.endsWith(QLatin1String("_width_mm")) ||
+                       option_id.endsWith(QLatin1String("radius_mm"));
+  if (!is_size || !isVisible() || studio_.session().tool().info().id != "pencil") return;
+  shown_->size_ring.start();
+  refresh_soon();
+}
+
+/// Around the pointer; in the middle while the pointer is elsewhere. Tools other than the pencil
+/// show what they reach by themselves.
+void Canvas::add_size_ring() {
+  const PenState& pen = studio_.pen();
+  const Point at = pen_visible_ && pen.is_known ? pen.hand
+                                                : view_.to_mm({0.5 * width(), 0.5 * height()});
+  const double width_mm = mouse_width_mm(studio_.session());
+  shown_->overlay.rings.push_back({at, 0.5 * width_mm, Overlay::Role::kHandle});
+  shown_->overlay.labels.push_back(
+      {at, tr("%1 mm").arg(QLocale().toString(width_mm, 'g', 2)).toStdString()});
+}
+
 // --- Texts
 
 QString Canvas::hint() const {
   const ToolInfo& info = studio_.session().tool().info();
-  return tool_hint(info.id, info.help);
+  const QString hint = tool_hint(info.id, info.help, mode_of(studio_.session()));
+  if (right_button_.isEmpty()) return hint;
+  return hint + QStringLiteral("   ") + tr("Right button: %1").arg(right_button_);
+}
+
+void Canvas::set_right_button(const QString& what) {
+  if (std::exchange(right_button_, what) != what) Q_EMIT hint_changed();
 }
 
 QString Canvas::place_text() const {

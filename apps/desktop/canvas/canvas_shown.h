@@ -25,6 +25,7 @@ struct Canvas::Shown {
   bool shows_first_minute = false;
   PseudoCursor cursor;
   std::int64_t cursor_ns = 0;  // when it was asked last
+  QTimer size_ring;            // while it is shown
   QTimer place;                // until `place_changed`: a person reads more slowly than a pen moves
 };
 

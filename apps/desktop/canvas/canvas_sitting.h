@@ -17,7 +17,7 @@ namespace felt::desktop {
 class Sitting {
  public:
   explicit Sitting(QSize size = {640, 480}, const QString& device = QStringLiteral("tablet"))
-      : studio({device, false}), canvas(studio) {
+      : studio({.device = device, .live = false, .first_options = false}), canvas(studio) {
     canvas.resize(size);
     canvas.show();
     canvas.set_pen_visible(true);

@@ -494,5 +494,31 @@ TEST(Canvas, CostOfASampleOfALongLine) {
   EXPECT_TRUE(sitting.studio.session().gesture_in_work());
 }
 
+TEST(Canvas, AnotherSizeIsShownAtThePointer) {
+  Sitting desk;
+  desk.go({100, 100}, false);
+  const QImage before = desk.anew();
+  desk.option("pencil.max_width_mm", 12.0);
+  desk.canvas.flush();
+  const QImage ring = desk.anew();
+  EXPECT_NE(ring, before);
+  // Where the edge of a mouse's line would be.
+  const double radius_mm = 0.5 * (0.3 + 0.5 * (12.0 - 0.3));
+  const QPoint edge = desk.canvas.view().to_px({100 + radius_mm, 100}).toPoint();
+  int other = 0;
+  for (int dx = -3; dx <= 3; ++dx) {
+    const QPoint at = edge + QPoint(dx, 0);
+    other += ring.pixel(at) != before.pixel(at) ? 1 : 0;
+  }
+  EXPECT_GT(other, 0);
+  EXPECT_TRUE(desk.canvas.hint().contains(QStringLiteral("Draw")));
+  desk.canvas.set_right_button(QStringLiteral("Erase while held"));
+  EXPECT_TRUE(desk.canvas.hint().contains(QStringLiteral("Erase while held")));
+  desk.tool("pull");
+  const QString pulls = desk.canvas.hint();
+  desk.option("pull.mode", std::string("push"));
+  EXPECT_NE(desk.canvas.hint(), pulls) << "each mode says what it does";
+}
+
 }  // namespace
 }  // namespace felt::desktop

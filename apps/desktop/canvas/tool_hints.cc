@@ -57,7 +57,10 @@ QString key_name(Qt::KeyboardModifier modifier) {
 
 }  // namespace
 
-QString tool_hint(std::string_view tool_id, std::string_view help) {
+QString tool_hint(std::string_view tool_id, std::string_view help, std::string_view mode) {
+  if (tool_id == "pull" && mode == "push") {
+    return words(QT_TRANSLATE_NOOP("ToolHint", "Push lines away from the side of the pen."));
+  }
   const auto found = std::find_if(kHints.begin(), kHints.end(),
                                   [&](const ToolHint& hint) { return hint.id == tool_id; });
   if (found == kHints.end()) return QString::fromUtf8(help.data(), qsizetype(help.size()));

@@ -103,6 +103,7 @@ class CuePlayerTest : public testing::Test {
   static StudioOptions options() {
     StudioOptions options;
     options.live = false;
+    options.first_options = false;
     return options;
   }
   void choose() {

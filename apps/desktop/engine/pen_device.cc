@@ -112,13 +112,16 @@ PenDeviceInfo info_of(const StylusPreset& preset) {
   info.capabilities = preset.capabilities;
   if (!preset.capabilities.has_force()) {
     info.id = text_of(preset.name);
-    info.label = QCoreApplication::translate("PenDevice", "Pen or mouse, exact");
+    info.label = QCoreApplication::translate("PenDevice", "Mouse or pen, without forces");
+    info.short_label = QCoreApplication::translate("PenDevice", "Mouse or pen");
     info.note = QCoreApplication::translate(
         "PenDevice", "The ink is exactly where the pen is. Forces are shown, not felt.");
     return info;
   }
   info.id = kSimulated + text_of(preset.name);
-  const QString label = text_of(preset.label);
+  // Names of products stay as they are.
+  static_cast<void>(QT_TRANSLATE_NOOP("PenDevice", "Worst case: light, frictionless, coarse"));
+  const QString label = QCoreApplication::translate("PenDevice", preset.label.data());
   info.label = QCoreApplication::translate("PenDevice", "Simulated: %1").arg(label);
   info.short_label = QCoreApplication::translate("PenDevice", "Simulated %1").arg(model_of(label));
   info.note = QCoreApplication::translate(

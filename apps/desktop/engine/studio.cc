@@ -1,6 +1,7 @@
 #include "desktop/engine/studio.h"
 #include "desktop/engine/copied_options.h"
 #include "desktop/engine/first_options.h"
+#include "desktop/engine/usual_color.h"
 
 #include <algorithm>
 #include <array>
@@ -8,6 +9,7 @@
 #include <utility>
 
 #include "felt/rt/abandon.h"
+#include "felt/stroke/color_text.h"
 #include "felt/tools/tool.h"
 
 namespace felt::desktop {
@@ -87,12 +89,28 @@ void Studio::make_session(Document document, std::span<const std::string> materi
   const std::int64_t now_ns = event_time_ns();
   if (before) {
     copy_options(*before, *session_, now_ns);
-  } else {
-    static_cast<void>(
-        session_->apply({now_ns, SetOption{kMousePressureId, OptionValue(kFirstMousePressure)}}));
+  } else if (options_.first_options) {
+    take_first_options(now_ns);
   }
   told_selection_ = session_->selection_count();
   told_layer_ = session_->layer();
+}
+
+/// Where this program begins with other options than the library.
+void Studio::take_first_options(std::int64_t now_ns) {
+  for (const auto& tool : session_->tools()) {
+    const std::string owner(tool->info().id);
+    for (const OptionSpec& row : tool->info().options) {
+      const OptionValue first = default_value(as_at_first(owner, row));
+      if (first == default_value(row)) continue;
+      const std::string id = owner + "." + std::string(row.id);
+      static_cast<void>(session_->apply({now_ns, SetOption{id, first}}));
+    }
+  }
+  if (const Medium* medium = find_medium(kFirstMedium)) {
+    const Rgba ink = usual_color({}, {}, medium->color_rgb, {});
+    static_cast<void>(session_->apply({now_ns, SetOption{"sheet.color", color_to_text(ink)}}));
+  }
 }
 
 void Studio::start_loop() {
@@ -103,6 +121,7 @@ void Studio::start_loop() {
   clock_start_ns_ = now_ns();
   servo_ = std::make_unique<Servo>(device, options);
   servo_->set_strength(strength_);
+  last_event_ns_ = clock_start_ns_;
   hand_.reset();
   if (HandInput* hand = device_->hand()) {
     hand_ = std::make_unique<PointerHand>(*hand, device_->hand_options(), mouse_pressure_);
@@ -223,6 +242,7 @@ void Studio::look_at_device() {
 
 void Studio::open(Document document, const SheetPage& page,
                   std::span<const std::string> materials) {
+  wake();
   drain();
   static_cast<void>(session_->finish());
   edits_.clear();
@@ -241,10 +261,22 @@ void Studio::open(Document document, const SheetPage& page,
 }
 
 void Studio::set_modified(bool modified) {
+  has_other_changes_ = modified;
+  if (!modified) saved_position_ = session_->history().position();
+  tell_modified(modified);
+}
+
+/// Undoing everything since the last save, or doing it again, is no change any more.
+void Studio::follow_history() {
+  tell_modified(has_other_changes_ || session_->history().position() != saved_position_);
+}
+
+void Studio::tell_modified(bool modified) {
   if (std::exchange(is_modified_, modified) != modified) Q_EMIT modified_changed(modified);
 }
 
 bool Studio::apply(decltype(Event::what) what) {
+  wake();
   drain();
   const auto* option = std::get_if<SetOption>(&what);
   const QString option_id = option ? QString::fromStdString(option->id) : QString();
@@ -278,6 +310,7 @@ void Studio::finish_gesture() {
 }
 
 bool Studio::import(const QString& path, std::span<const SketchStroke> strokes) {
+  wake();
   drain();
   const Result<void> done = session_->import(event_time_ns(), path.toStdString(), strokes);
   publish();
@@ -300,6 +333,7 @@ void Studio::give_back_tool() {
 }
 
 void Studio::point(const PointerEvent& event) {
+  wake();
   last_point_ns_ = now_ns();
   pen_.hand = event.position;
   PointerEvent of_loop = event;
@@ -354,6 +388,7 @@ void Studio::advance(std::int64_t ns) {
 }
 
 void Studio::set_forces(bool on) {
+  wake();
   if (on) {
     servo_->arm();
   } else {
@@ -433,7 +468,7 @@ void Studio::publish() {
 /// Says what is not as it was. Slots may look at everything, and may call back.
 void Studio::tell() {
   for (const Edit& edit : std::exchange(edits_, {})) {
-    set_modified(true);
+    follow_history();
     Q_EMIT edited(edit);
   }
   if (std::string id(session_->tool().info().id); id != told_tool_) {
@@ -452,12 +487,36 @@ void Studio::tell() {
 void Studio::set_pace(bool has_samples) {
   if (!options_.live) return;
   const std::int64_t now = now_ns(), period_ns = servo_->options().period_ns;
+  if (thread_ && may_sleep(now)) return sleep();
   const std::int64_t rest_ns = now - last_point_ns_;
   const bool is_near = rest_ns < kNearNs || in_contact(pen_.sample) || !hand_;
   const int ticks = is_near ? kNear : rest_ns < kRestingNs ? kFar : kResting;
   late_looks_ = has_samples || !is_near ? 0 : late_looks_ + 1;
   if (late_looks_ > 0 && late_looks_ <= kMostLateLooks) return wake_at(now + kAfterTickNs);
   wake_at(next_tick_ns() + (ticks - 1) * period_ns + kAfterTickNs);
+}
+
+/// Nothing moves by itself: no motors, no body, no line that is being drawn.
+bool Studio::may_sleep(std::int64_t now) const {
+  return hand_ && !device_->device().capabilities().has_force() &&
+         now - last_event_ns_ > options_.rest_ns && !in_contact(pen_.sample) &&
+         !session_->gesture_in_work();
+}
+
+void Studio::sleep() {
+  timer_.stop();
+  if (thread_->is_paused()) return;
+  thread_->pause();
+  if (listener_.loop) listener_.loop(nullptr, 0);  // whoever looks for samples may rest, too
+}
+
+void Studio::wake() {
+  last_event_ns_ = now_ns();
+  if (!thread_ || !thread_->is_paused()) return;
+  if (listener_.loop) listener_.loop(servo_.get(), clock_start_ns_);
+  publish();  // a sign of life, or the loop would think that we were gone
+  thread_->resume();
+  wake_at(next_tick_ns() + kAfterTickNs);
 }
 
 void Studio::wake_at(std::int64_t time_ns) {

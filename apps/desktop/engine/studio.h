@@ -27,6 +27,12 @@ struct StudioOptions {
   /// False: no thread and no timer; whoever owns the studio moves time by advance(). For tests and
   /// pictures.
   bool live = true;
+  /// Begins with the options that this program has at first (first_options.h). False: the library's,
+  /// which scripts count on.
+  bool first_options = true;
+  /// So long after the last event a live studio whose device has no motors stops its loop and its
+  /// timer; the next event starts them again.
+  std::int64_t rest_ns = 3'000'000'000;
   /// Told every event of the session, pen samples as PenEvent, in order: a Recorder. The first ones
   /// say which device it is and which options are not the defaults, so that the events alone, told
   /// to another session, give the same drawing.
@@ -44,8 +50,9 @@ struct StudioOptions {
 struct StudioListener {
   std::function<void(const Event&)> event;
   std::function<void(const Edit&)> edit;
-  /// A loop begins whose samples for the saver may be taken (Servo::for_saver), and what the
-  /// studio's clock is ahead of the loop's; null: it ends, and nothing of it may be used any more.
+  /// A loop begins or wakes whose samples for the saver may be taken (Servo::for_saver), and what
+  /// the studio's clock is ahead of the loop's; null: it ends or sleeps, and nothing of it may be
+  /// used any more.
   /// When it begins to listen, too.
   std::function<void(Servo*, std::int64_t)> loop = {};
 };
@@ -70,7 +77,8 @@ struct PenState {
 ///
 /// Live, a real-time thread ticks the loop, and a timer drains its samples into the session: right
 /// after each tick while the pen is near, after each fourth when it was moved a while ago, else
-/// after each 16th. The loop wakes nobody. Qt's main thread only.
+/// after each 16th. The loop wakes nobody. Where no motors push, loop and timer stop some seconds
+/// after the last event, until the next one. Qt's main thread only.
 class Studio : public QObject {
   Q_OBJECT
 
@@ -213,6 +221,9 @@ class Studio : public QObject {
  private:
   void make_session(Document document, std::span<const std::string> materials);
   void take_materials(std::span<const std::string> texts);
+  void follow_history();
+  void tell_modified(bool modified);
+  void take_first_options(std::int64_t now_ns);
   void gather_materials();
   void note_material(const std::string& text);
   void follow_color(const std::optional<AnyMaterial>& before, const AnyMaterial& now);
@@ -228,6 +239,9 @@ class Studio : public QObject {
   void publish();
   void tell();
   void set_pace(bool has_samples);
+  [[nodiscard]] bool may_sleep(std::int64_t now) const;
+  void sleep();
+  void wake();
   void wake_at(std::int64_t time_ns);
   void look_at_device();
   void begin_with_device();
@@ -250,12 +264,15 @@ class Studio : public QObject {
   std::int64_t virtual_ns_ = 0;
   std::int64_t clock_start_ns_ = 0;  // what the session's clock said when this loop began
   std::int64_t last_point_ns_ = 0;
+  std::int64_t last_event_ns_ = 0;  // of the pointer, or a command
   std::int64_t told_ns_ = 0;  // of the session's last event
   QString given_up_label_;    // of a device, until a person has been told
   std::vector<Edit> edits_;   // that signals have not told yet
   QString home_tool_;         // while another is borrowed
   int borrowed_ = 0;
   bool is_modified_ = false;
+  bool has_other_changes_ = false;     // than steps of the history: page, materials, a rescue
+  std::uint64_t saved_position_ = 0;  // of the history, when there were no changes
   bool forces_on_ = false;
   double strength_ = 1.0;
   double force_limit_n_ = SafetyLimits{}.peak_force_n;

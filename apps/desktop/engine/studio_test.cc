@@ -4,17 +4,21 @@
 
 #include <QFile>
 #include <QTemporaryDir>
+#include <QTest>
 #include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <cmath>
+#include <functional>
 #include <memory>
 #include <random>
 #include <string>
 #include <thread>
 #include <vector>
 
+#include "desktop/engine/kept_options.h"
 #include "desktop/engine/recording_file.h"
+#include "desktop/engine/settings.h"
 #include "felt/io/event_reader.h"
 #include "felt/io/event_writer.h"
 #include "felt/io/ndjson_writer.h"
@@ -452,6 +456,111 @@ TEST(Studio, ADrawingBringsItsMaterialsAlongAndTakesThemAwayAgain) {
   page.surface = "paper";
   studio.open(Document{}, page);
   EXPECT_EQ(studio.materials().find_surface("slate"), nullptr);
+}
+
+TEST(Studio, UndoingEverythingIsNoChange) {
+  Desk desk;
+  desk.draw({20, 20}, {60, 60});
+  EXPECT_TRUE(desk.studio.is_modified());
+  desk.studio.apply(UndoEvent{});
+  EXPECT_FALSE(desk.studio.is_modified());
+  desk.studio.apply(RedoEvent{});
+  EXPECT_TRUE(desk.studio.is_modified());
+  desk.studio.set_modified(false);  // saved
+  desk.studio.apply(UndoEvent{});
+  EXPECT_TRUE(desk.studio.is_modified()) << "the file has more";
+  desk.studio.apply(RedoEvent{});
+  EXPECT_FALSE(desk.studio.is_modified());
+  SheetPage page = desk.studio.page();
+  page.width_mm += 10;
+  desk.studio.set_page(page);
+  desk.studio.apply(UndoEvent{});
+  desk.studio.apply(RedoEvent{});
+  EXPECT_TRUE(desk.studio.is_modified()) << "the page is no step of the history";
+}
+
+TEST(Studio, BeginsWithASmoothThinLineInTheColourOfItsMedium) {
+  const Studio studio({.live = false});
+  const auto option = [&studio](const char* id) { return studio.session().option(id).value(); };
+  const Medium* medium = find_medium(std::get<std::string>(option("pencil.material")));
+  ASSERT_TRUE(medium);
+  EXPECT_EQ(medium->look.grain, 0.0);
+  const double thin = std::get<double>(option("pencil.min_width_mm"));
+  const double broad = std::get<double>(option("pencil.max_width_mm"));
+  const double share = std::get<double>(option("pencil.mouse_pressure"));
+  const double mouse_mm = thin + (broad - thin) * share;
+  EXPECT_GE(mouse_mm, 0.3);
+  EXPECT_LE(mouse_mm, 1.5);
+  const Rgba color = studio.session().sheet().color();
+  EXPECT_EQ(std::uint32_t{color.r} << 16U | std::uint32_t{color.g} << 8U | color.b,
+            medium->color_rgb);
+}
+
+TEST(Studio, WithoutMotorsTheLoopSleepsUntilTheNextEvent) {
+  std::atomic<int> samples{0};
+  StudioOptions options;
+  options.rest_ns = 30 * kMs;
+  Studio studio(std::move(options));
+  QObject::connect(&studio, &Studio::sampled, &studio, [&samples] { ++samples; });
+  ASSERT_TRUE(studio.loop());
+  const auto until = [](const std::function<bool()>& done) {
+    for (int i = 0; i < 2000 && !done(); ++i) QTest::qWait(5);
+    return done();
+  };
+  ASSERT_TRUE(until([&] { return studio.loop()->is_paused(); }));
+  QTest::qWait(50);  // what was under way
+  const int before = samples;
+  QTest::qWait(300);
+  EXPECT_EQ(samples, before) << "no tick, no turn";
+  EXPECT_FALSE(studio.device_status().fault);
+  for (const bool down : {false, true, true}) {
+    studio.point({studio.now_ns(), {40, 40}, down, 0.5, 0});
+    QTest::qWait(20);
+  }
+  ASSERT_TRUE(until([&] { return samples > before && in_contact(studio.pen().sample); }));
+  QTest::qWait(200);
+  EXPECT_FALSE(studio.loop()->is_paused()) << "a line is being drawn";
+  studio.point({studio.now_ns(), {45, 40}, false, 0.0, 0});
+  ASSERT_TRUE(until([&] { return studio.loop()->is_paused(); }));
+  EXPECT_EQ(studio.session().document().stroke_count(), 1U);
+  ASSERT_TRUE(studio.use_device(QStringLiteral("simulated:touch")));
+  QTest::qWait(200);
+  EXPECT_FALSE(studio.loop()->is_paused()) << "a body moves by itself";
+}
+
+TEST(KeptOptions, AnotherStartBeginsWithThem) {
+  Settings& settings = Settings::the();
+  {
+    Studio studio({.live = false});
+    const KeptOptions kept(studio);
+    studio.apply(SetOption{"pencil.material", std::string("charcoal")});
+    studio.apply(SetOption{"pencil.max_width_mm", 3.5});
+    studio.apply(SetOption{"pencil.snap", std::string("force")});
+    studio.apply(SetOption{"pencil.stabiliser", std::string("towed")});
+    studio.apply(SetOption{"eraser.mode", std::string("stroke")});
+    studio.apply(SetOption{"sheet.color", std::string("#b02020")});
+    studio.apply(SetOption{"pencil.refine", false});
+    studio.apply(SetOption{"pencil.refine", true});
+  }
+  EXPECT_FALSE(settings.value(QStringLiteral("options/pencil.refine")).isValid())
+      << "what is as at first is not stored";
+  settings.set(QStringLiteral("options/pencil.gamma"), 1e9);
+  settings.set(QStringLiteral("options/pull.mode"), QStringLiteral("no such"));
+  Studio next({.live = false});
+  const KeptOptions kept(next);
+  const auto option = [&next](const char* id) { return next.session().option(id).value(); };
+  EXPECT_EQ(option("pencil.material"), OptionValue(std::string("charcoal")));
+  EXPECT_EQ(option("pencil.max_width_mm"), OptionValue(3.5));
+  EXPECT_EQ(option("pencil.snap"), OptionValue(std::string("force")));
+  EXPECT_EQ(option("pencil.stabiliser"), OptionValue(std::string("towed")));
+  EXPECT_EQ(option("eraser.mode"), OptionValue(std::string("stroke")));
+  EXPECT_EQ(option("sheet.color"), OptionValue(std::string("#b02020")));
+  EXPECT_EQ(option("pencil.gamma"), OptionValue(1.0)) << "out of range";
+  for (const char* id : {"pencil.material", "pencil.max_width_mm", "pencil.snap",
+                         "pencil.stabiliser", "eraser.mode", "sheet.color", "pencil.gamma",
+                         "pull.mode"}) {
+    settings.reset(QStringLiteral("options/") + QString::fromLatin1(id));
+  }
 }
 
 }  // namespace

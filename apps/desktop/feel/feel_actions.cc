@@ -69,7 +69,7 @@ void add_materials(Actions& actions, Studio& studio, QWidget* window) {
   auto* group = new QActionGroup(window);
   for (const SurfaceMaterial& material : surface_materials()) {
     const QString id = QString::fromUtf8(material.id.data(), qsizetype(material.id.size()));
-    QAction* action = actions.add_switch(QStringLiteral("feel.") + id, material_label(material), {},
+    QAction* action = actions.add_switch(QStringLiteral("feel.sheet_") + id, material_label(material), {},
                                          material_words(material), id == material_of(studio),
                                          [&studio, id](bool on) {
                                            if (on) choose_material(studio, id);
@@ -104,7 +104,7 @@ void fill_own_sheets(QMenu& menu, Studio& studio) {
 void add_own_sheets(Actions& actions, Studio& studio, QWidget* window) {
   auto* menu = new QMenu(window);
   QAction* action = actions.add(
-      QStringLiteral("feel.own_sheets"),
+      QStringLiteral("feel.sheet_own"),
       QCoreApplication::translate("FeelActions", "My &own sheets"), {},
       QCoreApplication::translate("FeelActions", "Sheets that you made, or a drawing brought"),
       [menu] {
@@ -207,6 +207,8 @@ bool DoubleEscape::eventFilter(QObject* watched, QEvent* event) {
 /// One press is seen several times: as the question whether it is a shortcut, as itself, by the
 /// window and by the widget in it.
 void DoubleEscape::press() {
+  // Esc closes the menu that is open; leaving nested menus by it is not meant for the forces.
+  if (QApplication::activePopupWidget()) return since_.invalidate();
   if (is_down_ && since_.isValid() && since_.elapsed() < kForgetDownMs) return;
   is_down_ = true;
   const bool twice = since_.isValid() && since_.elapsed() <= kWithinMs;

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <QApplication>
+#include <QSignalSpy>
 #include <QAbstractButton>
 #include <QLabel>
 #include <QMainWindow>
@@ -112,14 +114,14 @@ TEST(FeelPanel, AMaterialIsChosenByButtonActionOrEventAndAllAgree) {
   ASSERT_NE(glass, nullptr);
   glass->click();
   EXPECT_EQ(chosen(), "glass");
-  EXPECT_TRUE(window.actions.find(QStringLiteral("feel.glass"))->isChecked());
+  EXPECT_TRUE(window.actions.find(QStringLiteral("feel.sheet_glass"))->isChecked());
   EXPECT_EQ(Settings::the().text(feel_keys::kMaterial), QStringLiteral("glass"));
   window.actions.find(QStringLiteral("feel.felt"))->trigger();
   EXPECT_EQ(chosen(), "felt");
   EXPECT_FALSE(glass->isChecked());
   window.studio.apply(SetOption{"sheet.material", OptionValue(std::string("glass"))});
   EXPECT_TRUE(glass->isChecked());
-  EXPECT_TRUE(window.actions.find(QStringLiteral("feel.glass"))->isChecked());
+  EXPECT_TRUE(window.actions.find(QStringLiteral("feel.sheet_glass"))->isChecked());
   forget_settings();
 }
 
@@ -147,7 +149,7 @@ TEST(FeelPanel, SheetsOfOnesOwnAreInAMenuOfTheirOwn) {
   forget_settings();
   Window window;
   const auto chosen = [&] { return window.studio.session().sheet().material().id; };
-  QAction* own = window.actions.find(QStringLiteral("feel.own_sheets"));
+  QAction* own = window.actions.find(QStringLiteral("feel.sheet_own"));
   ASSERT_NE(own, nullptr);
   EXPECT_FALSE(own->isVisible()) << "there are none yet";
   Materials known = Materials::built_in();
@@ -167,7 +169,7 @@ TEST(FeelPanel, SheetsOfOnesOwnAreInAMenuOfTheirOwn) {
   Q_EMIT own->menu()->aboutToShow();
   EXPECT_TRUE(own->menu()->actions().front()->isChecked());
   EXPECT_EQ(Settings::the().text(feel_keys::kMaterial), QStringLiteral("my-glass"));
-  window.actions.find(QStringLiteral("feel.glass"))->trigger();
+  window.actions.find(QStringLiteral("feel.sheet_glass"))->trigger();
   EXPECT_EQ(chosen(), "glass");
   window.studio.know(Materials::built_in());
   EXPECT_FALSE(own->isVisible());
@@ -206,6 +208,21 @@ TEST(Studio, AForceLimitOfAPersonBoundsWhatIsSent) {
   EXPECT_DOUBLE_EQ(studio.servo().options().limits.peak_force_n, 3.0);
   studio.set_force_limit(std::nan(""));
   EXPECT_DOUBLE_EQ(studio.force_limit(), 3.0);
+}
+
+TEST(DoubleEscape, LeavingMenusIsNotMeantForTheForces) {
+  QWidget window;
+  DoubleEscape escape(&window);
+  QSignalSpy twice(&escape, &DoubleEscape::pressed_twice);
+  QMenu menu;
+  menu.addAction(QStringLiteral("one"));
+  for (int i = 0; i < 2; ++i) {
+    menu.popup(QPoint(0, 0));
+    ASSERT_EQ(QApplication::activePopupWidget(), &menu);
+    QTest::keyClick(&menu, Qt::Key_Escape);
+    EXPECT_FALSE(menu.isVisible());
+  }
+  EXPECT_EQ(twice.count(), 0);
 }
 
 }  // namespace

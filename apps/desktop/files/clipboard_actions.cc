@@ -9,6 +9,7 @@
 
 #include "desktop/files/added_strokes.h"
 #include "desktop/files/clipboard.h"
+#include "desktop/files/error_words.h"
 #include "felt/document/visible_strokes.h"
 #include "felt/formats/own_materials.h"
 
@@ -118,6 +119,7 @@ void ClipboardActions::paste() {
   Result<PastedStrokes> pasted = data ? strokes_of(*data) : PastedStrokes();
   if (!pasted) {
     dialogs_.show_error(window_, tr("The clipboard cannot be pasted"),
+                        error_words(pasted.error()),
                         QString::fromStdString(pasted.error().message));
     return;
   }

@@ -87,6 +87,7 @@ TEST(Clipboard, CutTakesWhatIsSelectedAndPasteGivesItBack) {
   TestDesk desk;
   desk.draw(1, 2);
   const std::vector<Stroke> before = strokes_in(visible_strokes(desk.document()));
+  desk.studio.apply(SelectStrokes{SelectStrokes::What::kNone});
   EXPECT_FALSE(desk.actions.find(QStringLiteral("edit.cut"))->isEnabled());
   desk.studio.apply(SelectStrokes{SelectStrokes::What::kAll});
   EXPECT_TRUE(desk.actions.find(QStringLiteral("edit.cut"))->isEnabled());

@@ -13,8 +13,10 @@
 #include <utility>
 
 #include "desktop/engine/settings.h"
+#include "desktop/engine/usual_color.h"
 #include "desktop/files/added_strokes.h"
 #include "desktop/files/clipboard_actions.h"
+#include "desktop/files/error_words.h"
 #include "desktop/files/format_texts.h"
 #include "desktop/files/output_actions.h"
 #include "desktop/files/settings_keys.h"
@@ -41,6 +43,11 @@ QStringList local_files(const QMimeData* data) {
 QDateTime changed_at(const QString& path) {
   const QFileInfo info(path);
   return info.exists() ? info.lastModified() : QDateTime();
+}
+
+/// Of a new page of that surface.
+Rgba usual_paper(const SurfaceMaterial& surface) {
+  return usual_color(SheetPage{}.paper, {}, surface.color_rgb, SheetPage{}.paper);
 }
 
 /// A drawing that Save may write to again: of our format, by content and by name.
@@ -112,6 +119,13 @@ void FileActions::add_file_actions(Actions& actions) {
   quit->setMenuRole(QAction::QuitRole);
 }
 
+bool FileActions::is_read_only() const {
+  constexpr auto kAnyWriter = QFile::WriteOwner | QFile::WriteGroup | QFile::WriteOther;
+  const QFileInfo info(path_);
+  // Whoever may write everywhere is told, too, when nobody is meant to write there.
+  return info.exists() && (!info.isWritable() || !(info.permissions() & kAnyWriter));
+}
+
 QString FileActions::display_name() const {
   if (!path_.isEmpty()) return QFileInfo(path_).fileName();
   return name_.isEmpty() ? tr("Untitled") : name_;
@@ -141,8 +155,10 @@ Drawing FileActions::drawing() const {
 void FileActions::start_new() {
   if (!may_replace()) return;
   Drawing fresh;
-  fresh.page = studio_.page();
+  // A page that somebody set up here stays; that of a file which was opened goes with it.
+  if (!has_page_of_file_) fresh.page = studio_.page();
   fresh.page.surface = studio_.session().sheet().material().id;
+  if (has_page_of_file_) fresh.page.paper = usual_paper(studio_.session().sheet().material());
   fresh.color = studio_.session().sheet().color();
   // Sheet and pencil stay, also where only the drawing that goes has brought them.
   fresh.materials = own_materials(studio_.session(), fresh);
@@ -177,21 +193,24 @@ Result<OpenedDrawing> FileActions::read(const QString& path) {
 
 bool FileActions::open(const QString& given) {
   const QString path = QFileInfo(given).absoluteFilePath();
-  if (!may_replace()) return false;
-  const std::uint64_t asked_about = revision_;
+  worker_.wait();
   Result<OpenedDrawing> opened = read(path);
-  // A pen draws on while a file is read.
-  studio_.finish_gesture();
-  if (revision_ != asked_about && !may_replace()) return false;
+  if (opened) {
+    // Nobody is asked about their changes for a file that cannot be read.
+    const QDateTime read_at = changed_at(path);
+    if (!may_replace()) return false;
+    if (changed_at(path) != read_at) opened = read(path);  // it was this one that was saved
+  }
   if (!opened) {
     dialogs_->show_error(window_, tr("“%1” cannot be opened").arg(QFileInfo(path).fileName()),
-                         text_of(opened.error()));
+                         error_words(opened.error()), text_of(opened.error()));
     return false;
   }
   const bool is_own = is_own_file(*opened, path);
   folder_ = QFileInfo(path).path();
   show(std::move(opened->drawing), is_own ? path : QString(),
        is_own ? QString() : QFileInfo(path).completeBaseName());
+  has_page_of_file_ = true;
   remember(path);
   Q_EMIT taken(QFileInfo(path).fileName(), opened->report);
   return true;
@@ -218,6 +237,7 @@ void FileActions::show(Drawing drawing, const QString& path, const QString& name
   // Before the signals of open(), so that who hears them sees the right name.
   path_ = path;
   name_ = name;
+  has_page_of_file_ = false;
   seen_on_disk_ = changed_at(path);
   extras_ = drawing.extras;
   is_showing_ = true;
@@ -241,6 +261,7 @@ void FileActions::hear_opened() {
   if (is_showing_) return;
   extras_ = {};
   name_.clear();
+  has_page_of_file_ = false;
   seen_on_disk_ = {};
   set_path({});
   if (journal_) journal_->begin(display_name(), path_);
@@ -252,7 +273,7 @@ bool FileActions::import(const QString& given) {
   Result<OpenedDrawing> opened = read(path);
   if (!opened) {
     dialogs_->show_error(window_, tr("“%1” cannot be imported").arg(QFileInfo(path).fileName()),
-                         text_of(opened.error()));
+                         error_words(opened.error()), text_of(opened.error()));
     return false;
   }
   Settings::the().set(files_keys::kLastFolder, QFileInfo(path).path());
@@ -303,9 +324,15 @@ bool FileActions::eventFilter(QObject* object, QEvent* event) {
 bool FileActions::save() {
   if (path_.isEmpty()) return save_as();
   const QDateTime now = changed_at(path_);
-  if (seen_on_disk_.isValid() && now.isValid() && now != seen_on_disk_ && saves_in_work_ == 0 &&
-      !dialogs_->ask_overwrite(window_, display_name())) {
-    return false;
+  if (seen_on_disk_.isValid() && now.isValid() && now != seen_on_disk_ && saves_in_work_ == 0) {
+    switch (dialogs_->ask_overwrite(window_, display_name())) {
+      case FileDialogs::Overwrite::kCancel:
+        return false;
+      case FileDialogs::Overwrite::kSaveAs:
+        return save_as();
+      case FileDialogs::Overwrite::kReplace:
+        break;
+    }
   }
   return begin_save(path_);
 }
@@ -333,9 +360,11 @@ void FileActions::end_save(const QString& path, std::uint64_t revision, const Re
   --saves_in_work_;
   last_save_failed_ = !done;
   if (!done) {
-    dialogs_->show_error(
+    dialogs_->show_save_error(
         window_, tr("“%1” was not saved").arg(QFileInfo(path).fileName()),
-        tr("%1\nYour drawing is still here: save it to another place.").arg(text_of(done.error())));
+        tr("%1\nYour drawing is still here: save it to another place.")
+            .arg(error_words(done.error())),
+        text_of(done.error()), [this] { save_as(); });
     Q_EMIT saved(false);
     return;
   }

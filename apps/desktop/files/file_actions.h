@@ -52,10 +52,12 @@ class FileActions : public QObject {
   [[nodiscard]] const QString& path() const noexcept { return path_; }
   /// For titles: the file's name, or what the drawing without one is called.
   [[nodiscard]] QString display_name() const;
+  /// The drawing's file is there and may not be written.
+  [[nodiscard]] bool is_read_only() const;
   /// Nothing was drawn, opened or saved here: another drawing may take the place.
   [[nodiscard]] bool is_pristine() const;
 
-  /// Opens it here; asks about unsaved changes first. False: it was not opened, and the person has
+  /// Opens it here; asks about unsaved changes once it could be read. False: it was not opened, and the person has
   /// been told why.
   bool open(const QString& path);
   /// Begins to write; false: the person stopped it. What comes of it is told by `saved`.
@@ -145,6 +147,7 @@ class FileActions : public QObject {
   std::uint64_t revision_ = 0;  // of the drawing
   int saves_in_work_ = 0;
   bool last_save_failed_ = false, is_showing_ = false;
+  bool has_page_of_file_ = false;  // it came with a file that was opened
 };
 
 }  // namespace felt::desktop

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <QDateTime>
 #include <QAction>
 #include <QDropEvent>
 #include <QFile>
@@ -89,6 +90,10 @@ TEST(FileActions, NothingIsLostUnasked) {
   EXPECT_FALSE(desk.files->may_close());
   desk.actions.find(QStringLiteral("file.new"))->trigger();
   EXPECT_FALSE(desk.files->open(desk.at("none.felt")));
+  EXPECT_EQ(desk.person->asked.size(), 2) << "a file that cannot be read takes no place";
+  EXPECT_EQ(desk.person->errors.size(), 1);
+  ASSERT_TRUE(write_drawing(desk.at("other.felt"), Drawing{}));
+  EXPECT_FALSE(desk.files->open(desk.at("other.felt")));
   EXPECT_EQ(desk.person->asked.size(), 3);
   EXPECT_TRUE(desk.document() == before);
 
@@ -119,6 +124,61 @@ TEST(FileActions, AFailedSaveKeepsTheDrawingModifiedAndSaysWhy) {
   EXPECT_TRUE(desk.studio.is_modified());
   desk.person->unsaved = FileDialogs::Unsaved::kSave;
   EXPECT_FALSE(desk.files->may_close());
+  ASSERT_TRUE(desk.person->save_elsewhere);
+  desk.person->next = desk.at("elsewhere.felt");
+  desk.person->save_elsewhere();
+  desk.files->finish_writing();
+  EXPECT_FALSE(desk.studio.is_modified());
+  EXPECT_EQ(desk.files->path(), desk.at("elsewhere.felt"));
+}
+
+TEST(FileActions, AFileThatOthersChangedMayBeSavedElsewhere) {
+  TestDesk desk;
+  desk.draw(1);
+  desk.person->next = desk.at("a.felt");
+  ASSERT_TRUE(desk.files->save());
+  desk.files->finish_writing();
+  desk.draw(2);
+  QFile file(desk.at("a.felt"));
+  ASSERT_TRUE(file.open(QIODevice::ReadWrite));
+  file.setFileTime(QDateTime::currentDateTime().addSecs(60), QFileDevice::FileModificationTime);
+  file.close();
+  desk.person->overwrite = FileDialogs::Overwrite::kSaveAs;
+  desk.person->next = desk.at("b.felt");
+  EXPECT_TRUE(desk.files->save());
+  desk.files->finish_writing();
+  EXPECT_EQ(desk.files->path(), desk.at("b.felt"));
+  EXPECT_EQ(read_drawing(desk.at("a.felt")).value().document.stroke_count(), 3u);
+}
+
+TEST(FileActions, SaysThatAFileMayNotBeWritten) {
+  TestDesk desk;
+  ASSERT_TRUE(write_drawing(desk.at("a.felt"), Drawing{}));
+  ASSERT_TRUE(desk.files->open(desk.at("a.felt")));
+  EXPECT_FALSE(desk.files->is_read_only());
+  ASSERT_TRUE(QFile::setPermissions(desk.at("a.felt"), QFile::ReadOwner));
+  ASSERT_TRUE(desk.files->open(desk.at("a.felt")));
+  EXPECT_TRUE(desk.files->is_read_only());
+}
+
+TEST(FileActions, ANewDrawingHasNotThePageOfTheFileBefore) {
+  TestDesk desk;
+  Drawing wide;
+  wide.page.width_mm = 900.0;
+  wide.page.paper = {200, 220, 255, 255};
+  ASSERT_TRUE(write_drawing(desk.at("wide.felt"), wide));
+  ASSERT_TRUE(desk.files->open(desk.at("wide.felt")));
+  EXPECT_EQ(desk.studio.page().width_mm, 900.0);
+  desk.actions.find(QStringLiteral("file.new"))->trigger();
+  EXPECT_EQ(desk.studio.page().width_mm, SheetPage{}.width_mm);
+  EXPECT_EQ(desk.studio.page().paper, SheetPage{}.paper);
+  // A page that a person set up here stays.
+  SheetPage mine = desk.studio.page();
+  mine.width_mm = 333.0;
+  desk.studio.set_page(mine);
+  desk.person->unsaved = FileDialogs::Unsaved::kDiscard;
+  desk.actions.find(QStringLiteral("file.new"))->trigger();
+  EXPECT_EQ(desk.studio.page().width_mm, 333.0);
 }
 
 TEST(FileActions, WhatIsDrawnDuringASaveStaysUnsaved) {
@@ -185,7 +245,7 @@ TEST(FileActions, AFileChangedByOthersIsNotOverwrittenUnasked) {
   desk.draw(2);
   EXPECT_FALSE(desk.files->save());
   EXPECT_EQ(desk.person->asked, QStringList{QStringLiteral("a.felt")});
-  desk.person->overwrite = true;
+  desk.person->overwrite = FileDialogs::Overwrite::kReplace;
   EXPECT_TRUE(desk.files->save());
   desk.files->finish_writing();
   EXPECT_EQ(read_drawing(desk.at("a.felt")).value().document.stroke_count(), 6u);

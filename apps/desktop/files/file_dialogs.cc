@@ -8,12 +8,24 @@
 #include <QFileInfo>
 #include <QMessageBox>
 #include <QPushButton>
+#include <utility>
 
 namespace felt::desktop {
 namespace {
 
 QString tr(const char* text, const char* comment = nullptr, int n = -1) {
   return QCoreApplication::translate("felt::desktop::FileDialogs", text, comment, n);
+}
+
+QMessageBox* error_box(QWidget* window, const QString& what, const QString& why,
+                       const QString& details) {
+  auto* box = new QMessageBox(QMessageBox::Critical, QStringLiteral("Feltline"), what,
+                              QMessageBox::Ok, window);
+  box->setAttribute(Qt::WA_DeleteOnClose);
+  box->setInformativeText(why);
+  if (!details.isEmpty()) box->setDetailedText(details);
+  box->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
+  return box;
 }
 
 }  // namespace
@@ -65,16 +77,19 @@ FileDialogs::Unsaved FileDialogs::ask_unsaved(QWidget* window, const QString& na
                                           : Unsaved::kCancel;
 }
 
-bool FileDialogs::ask_overwrite(QWidget* window, const QString& name) {
+FileDialogs::Overwrite FileDialogs::ask_overwrite(QWidget* window, const QString& name) {
   QMessageBox box(QMessageBox::Warning, tr("Changed on disk"),
                   tr("“%1” was changed by another program.").arg(name), QMessageBox::Cancel,
                   window);
   box.setInformativeText(tr("Saving now replaces those changes by your drawing."));
   const QPushButton* replace = box.addButton(tr("&Replace"), QMessageBox::DestructiveRole);
+  const QPushButton* elsewhere = box.addButton(tr("Save &as…"), QMessageBox::AcceptRole);
   box.setDefaultButton(QMessageBox::Cancel);
   box.setEscapeButton(QMessageBox::Cancel);
   box.exec();
-  return box.clickedButton() == replace;
+  return box.clickedButton() == replace     ? Overwrite::kReplace
+         : box.clickedButton() == elsewhere ? Overwrite::kSaveAs
+                                            : Overwrite::kCancel;
 }
 
 bool FileDialogs::ask_salvage(QWidget* window, const QString& name, const QString& why,
@@ -91,11 +106,19 @@ bool FileDialogs::ask_salvage(QWidget* window, const QString& name, const QStrin
   return box.clickedButton() == rescue;
 }
 
-void FileDialogs::show_error(QWidget* window, const QString& what, const QString& why) {
-  auto* box = new QMessageBox(QMessageBox::Critical, tr("Feltline"), what, QMessageBox::Ok, window);
-  box->setAttribute(Qt::WA_DeleteOnClose);
-  box->setInformativeText(why);
-  box->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
+void FileDialogs::show_error(QWidget* window, const QString& what, const QString& why,
+                             const QString& details) {
+  error_box(window, what, why, details)->open();
+}
+
+void FileDialogs::show_save_error(QWidget* window, const QString& what, const QString& why,
+                                  const QString& details, std::function<void()> save_as) {
+  QMessageBox* box = error_box(window, what, why, details);
+  QPushButton* elsewhere = box->addButton(tr("Save &as…"), QMessageBox::AcceptRole);
+  box->setDefaultButton(elsewhere);
+  // Queued: the box is gone by the time the file dialog comes.
+  QObject::connect(elsewhere, &QPushButton::clicked, window, std::move(save_as),
+                   Qt::QueuedConnection);
   box->open();
 }
 

@@ -3,6 +3,7 @@
 #include <QString>
 #include <QStringList>
 #include <QWidget>
+#include <functional>
 
 #include "felt/formats/file_format.h"
 
@@ -12,6 +13,7 @@ namespace felt::desktop {
 class FileDialogs {
  public:
   enum class Unsaved { kSave, kDiscard, kCancel };
+  enum class Overwrite { kReplace, kSaveAs, kCancel };
 
   virtual ~FileDialogs() = default;
 
@@ -30,12 +32,16 @@ class FileDialogs {
                         FileFormat format);
   /// A drawing with changes is to go.
   virtual Unsaved ask_unsaved(QWidget* window, const QString& name);
-  /// The file was changed by others since it was read. True: write over it.
-  virtual bool ask_overwrite(QWidget* window, const QString& name);
+  /// The file was changed by others since it was read.
+  virtual Overwrite ask_overwrite(QWidget* window, const QString& name);
   /// A drawing is damaged, but so many strokes of it can be had. True: show them.
   virtual bool ask_salvage(QWidget* window, const QString& name, const QString& why, int strokes);
-  /// Stays until it is closed; the program goes on.
-  virtual void show_error(QWidget* window, const QString& what, const QString& why);
+  /// Stays until it is closed; the program goes on. `details` are the library's own words.
+  virtual void show_error(QWidget* window, const QString& what, const QString& why,
+                          const QString& details);
+  /// The same, with a button that saves elsewhere.
+  virtual void show_save_error(QWidget* window, const QString& what, const QString& why,
+                               const QString& details, std::function<void()> save_as);
 };
 
 }  // namespace felt::desktop

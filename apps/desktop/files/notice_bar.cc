@@ -53,6 +53,10 @@ void NoticeBar::show_report(const QString& name, const ImportReport& report) {
       true);
 }
 
+void NoticeBar::forget_report() {
+  if (list_->topLevelItemCount() > 0) show_report({}, {});
+}
+
 void NoticeBar::show_words(const QString& words) {
   list_->clear();
   say(words, false);

@@ -17,6 +17,8 @@ class NoticeBar : public MessageBar {
 
   /// `name` is the file's, for people. A report without notices hides the bar.
   void show_report(const QString& name, const ImportReport& report);
+  /// Another drawing is here: the last file's report goes.
+  void forget_report();
   /// Something else that a person should know, in plain words; it stays until it is closed.
   void show_words(const QString& words);
 

@@ -68,5 +68,15 @@ TEST(FormatTexts, DialogsShowEveryFormatThatIsReadAndAllTogetherFirst) {
   EXPECT_EQ(save_filter(FileFormat::kPng), QStringLiteral("PNG picture (*.png)"));
 }
 
+TEST(NoticeBar, AReportGoesWithItsDrawing) {
+  NoticeBar bar;
+  bar.show_report(QStringLiteral("notes.xopp"), report_of_two());
+  bar.forget_report();
+  EXPECT_TRUE(bar.isHidden());
+  bar.show_words(QStringLiteral("something else"));
+  bar.forget_report();
+  EXPECT_FALSE(bar.isHidden());
+}
+
 }  // namespace
 }  // namespace felt::desktop

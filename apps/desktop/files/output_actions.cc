@@ -2,6 +2,7 @@
 
 #include <QDir>
 #include <QFileInfo>
+#include <QGraphicsView>
 #include <QPainter>
 #include <QPainterPath>
 #include <QPrintDialog>
@@ -11,6 +12,7 @@
 
 #include "desktop/engine/grain_setting.h"
 #include "desktop/engine/settings.h"
+#include "desktop/files/error_words.h"
 #include "desktop/files/export_dialog.h"
 #include "desktop/files/file_actions.h"
 #include "desktop/files/format_texts.h"
@@ -159,9 +161,12 @@ void OutputActions::export_to(const QString& path, const ExportOptions& options)
 }
 
 void OutputActions::tell_exported(const QString& path, const Result<void>& done) {
-  if (!done) {
-    files_.dialogs().show_error(window_,
-                                tr("“%1” was not exported").arg(QFileInfo(path).fileName()),
+  const QString name = QFileInfo(path).fileName();
+  if (done) {
+    Q_EMIT studio_.refused(tr("“%1” was exported.").arg(name));
+  } else {
+    files_.dialogs().show_error(window_, tr("“%1” was not exported").arg(name),
+                                error_words(done.error()),
                                 QString::fromStdString(done.error().message));
   }
   Q_EMIT exported(path, done.has_value());
@@ -185,6 +190,9 @@ void OutputActions::preview() {
   const auto printer = printer_for(drawing, files_.display_name());
   QPrintPreviewDialog dialog(printer.get(), window_);
   dialog.setWindowTitle(tr("Print preview"));
+  for (auto* view : dialog.findChildren<QGraphicsView*>()) {
+    view->setRenderHints(QPainter::Antialiasing | QPainter::SmoothPixmapTransform);
+  }
   connect(&dialog, &QPrintPreviewDialog::paintRequested, this,
           [&drawing](QPrinter* target) { print_drawing(*target, drawing); });
   dialog.exec();

@@ -25,7 +25,7 @@ class ScriptedDialogs : public FileDialogs {
     asked.push_back(name);
     return unsaved;
   }
-  bool ask_overwrite(QWidget*, const QString& name) override {
+  Overwrite ask_overwrite(QWidget*, const QString& name) override {
     asked.push_back(name);
     return overwrite;
   }
@@ -34,15 +34,22 @@ class ScriptedDialogs : public FileDialogs {
     salvageable = strokes;
     return salvage;
   }
-  void show_error(QWidget*, const QString& what, const QString& why) override {
-    errors.push_back(what + QStringLiteral(": ") + why);
+  void show_error(QWidget*, const QString& what, const QString& why,
+                  const QString& details) override {
+    errors.push_back(what + QStringLiteral(": ") + why + QLatin1Char(' ') + details);
+  }
+  void show_save_error(QWidget* window, const QString& what, const QString& why,
+                       const QString& details, std::function<void()> save_as) override {
+    show_error(window, what, why, details);
+    save_elsewhere = std::move(save_as);
   }
 
   QString next;       ///< the name that is chosen
   QString then;       ///< the name that is chosen to save the next time; "": the same again
   QString suggested;  ///< the last one that save_name was given
   Unsaved unsaved = Unsaved::kCancel;
-  bool overwrite = false;
+  Overwrite overwrite = Overwrite::kCancel;
+  std::function<void()> save_elsewhere;  ///< what the last failed save offered
   bool salvage = false;
   int salvageable = 0;  ///< strokes that the last question told of
   QStringList asked;

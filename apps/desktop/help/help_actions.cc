@@ -67,7 +67,9 @@ void HelpActions::show_dialog(QPointer<QWidget>& dialog,
 void HelpActions::show_tour() {
   if (!tour_) {
     auto* tour = new TourWindow(window_);
-    connect(tour, &TourWindow::wants_sheet, this, &HelpActions::wants_sheet);
+    connect(tour, &TourWindow::wants_sheet, this, [this](const Document& drawing) {
+      Q_EMIT wants_drawing(drawing, tr("From the tour"));
+    });
     tour_ = tour;
   }
   tour_->show();

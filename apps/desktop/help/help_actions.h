@@ -22,8 +22,6 @@ class HelpActions : public QObject {
  Q_SIGNALS:
   /// An example is wanted, in place of an empty drawing or in a window of its own.
   void wants_drawing(const felt::Document& drawing, const QString& title);
-  /// The tour is over, and the person wants to draw.
-  void wants_sheet();
 
  private:
   void make_example(const Example& example);

@@ -65,7 +65,7 @@ QString tour_text(const char* text) {
 
 TourWindow::TourWindow(QWidget* parent)
     : QWidget(parent, Qt::Window),
-      studio_(new Studio({.device = QStringLiteral("simulated:touch"), .live = false}, this)),
+      studio_(new Studio({.device = QStringLiteral("simulated:touch"), .live = false, .first_options = false}, this)),
       canvas_(new Canvas(*studio_, this)),
       player_(*studio_) {
   setWindowTitle(tr("Guided tour"));
@@ -111,7 +111,7 @@ void TourWindow::make_controls() {
   connect(pause_, &QPushButton::clicked, this, [this] { set_paused(!is_paused_); });
   connect(next_, &QPushButton::clicked, this, [this] {
     if (act_ < act_count()) return go_to(act_ + 1);
-    Q_EMIT wants_sheet();
+    Q_EMIT wants_sheet(studio_->session().document());
     this->close();
   });
   connect(close, &QPushButton::clicked, this, &QWidget::close);

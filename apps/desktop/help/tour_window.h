@@ -34,8 +34,8 @@ class TourWindow : public QWidget {
   [[nodiscard]] Studio& studio() noexcept { return *studio_; }
 
  Q_SIGNALS:
-  /// "Try it yourself": a fresh sheet is wanted.
-  void wants_sheet();
+  /// "Try it yourself": a window is wanted with what the tour has drawn.
+  void wants_sheet(const felt::Document& drawing);
 
  protected:
   void keyPressEvent(QKeyEvent* event) override;

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <QPushButton>
 #include <QTest>
 
 #include "desktop/help/examples.h"
@@ -63,6 +64,20 @@ TEST(Examples, AreDrawings) {
     EXPECT_GT(example_document(example.id).stroke_count(), 10U) << example.id.toStdString();
   }
   EXPECT_EQ(example_document(QStringLiteral("no such")).stroke_count(), 0U);
+}
+
+TEST(TourWindow, TryItYourselfKeepsWhatTheTourHasDrawn) {
+  TourWindow tour;
+  tour.setAttribute(Qt::WA_DeleteOnClose, false);
+  std::size_t strokes = 0;
+  QObject::connect(&tour, &TourWindow::wants_sheet, &tour,
+                   [&strokes](const Document& drawing) { strokes = drawing.stroke_count(); });
+  tour.go_to(tour.act_count());
+  play_to(tour, tour.act_count());
+  for (auto* button : tour.findChildren<QPushButton*>()) {
+    if (button->text().contains(QStringLiteral("Try"))) button->click();
+  }
+  EXPECT_GT(strokes, 20U);
 }
 
 }  // namespace

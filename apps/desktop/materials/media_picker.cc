@@ -1,5 +1,6 @@
 #include "desktop/materials/media_picker.h"
 
+#include <QCoreApplication>
 #include <QEvent>
 #include <QResizeEvent>
 #include <QToolButton>
@@ -50,6 +51,21 @@ bool take_medium(Studio& studio, const std::string& id) {
   return id == last_id || take_usual_color(studio, last_color, color);
 }
 
+bool choose_medium(Studio& studio, const std::string& id) {
+  const Rgba before = studio.session().sheet().color();
+  const bool is_taken = take_medium(studio, id);
+  if (!is_taken) return false;
+  const Medium* medium = studio.materials().find_medium(id);
+  const QString label = medium ? medium_label(*medium) : QString::fromStdString(id);
+  if (!studio.session().selection().empty()) studio.apply(RestyleEvent{.medium = id});
+  const Rgba now = studio.session().sheet().color();
+  if (now != before) {
+    Q_EMIT studio.refused(QCoreApplication::translate("MediaPicker", "%1 draws in its own colour, %2.")
+                              .arg(label, QString::fromStdString(color_to_text(now))));
+  }
+  return true;
+}
+
 bool take_usual_color(Studio& studio, std::optional<std::uint32_t> before, std::uint32_t now) {
   const Rgba ink = studio.session().sheet().color();
   const Rgba wanted = usual_color(ink, before, now, SheetOptions{}.color());
@@ -68,7 +84,7 @@ MediaPicker::MediaPicker(Studio& studio, const MediaPictures& pictures, QWidget*
   setAccessibleName(tr("What is drawn with"));
   setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
   connect(group_, &QButtonGroup::idClicked, this, [this](int index) {
-    take_medium(studio_, ids_[static_cast<std::size_t>(index)]);
+    choose_medium(studio_, ids_[static_cast<std::size_t>(index)]);
     follow_choice();  // refused: the one in hand is the one that is shown
   });
   connect(&studio_, &Studio::option_changed, this, [this](const QString& id) {

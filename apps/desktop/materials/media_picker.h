@@ -16,6 +16,9 @@ namespace felt::desktop {
 /// alike, the widths and the pressure curve that it comes with, and take_usual_color() where it is
 /// another one. False: `refused` said why.
 bool take_medium(Studio& studio, const std::string& id);
+/// The same for a click: the lines that are selected become of it, too, and a sentence says if the
+/// colour of new ink is another one now.
+bool choose_medium(Studio& studio, const std::string& id);
 
 /// The colour of new ink becomes the usual one of the medium in hand, 0xRRGGBB, where it still is
 /// that of the medium `before`, or black as in a new drawing; another one is a person's own, and

@@ -9,6 +9,7 @@
 
 #include "desktop/materials/medium_picture.h"
 #include "desktop/test_support/accessible_names.h"
+#include "felt/stroke/random_stroke.h"
 
 namespace felt::desktop {
 namespace {
@@ -17,6 +18,7 @@ struct Desk {
   std::vector<Event> events;
   Studio studio{{.device = QStringLiteral("simulated:touch"),
                  .live = false,
+                 .first_options = false,
                  .on_event = [this](const Event& event) { events.push_back(event); }}};
   QWidget window;
   MediaPictures pictures{studio, &window};
@@ -152,6 +154,20 @@ TEST(MediumPicture, InkIsSeenOnAnyPaper) {
   EXPECT_EQ(readable_ink(Qt::red, Qt::white), QColor(Qt::red));
   EXPECT_LT(qGray(readable_ink(Qt::white, Qt::white).rgb()), 80);
   EXPECT_GT(qGray(readable_ink(Qt::black, QColor(40, 40, 40)).rgb()), 200);
+}
+
+TEST(MediaPicker, AClickIsForTheSelectedLinesTooAndSaysTheColour) {
+  Studio studio({.live = false});
+  studio.import(QStringLiteral("test"),
+                Sketch{{"s", felt::testing::straight_stroke({10, 10}, {90, 40}, 1, 2)}});
+  studio.apply(SelectStrokes{SelectStrokes::What::kAll});
+  QSignalSpy said(&studio, &Studio::refused);
+  const std::size_t steps = studio.session().history().undo_count();
+  ASSERT_TRUE(choose_medium(studio, "crayon"));
+  EXPECT_EQ(studio.session().sketch().front().stroke.material(), "crayon");
+  EXPECT_EQ(studio.session().history().undo_count(), steps + 1);
+  ASSERT_EQ(said.count(), 1);
+  EXPECT_TRUE(said[0][0].toString().contains(QLatin1Char('#')));
 }
 
 }  // namespace

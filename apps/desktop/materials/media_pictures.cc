@@ -32,10 +32,12 @@ void MediaPictures::make() {
   std::vector<MediumPicture> wanted;
   for (const Medium& medium : studio_.materials().media()) {
     if (!medium.draws) continue;
+    const QColor ink(QRgb(0xFF000000U | medium.color_rgb));
     wanted.push_back({.medium = medium,
                       .sheet = studio_.session().sheet().material(),
                       .size = kSize,
-                      .dpr = window_->devicePixelRatioF()});
+                      .dpr = window_->devicePixelRatioF(),
+                      .ink = readable_ink(ink, Qt::white)});
   }
   maker_.clear();
   maker_.start([this, round, wanted = std::move(wanted), media = studio_.materials(),

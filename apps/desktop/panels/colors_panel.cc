@@ -204,8 +204,14 @@ void ColorsPanel::connect_all() {
     with.a = static_cast<std::uint8_t>(std::lround(percent * 2.55));
     choose(with);
   });
-  connect(recent_, &SwatchView::chosen, this, &ColorsPanel::choose);
-  connect(swatches_, &SwatchView::chosen, this, &ColorsPanel::choose_opaque);
+  connect(recent_, &SwatchView::chosen, this, [this](Rgba wanted) {
+    choose(wanted);
+    recolor_selected();
+  });
+  connect(swatches_, &SwatchView::chosen, this, [this](Rgba wanted) {
+    choose_opaque(wanted);
+    recolor_selected();
+  });
   connect(palettes_, &QComboBox::activated, this, &ColorsPanel::show_palette);
   connect(&studio_, &Studio::option_changed, this, [this](const QString& id) {
     if (id == QLatin1String(kColor)) follow();
@@ -221,6 +227,12 @@ Rgba ColorsPanel::color() const {
 
 void ColorsPanel::choose(Rgba wanted) {
   if (wanted != color()) studio_.apply(SetOption{kColor, color_to_text(wanted)});
+}
+
+/// A swatch that is clicked is for the lines that are selected, too.
+void ColorsPanel::recolor_selected() {
+  if (studio_.session().selection().empty()) return;
+  studio_.apply(RestyleEvent{.color = color_to_text(color())});
 }
 
 /// Shades and palettes say nothing of opacity: it stays.

@@ -59,6 +59,7 @@ class ColorsPanel : public QWidget {
   [[nodiscard]] Rgba color() const;
   void choose(Rgba color);
   void choose_opaque(Rgba color);
+  void recolor_selected();
   void take_number();
   void follow();
   void note_drawn(const Edit& edit);

@@ -260,5 +260,19 @@ TEST(Palettes, OursHaveColoursAndNamesAndCanBeWritten) {
   }
 }
 
+TEST(ColorsPanel, ASwatchIsForTheSelectedLinesToo) {
+  Studio studio(still());
+  ColorsPanel panel(studio);
+  testing::draw_lines(studio, 3);
+  studio.apply(SelectStrokes{SelectStrokes::What::kAll});
+  const std::size_t steps = studio.session().history().undo_count();
+  SwatchView* swatches = panel.findChildren<SwatchView*>().back();
+  const Rgba wanted{10, 120, 200, 255};
+  Q_EMIT swatches->chosen(wanted);
+  for (const SketchStroke& s : studio.session().sketch()) EXPECT_EQ(s.stroke.color(), wanted);
+  EXPECT_EQ(studio.session().history().undo_count(), steps + 1);
+  EXPECT_EQ(studio.session().sheet().color(), wanted);
+}
+
 }  // namespace
 }  // namespace felt::desktop

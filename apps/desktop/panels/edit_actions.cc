@@ -74,11 +74,18 @@ void add_history(Actions& actions, Studio& studio) {
   new UndoTexts(undo, redo, studio, &actions);
   QAction* cancel =
       actions.add(QStringLiteral("edit.cancel"),
-                  text(QT_TRANSLATE_NOOP("EditActions", "&Cancel the line in work")),
+                  text(QT_TRANSLATE_NOOP("EditActions", "&Cancel or select nothing")),
                   {QKeySequence(Qt::Key_Escape)},
                   text(QT_TRANSLATE_NOOP("EditActions",
-                                         "What the pen is doing now never was; lift it to go on.")),
-                  [&studio] { studio.apply(CancelEvent{}); });
+                                         "Cancels what the pen is doing, or clears the selection.")),
+                  [&studio] {
+                    const Session& session = studio.session();
+                    if (session.gesture_in_work() || session.selection().empty()) {
+                      studio.apply(CancelEvent{});
+                    } else {
+                      studio.apply(SelectStrokes{SelectStrokes::What::kNone});
+                    }
+                  });
   cancel->setIcon(icon_of("close"));
   cancel->setAutoRepeat(false);
 }

@@ -38,10 +38,21 @@ int LayersModel::rowCount(const QModelIndex& parent) const {
   return parent.isValid() ? 0 : static_cast<int>(studio_.session().document().layers().size());
 }
 
+/// Names that the program has given are shown in the language of the window.
+QString LayersModel::shown_name(const Layer& layer) {
+  if (layer.name == "Ink") return tr("Ink");
+  const QString name = QString::fromStdString(layer.name);
+  constexpr auto kNumbered = "Layer ";
+  bool is_number = false;
+  const int number =
+      name.startsWith(QLatin1String(kNumbered)) ? name.mid(6).toInt(&is_number) : 0;
+  return is_number ? tr("Layer %1").arg(number) : name;
+}
+
 QString LayersModel::spoken(const Layer& layer) const {
   QString text =
       tr("%1, %2, %3")
-          .arg(QString::fromStdString(layer.name), layer.visible ? tr("visible") : tr("hidden"),
+          .arg(shown_name(layer), layer.visible ? tr("visible") : tr("hidden"),
                layer.locked ? tr("locked") : tr("unlocked"));
   if (layer.id == studio_.session().layer()) text += tr(", in use");
   return text;
@@ -53,7 +64,7 @@ QVariant LayersModel::data(const QModelIndex& index, int role) const {
   switch (role) {
     case Qt::DisplayRole:
     case Qt::EditRole:
-      return QString::fromStdString(layer->name);
+      return shown_name(*layer);
     case Qt::AccessibleTextRole:
       return spoken(*layer);
     case Qt::ToolTipRole:
@@ -73,6 +84,8 @@ bool LayersModel::setData(const QModelIndex& index, const QVariant& value, int r
   const LayerId id = layer_at(index.row());
   const std::string name = value.toString().trimmed().toStdString();
   if (role != Qt::EditRole || !id || name.empty()) return false;
+  const Layer* layer = studio_.session().document().layer(id);
+  if (layer && shown_name(*layer).toStdString() == name) return true;  // as it was
   return studio_.apply(LayerEvent{LayerEvent::Do::kRename, id, name});
 }
 

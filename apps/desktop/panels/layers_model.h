@@ -21,6 +21,7 @@ class LayersModel : public QAbstractListModel {
   /// -1 where it is not there.
   [[nodiscard]] int row_of(LayerId id) const;
 
+  [[nodiscard]] static QString shown_name(const Layer& layer);
   [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;
   [[nodiscard]] QVariant data(const QModelIndex& index, int role) const override;
   /// The name: a step of undo. Nothing for an empty one.

@@ -55,18 +55,18 @@ LayersPanel::LayersPanel(Studio& studio, QWidget* parent)
   lines->addLayout(row);
   connect(delegate, &LayerDelegate::eye_clicked, this, [this](const QModelIndex& index) {
     was_icon_ = true;
-    choose(model_->layer_at(index.row()));
-    toggle_visible();
+    toggle_visible(model_->layer_at(index.row()));
+    choose(studio_.session().layer());
   });
   connect(delegate, &LayerDelegate::lock_clicked, this, [this](const QModelIndex& index) {
     was_icon_ = true;
-    choose(model_->layer_at(index.row()));
-    toggle_locked();
+    toggle_locked(model_->layer_at(index.row()));
+    choose(studio_.session().layer());
   });
   // The list says of every click where it began and that it was; only one beside the icons uses.
   connect(list_, &QListView::pressed, this, [this] { was_icon_ = false; });
   connect(list_, &QListView::clicked, this, [this] {
-    if (!was_icon_) use_chosen();
+    if (!was_icon_) use_clicked();
   });
   connect(list_->selectionModel(), &QItemSelectionModel::currentChanged, this,
           [this](const QModelIndex& now) {
@@ -102,17 +102,27 @@ void LayersPanel::choose(LayerId layer) {
 }
 
 void LayersPanel::tell(Do what) {
-  studio_.apply(LayerEvent{what, what == Do::kAdd ? LayerId{} : chosen()});
+  tell(what, what == Do::kAdd ? LayerId{} : chosen());
 }
 
-void LayersPanel::toggle_visible() {
-  const Layer* layer = studio_.session().document().layer(chosen());
-  if (layer) tell(layer->visible ? Do::kHide : Do::kShow);
+void LayersPanel::tell(Do what, LayerId id) {
+  const auto count = [this] { return studio_.session().document().layers().size(); };
+  const std::size_t before = count();
+  if (!studio_.apply(LayerEvent{what, id}) || what == Do::kAdd || count() <= before) return;
+  const Layer* added = studio_.session().document().layer(studio_.session().layer());
+  Q_EMIT studio_.refused(
+      tr("All layers were hidden or locked: “%1” was added, so that there is one to draw on.")
+          .arg(model_->shown_name(*added)));
 }
 
-void LayersPanel::toggle_locked() {
-  const Layer* layer = studio_.session().document().layer(chosen());
-  if (layer) tell(layer->locked ? Do::kUnlock : Do::kLock);
+void LayersPanel::toggle_visible(LayerId id) {
+  const Layer* layer = studio_.session().document().layer(id ? id : chosen());
+  if (layer) tell(layer->visible ? Do::kHide : Do::kShow, layer->id);
+}
+
+void LayersPanel::toggle_locked(LayerId id) {
+  const Layer* layer = studio_.session().document().layer(id ? id : chosen());
+  if (layer) tell(layer->locked ? Do::kUnlock : Do::kLock, layer->id);
 }
 
 void LayersPanel::use_next(bool above) {
@@ -151,6 +161,17 @@ void LayersPanel::use_chosen() {
   if (layer && is_open(*layer) && layer->id != studio_.session().layer()) {
     studio_.apply(LayerEvent{Do::kUse, layer->id});
   }
+}
+
+/// A click draws there. Where that cannot be, the layer that is drawn on stays the highlighted one,
+/// so that the bin never takes another than it seems.
+void LayersPanel::use_clicked() {
+  const Layer* layer = studio_.session().document().layer(chosen());
+  if (!layer || is_open(*layer)) return use_chosen();
+  const QString name = model_->shown_name(*layer);
+  Q_EMIT studio_.refused(layer->locked ? tr("“%1” is locked: unlock it to draw there.").arg(name)
+                                       : tr("“%1” is hidden: show it to draw there.").arg(name));
+  choose(studio_.session().layer());
 }
 
 bool LayersPanel::eventFilter(QObject* watched, QEvent* event) {

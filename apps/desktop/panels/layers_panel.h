@@ -24,8 +24,9 @@ class LayersPanel : public QWidget {
   void choose(LayerId layer);
   /// One that acts on the chosen layer.
   void tell(LayerEvent::Do what);
-  void toggle_visible();
-  void toggle_locked();
+  /// Of this layer; of the chosen one if it is none.
+  void toggle_visible(LayerId id = {});
+  void toggle_locked(LayerId id = {});
   /// The one above is used from now on, or below; hidden and locked ones are passed over.
   void use_next(bool above);
   /// Opens the field in its row.
@@ -43,6 +44,8 @@ class LayersPanel : public QWidget {
   void follow_model();
   void follow_chosen();
   void use_chosen();
+  void use_clicked();
+  void tell(LayerEvent::Do what, LayerId id);
 
   Studio& studio_;
   LayersModel* model_;

@@ -55,7 +55,7 @@ TEST(LayersPanel, AClickUsesALayerEyeAndLockAreAtItsEnds) {
   EXPECT_EQ(layer_names(desk.studio), "c b Ink*") << "an eye does not use the layer";
   desk.click(desk.row(1).center());
   EXPECT_EQ(layer_names(desk.studio), "c b Ink*") << "nor can a hidden one be used";
-  EXPECT_EQ(desk.panel.chosen(), LayerId{2}) << "but be chosen, to show it again";
+  EXPECT_EQ(desk.panel.chosen(), LayerId{1}) << "the one that is drawn on stays chosen";
   desk.click(LayerDelegate::eye_of(desk.row(1)).center());
   EXPECT_TRUE(desk.layer(2)->visible);
   desk.click(LayerDelegate::lock_of(desk.row(2)).center());
@@ -188,6 +188,22 @@ TEST(LayerActions, ActOnTheChosenLayerAndFollowIt) {
   find("layer.add")->trigger();
   find("layer.remove")->trigger();
   EXPECT_EQ(desk.list->model()->rowCount(), 3);
+}
+
+TEST(LayersPanel, TheHighlightStaysOnTheLayerThatIsDrawnOn) {
+  Desk desk;
+  QSignalSpy said(&desk.studio, &Studio::refused);
+  desk.click(LayerDelegate::eye_of(desk.row(1)).center());
+  EXPECT_FALSE(desk.layer(2)->visible);
+  EXPECT_EQ(desk.panel.chosen(), LayerId{3});
+  desk.click(desk.row(1).center());
+  EXPECT_EQ(desk.panel.chosen(), LayerId{3}) << "a hidden layer is not the one that the bin takes";
+  EXPECT_EQ(said.count(), 1);
+  desk.click(LayerDelegate::eye_of(desk.row(2)).center());
+  said.clear();
+  desk.click(LayerDelegate::lock_of(desk.row(0)).center());
+  EXPECT_EQ(desk.list->model()->rowCount(), 4);
+  EXPECT_EQ(said.count(), 1) << "a layer came by itself";
 }
 
 }  // namespace

@@ -3,19 +3,40 @@
 #include <QEvent>
 #include <QStyle>
 #include <algorithm>
+#include <array>
+#include <string_view>
 #include <utility>
 
 #include "desktop/engine/first_options.h"
+#include "desktop/engine/settings.h"
 #include "desktop/panels/tool_icons.h"
 #include "desktop/panels/tool_texts.h"
 
 namespace felt::desktop {
 namespace {
 
+using namespace std::string_view_literals;
+
 constexpr int kMarginPx = 10;
 constexpr int kRowGapPx = 9;
 constexpr int kPicturePx = 22;
 constexpr std::string_view kStrength = "strength";  // the row of strength_option()
+
+/// What few people set: folded behind "More".
+constexpr std::array kFolded = {
+    "min_width_mm"sv,   "max_width_mm"sv,      "gamma"sv,         "mouse_pressure"sv,
+    "lean_deg"sv,       "tolerance_mm"sv,      "refine"sv,        "reach_mm"sv,
+    "snap_radius_mm"sv, "attraction_n"sv,      "keep_separate"sv, "stabiliser_mass_g"sv,
+    "weights"sv,        "sweep_time_s"sv,      "extend"sv,        "stabiliser_length_mm"sv,
+    "rate_mm_per_s"sv,  "click_radius_mm"sv,   "grab_radius_mm"sv};
+constexpr auto kMoreKey = "panels/more_options";
+
+bool is_folded(std::string_view tool, const OptionSpec& spec) {
+  // Of these tools it is the one size that they have.
+  const bool is_size = (tool == "width" && spec.id == "reach_mm") ||
+                       (tool == "pull" && spec.id == "grab_radius_mm");
+  return !is_size && std::find(kFolded.begin(), kFolded.end(), spec.id) != kFolded.end();
+}
 
 std::string id_of(const std::string& tool, const OptionSpec& spec) {
   return tool + "." + std::string(spec.id);
@@ -75,6 +96,8 @@ OptionsPanel::OptionsPanel(Studio& studio, QWidget* parent,
     }
     show_tool();
   });
+  for (const auto& tool : studio_.session().tools()) page_of(tool->info()).widget->hide();
+  hold_width();
   show_tool();
 }
 
@@ -87,6 +110,21 @@ OptionRow* OptionsPanel::row(std::string_view id) const {
   return nullptr;
 }
 
+/// As narrow as the rows of all tools can be, not narrower: there is no scrolling sideways, and
+/// choosing a tool moves neither the panel's edge nor the drawing beside it.
+void OptionsPanel::hold_width() {
+  int widest = 0;
+  for (const auto& tool : studio_.session().tools()) {
+    for (const OptionRow* row : page_of(tool->info()).rows) {
+      widest = std::max(widest, row->minimumSizeHint().width());  // folded ones, too
+    }
+    widest = std::max(widest, page_of(tool->info()).widget->minimumSizeHint().width());
+  }
+  const QMargins margins = pages_box_->contentsMargins();
+  scroll_->setMinimumWidth(widest + margins.left() + margins.right() +
+                           style()->pixelMetric(QStyle::PM_ScrollBarExtent));
+}
+
 void OptionsPanel::show_tool() {
   const ToolInfo& info = studio_.session().tool().info();
   Page& now = page_of(info);
@@ -96,9 +134,6 @@ void OptionsPanel::show_tool() {
     shown_ = info.id;
   }
   now.widget->show();
-  // As narrow as the rows can be, not narrower: there is no scrolling sideways.
-  scroll_->setMinimumWidth(scroll_->widget()->minimumSizeHint().width() +
-                           style()->pixelMetric(QStyle::PM_ScrollBarExtent));
   picture_->setPixmap(icon_of(info.id).pixmap(QSize(kPicturePx, kPicturePx), devicePixelRatioF()));
   title_->setText(translated(info.label));
   title_->setToolTip(translated(info.help));
@@ -114,9 +149,12 @@ OptionsPanel::Page& OptionsPanel::page_of(const ToolInfo& info) {
   lines->setContentsMargins(0, 0, 0, 0);
   lines->setSpacing(kRowGapPx);
   const OptionSpec* strength = nullptr;
+  std::vector<const OptionSpec*> folded;
   for (const OptionSpec& spec : info.options) {
     if (spec.id == kStrength) {
       strength = &spec;
+    } else if (is_folded(tool, spec)) {
+      folded.push_back(&spec);
     } else if (!add_picker(page, lines, tool, spec)) {
       add_row(page, lines, tool, spec);
     }
@@ -125,6 +163,10 @@ OptionsPanel::Page& OptionsPanel::page_of(const ToolInfo& info) {
     lines->addSpacing(kRowGapPx / 2);
     lines->addWidget(heading(tr("Feel"), page.widget));
     add_row(page, lines, tool, *strength);
+  }
+  if (!folded.empty()) {
+    QVBoxLayout* more = add_more(page, lines);
+    for (const OptionSpec* spec : folded) add_row(page, more, tool, *spec);
   }
   int widest = 0;
   for (const OptionRow* row : page.rows) widest = std::max(widest, row->number_width());
@@ -145,6 +187,36 @@ bool OptionsPanel::add_picker(Page& page, QVBoxLayout* lines, const std::string&
   lines->addWidget(name);
   lines->addWidget(widget);
   return true;
+}
+
+/// A heading that unfolds what is below it, of all tools alike; kept from one start to the next.
+QVBoxLayout* OptionsPanel::add_more(Page& page, QVBoxLayout* lines) {
+  auto* button = new QToolButton(page.widget);
+  button->setObjectName(QStringLiteral("more"));
+  button->setText(tr("More"));
+  button->setToolTip(tr("Options that are seldom needed"));
+  button->setCheckable(true);
+  button->setAutoRaise(true);
+  button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+  auto* box = new QWidget(page.widget);
+  auto* rows = new QVBoxLayout(box);
+  rows->setContentsMargins(0, 0, 0, 0);
+  rows->setSpacing(kRowGapPx);
+  const auto show = [button, box] {
+    const bool on = Settings::the().flag(QLatin1String(kMoreKey), false);
+    button->setChecked(on);
+    button->setArrowType(on ? Qt::DownArrow : Qt::RightArrow);
+    box->setVisible(on);
+  };
+  show();
+  connect(button, &QToolButton::toggled, this,
+          [](bool on) { Settings::the().set(QLatin1String(kMoreKey), on); });
+  connect(&Settings::the(), &Settings::changed, box, [show](const QString& key) {
+    if (key == QLatin1String(kMoreKey)) show();
+  });
+  lines->addWidget(button);
+  lines->addWidget(box);
+  return rows;
 }
 
 void OptionsPanel::add_row(Page& page, QVBoxLayout* lines, const std::string& tool,
@@ -194,6 +266,8 @@ void OptionsPanel::show_matters(const std::string& tool, Page& page) {
 
 void OptionsPanel::changeEvent(QEvent* event) {
   QWidget::changeEvent(event);
+  const bool is_font = event->type() == QEvent::FontChange || event->type() == QEvent::StyleChange;
+  if (is_font && !shown_.empty()) hold_width();
   if (event->type() == QEvent::PaletteChange && !shown_.empty()) show_tool();
 }
 

@@ -19,7 +19,8 @@ namespace felt::desktop {
 using OptionPicker = std::function<QWidget*(QWidget* parent)>;
 
 /// The options of the tool in hand, made from its table (OptionSpec): a row each, its help as the
-/// tip. Rows that mean nothing with what is chosen are not shown; what is felt comes last. Writes
+/// tip. Rows that mean nothing with what is chosen are not shown; what is felt comes last, and what few people
+/// set is folded behind "More". Writes
 /// SetOption events, and follows all that others write. Options that have a picker, by
 /// "tool.option", get that in place of a row, with the option's name above it.
 class OptionsPanel : public QWidget {
@@ -42,8 +43,10 @@ class OptionsPanel : public QWidget {
   };
 
   void show_tool();
+  void hold_width();
   Page& page_of(const ToolInfo& info);
   bool add_picker(Page& page, QVBoxLayout* lines, const std::string& tool, const OptionSpec& spec);
+  QVBoxLayout* add_more(Page& page, QVBoxLayout* lines);
   void add_row(Page& page, QVBoxLayout* lines, const std::string& tool, const OptionSpec& spec);
   /// Shows the value of an option, and the rows that it decides about.
   void follow(const QString& id);

@@ -13,6 +13,7 @@
 
 #include "desktop/panels/panels_fixture.h"
 #include "desktop/panels/tool_texts.h"
+#include "desktop/engine/settings.h"
 
 namespace felt::desktop {
 namespace {
@@ -235,6 +236,26 @@ TEST(OptionScale, GoesBothWaysForEveryNumberOfEveryTable) {
       }
     }
   }
+}
+
+TEST(OptionsPanel, IsAsWideForEveryToolAndFoldsWhatIsSeldomNeeded) {
+  Studio studio(still());
+  OptionsPanel panel(studio);
+  panel.resize(320, 700);
+  panel.show();
+  const int width = panel.minimumSizeHint().width();
+  for (const auto& tool : studio.session().tools()) {
+    studio.apply(SelectTool{std::string(tool->info().id)});
+    EXPECT_EQ(panel.minimumSizeHint().width(), width) << tool->info().id;
+  }
+  studio.apply(SelectTool{"pencil"});
+  EXPECT_FALSE(panel.row("tolerance_mm")->isVisible());
+  EXPECT_TRUE(panel.row("snap")->isVisible());
+  for (auto* button : panel.findChildren<QToolButton*>(QStringLiteral("more"))) {
+    if (button->isVisible()) button->click();
+  }
+  EXPECT_TRUE(panel.row("tolerance_mm")->isVisible());
+  Settings::the().reset(QStringLiteral("panels/more_options"));
 }
 
 }  // namespace

@@ -4,11 +4,11 @@
 #include <QCoreApplication>
 #include <QToolButton>
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <string>
 
 #include "desktop/panels/tool_icons.h"
+#include "desktop/panels/tool_size.h"
 #include "desktop/panels/tool_texts.h"
 
 namespace felt::desktop {
@@ -41,23 +41,8 @@ QString action_name(std::string_view tool) {
   return QStringLiteral("tool.") + qstring(tool);
 }
 
-/// The next of the round numbers 1, 1.2, 1.5, 2, 2.5, 3, 4, 5, 6, 8, 10, 12, ... above or below.
-double next_size(double from, bool up) {
-  constexpr std::array kSteps = {0.8, 1.0, 1.2, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0, 6.0, 8.0, 10.0, 12.0};
-  const double decade = std::pow(10.0, std::floor(std::log10(std::max(from, 1e-3))));
-  const double place = from / decade, hair = 1e-6;
-  if (up) {
-    const auto* above = std::find_if(kSteps.begin(), kSteps.end(),
-                                     [&](double step) { return step > place + hair; });
-    return (above == kSteps.end() ? 20.0 : *above) * decade;
-  }
-  const auto below = std::find_if(kSteps.rbegin(), kSteps.rend(),
-                                  [&](double step) { return step < place - hair; });
-  return (below == kSteps.rend() ? 0.5 : *below) * decade;
-}
-
-/// Sets a number of the tool in hand, within its range.
-void change_number(Studio& studio, std::string_view option, bool up, bool is_share) {
+/// Sets a share of the tool in hand, in tenths.
+void change_share(Studio& studio, std::string_view option, bool up) {
   const ToolInfo& info = studio.session().tool().info();
   const auto row = std::find_if(info.options.begin(), info.options.end(),
                                 [&](const OptionSpec& spec) { return spec.id == option; });
@@ -66,8 +51,7 @@ void change_number(Studio& studio, std::string_view option, bool up, bool is_sha
   const Result<OptionValue> now = studio.session().option(id);
   if (!now) return;
   const double old = std::get<double>(*now);
-  const double wanted =
-      is_share ? std::round((old + (up ? 0.1 : -0.1)) * 10.0) / 10.0 : next_size(old, up);
+  const double wanted = std::round((old + (up ? 0.1 : -0.1)) * 10.0) / 10.0;
   const double value = std::clamp(wanted, row->min, row->max);
   if (value != old) studio.apply(SetOption{id, value});
 }
@@ -91,10 +75,8 @@ void add_tool(Actions& actions, Studio& studio, QActionGroup* group, const ToolI
 void add_sizes(Actions& actions, Studio& studio) {
   const auto size = [&](const char* name, const QString& label, Qt::Key key, const QString& tip,
                         bool up) {
-    return actions.add(QString::fromLatin1(name), label, {QKeySequence(key)}, tip, [&studio, up] {
-      const std::string option = size_option(studio.session()).toStdString();
-      change_number(studio, option, up, false);
-    });
+    return actions.add(QString::fromLatin1(name), label, {QKeySequence(key)}, tip,
+                       [&studio, up] { step_tool_size(studio, up); });
   };
   size("tool.size_down", text(QT_TRANSLATE_NOOP("ToolActions", "S&maller")), Qt::Key_BracketLeft,
        text(QT_TRANSLATE_NOOP("ToolActions", "Makes the tool in hand smaller.")), false)
@@ -108,7 +90,7 @@ void add_strengths(Actions& actions, Studio& studio) {
   const auto strength = [&](const char* name, const QString& label, Qt::Key bracket,
                             const QString& tip, bool up) {
     return actions.add(QString::fromLatin1(name), label, {QKeySequence(Qt::SHIFT | bracket)}, tip,
-                       [&studio, up] { change_number(studio, "strength", up, true); });
+                       [&studio, up] { change_share(studio, "strength", up); });
   };
   strength("tool.strength_down", text(QT_TRANSLATE_NOOP("ToolActions", "Forces &weaker")),
            Qt::Key_BracketLeft,

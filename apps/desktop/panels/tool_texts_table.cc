@@ -153,7 +153,7 @@ constexpr const char* kToolTexts[] = {
     QT_TRANSLATE_NOOP("tools", "Loudness"),
     QT_TRANSLATE_NOOP("tools", "Makes lines broader and thinner, here and there or as a whole."),
     QT_TRANSLATE_NOOP("tools", "Mass of the stabiliser"),
-    QT_TRANSLATE_NOOP("tools", "Material"),
+    QT_TRANSLATE_NOOP("tools", "Medium"),
     QT_TRANSLATE_NOOP("tools", "Mode"),
     QT_TRANSLATE_NOOP("tools",
                       "Moves along one axis, turns in steps of 15 degrees, corners stretch both "
@@ -351,6 +351,7 @@ constexpr const char* kEditTexts[] = {
     QT_TRANSLATE_NOOP("edits", "Add layer"),    QT_TRANSLATE_NOOP("edits", "Close"),
     QT_TRANSLATE_NOOP("edits", "Connect"),      QT_TRANSLATE_NOOP("edits", "Delete"),
     QT_TRANSLATE_NOOP("edits", "Draw"),         QT_TRANSLATE_NOOP("edits", "Duplicate"),
+    QT_TRANSLATE_NOOP("edits", "Restyle"),
     QT_TRANSLATE_NOOP("edits", "Erase"),        QT_TRANSLATE_NOOP("edits", "Hide layer"),
     QT_TRANSLATE_NOOP("edits", "Import"),       QT_TRANSLATE_NOOP("edits", "Lock layer"),
     QT_TRANSLATE_NOOP("edits", "Lower layer"),  QT_TRANSLATE_NOOP("edits", "Move"),

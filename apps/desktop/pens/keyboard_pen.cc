@@ -37,7 +37,13 @@ bool KeyboardPen::wants(const QKeyEvent& event) const {
     return false;
   }
   if (event.key() == Qt::Key_Escape) return hand_.is_down(PenHand::Source::kKeys);
-  return direction_of(event.key()).has_value() || is_touch_key(event.key());
+  if (direction_of(event.key())) return true;
+  return is_touch_key(event.key()) && may_touch();
+}
+
+bool KeyboardPen::may_touch() const {
+  return is_leading_ || canvas_.has_focus_by_key() || hand_.is_down(PenHand::Source::kKeys) ||
+         !canvas_.studio().device().hand();
 }
 
 bool KeyboardPen::press(const QKeyEvent& event) {
@@ -48,6 +54,7 @@ bool KeyboardPen::press(const QKeyEvent& event) {
     return true;
   }
   if (direction_of(event.key())) {
+    is_leading_ = true;
     step(event);
     return true;
   }

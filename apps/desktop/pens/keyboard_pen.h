@@ -9,7 +9,8 @@
 namespace felt::desktop {
 
 /// Drawing with keys alone: the arrows move the pen, faster the longer one is held, Shift finely;
-/// Return, Enter or Insert put it down and lift it; Escape cancels what it draws. Steps are
+/// Return, Enter or Insert put it down and lift it, once an arrow has moved it or Tab or F6 has brought
+/// the focus here: an Enter that was meant for a text field draws nothing. Escape cancels what it draws. Steps are
 /// counted, not timed: the same keys make the same line. The view follows. What it is given must
 /// outlive it.
 ///
@@ -34,12 +35,15 @@ class KeyboardPen : public QObject {
   void release(const QKeyEvent& event);
   /// No key is held any more, as far as anybody will be told.
   void let_go();
+  /// Mouse or pen lead now, until an arrow is pressed again.
+  void stop_leading() noexcept { is_leading_ = false; }
 
  Q_SIGNALS:
   /// What happened, for who cannot see it.
   void said(const QString& text);
 
  private:
+  [[nodiscard]] bool may_touch() const;
   void step(const QKeyEvent& event);
   void keep_in_view(QPointF px);
 
@@ -47,6 +51,7 @@ class KeyboardPen : public QObject {
   PenHand& hand_;
   int key_ = 0;
   int repeats_ = 0;
+  bool is_leading_ = false;  // an arrow was pressed since the mouse moved
   int held_ = 0;  // the key that holds a device's pen down
 };
 

@@ -1,5 +1,6 @@
 #include "desktop/pens/mouse_input.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -10,6 +11,15 @@ constexpr double kUnitsPerDoubling = 480.0;  // four notches of a wheel
 constexpr double kFineUnitsPerDoubling = 1920.0;
 constexpr double kPxPerUnit = 0.5;
 constexpr double kDegreesPerUnit = 5.0 / 120.0;
+
+/// Where the pointer is, with its fraction of a pixel: Qt 6.4 rounds position() for child widgets,
+/// which on a screen of scale 2 loses every second pixel; globalPosition() is exact.
+QPointF place_of(const QMouseEvent& event, const QWidget& canvas) {
+  const QPointF exact = canvas.mapFromGlobal(event.globalPosition());
+  const QPointF off = exact - event.position();
+  // Events that were made by hand may have no global position.
+  return std::max(std::abs(off.x()), std::abs(off.y())) <= 1.0 ? exact : event.position();
+}
 
 }  // namespace
 
@@ -49,7 +59,7 @@ void MouseInput::take(const QMouseEvent& event) {
       right && (right_held_ == ButtonRole::kEraser || right_held_ == ButtonRole::kPull ||
                 right_held_ == ButtonRole::kLasso);
   const bool touching = event.buttons().testFlag(Qt::LeftButton) || draws;
-  hand_.point(PenHand::Source::kMouse, event.position(), time_ns, touching, std::nullopt);
+  hand_.point(PenHand::Source::kMouse, place_of(event, canvas_), time_ns, touching, std::nullopt);
   if (!right) hand_.release(std::exchange(right_held_, ButtonRole::kNone));
 }
 

@@ -1,5 +1,6 @@
 #include "desktop/pens/pen_input.h"
 
+#include <QAbstractSpinBox>
 #include <QApplication>
 #include <QMouseEvent>
 #include <QTabletEvent>
@@ -50,6 +51,8 @@ PenInput::PenInput(Canvas& canvas)
 void PenInput::load_settings() {
   settings_ = PenSettings::load();
   canvas_.studio().set_mouse_pressure(settings_.mouse);
+  canvas_.set_right_button(settings_.right == ButtonRole::kNone ? QString()
+                                                                : label_of(settings_.right));
   say_pressure();
 }
 
@@ -88,10 +91,21 @@ bool PenInput::eventFilter(QObject* watched, QEvent* event) {
       return false;
     case QEvent::Enter:
       canvas_.set_pen_visible(true);
+      take_focus();
       return false;
     default:
       return take_pointer(event);
   }
+}
+
+/// The keys of the sheet (Space, Shift, the letters of the tools) work where the pointer is: after a
+/// click on a medium or a slider, too. Where somebody types a text, the focus stays.
+void PenInput::take_focus() {
+  QWidget* focus = QApplication::focusWidget();
+  if (!focus || focus == &canvas_ || focus->window() != canvas_.window()) return;
+  const bool is_number = qobject_cast<QAbstractSpinBox*>(focus) != nullptr;
+  if (!is_number && focus->testAttribute(Qt::WA_InputMethodEnabled)) return;
+  canvas_.setFocus(Qt::MouseFocusReason);
 }
 
 bool PenInput::take_pointer(QEvent* event) {
@@ -103,6 +117,7 @@ bool PenInput::take_pointer(QEvent* event) {
       const auto& mouse = static_cast<QMouseEvent&>(*event);
       if (is_made_up(mouse)) return true;
       hand_.set_keys(mouse.modifiers());
+      keys_.stop_leading();
       canvas_.set_tablet_in_hand(false);
       mouse_.take(mouse);
       // A press gives the focus, which the widget itself does.
@@ -199,6 +214,7 @@ void PenInput::let_go() {
   tablet_.let_go();
   mouse_.let_go();
   keys_.let_go();
+  keys_.stop_leading();
   hand_.release_all();
   hand_.set_keys(Qt::NoModifier);
   space_ = false;

@@ -3,6 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <QApplication>
+#include <QDoubleSpinBox>
+#include <QLineEdit>
+#include <QPushButton>
 #include <QPointingDevice>
 #include <QTest>
 #include <QTouchEvent>
@@ -522,6 +525,9 @@ TEST_F(PenInputTest, AKeyThatIsHeldPutsAPlanarDevicesPenDown) {
 
 // Keys alone: a line, an eraser across it, undone; and the same keys make the same line.
 TEST_F(PenInputTest, KeysDrawAndEdit) {
+  tap(Qt::Key_Return);
+  EXPECT_FALSE(is_down()) << "an Enter that was meant for a text field";
+  tap(Qt::Key_Left);
   const auto draw = [this] {
     tap(Qt::Key_Return);
     for (int i = 0; i < 60; ++i) key(QEvent::KeyPress, Qt::Key_Right, Qt::NoModifier, i > 0);
@@ -562,6 +568,42 @@ TEST_F(PenInputTest, TheViewFollowsTheKeys) {
   const QPointF px = canvas_.view().to_px(input_.hand().place_mm());
   EXPECT_GT(px.y(), 0);
   EXPECT_LT(px.y(), 600);
+}
+
+// Qt 6.4 rounds the position of a mouse for child widgets; the global one has the fraction.
+TEST_F(PenInputTest, AMouseIsExactToAFractionOfAPixel) {
+  const QPointF exact(200.5, 150.25);
+  QMouseEvent event(QEvent::MouseMove, QPointF(exact.toPoint()), QPointF(exact.toPoint()),
+                    canvas_.mapToGlobal(exact), Qt::NoButton, Qt::NoButton, Qt::NoModifier);
+  QApplication::sendEvent(&canvas_, &event);
+  wait(50);
+  const QPointF global = event.globalPosition(), back = canvas_.mapFromGlobal(global);
+  const Point wanted = canvas_.view().to_mm(exact);
+  EXPECT_LT(distance(studio_.pen().hand, wanted), 1e-6)
+      << global.x() << " " << global.y() << " " << back.x() << " " << back.y();
+}
+
+TEST_F(PenInputTest, ThePointerBringsTheFocusBackButNotFromAText) {
+  QWidget window;
+  canvas_.setParent(&window);
+  canvas_.setGeometry(0, 0, 800, 600);
+  QPushButton button(&window);
+  QDoubleSpinBox number(&window);
+  QLineEdit text(&window);
+  for (QWidget* widget : std::initializer_list<QWidget*>{&button, &number, &text}) widget->show();
+  window.show();
+  window.activateWindow();
+  ASSERT_TRUE(QTest::qWaitForWindowActive(&window));
+  const auto enter = [this](QWidget& focus) {
+    focus.setFocus();
+    QEnterEvent event(QPointF(10, 10), QPointF(10, 10), QPointF(10, 10));
+    QApplication::sendEvent(&canvas_, &event);
+    return canvas_.hasFocus();
+  };
+  EXPECT_TRUE(enter(button));
+  EXPECT_TRUE(enter(number));
+  EXPECT_FALSE(enter(text));
+  canvas_.setParent(nullptr);
 }
 
 }  // namespace

@@ -219,14 +219,6 @@
         <translation>Macht wieder, was zurückgenommen wurde.</translation>
     </message>
     <message>
-        <source>&amp;Cancel the line in work</source>
-        <translation>Angefangene Linie &amp;abbrechen</translation>
-    </message>
-    <message>
-        <source>What the pen is doing now never was; lift it to go on.</source>
-        <translation>Was der Stift gerade tut, ist nie geschehen; zum Weitermachen heben.</translation>
-    </message>
-    <message>
         <source>De&amp;lete</source>
         <translation>&amp;Löschen</translation>
     </message>
@@ -257,6 +249,37 @@
     <message>
         <source>Selects all lines but those that are selected now.</source>
         <translation>Wählt alle Linien außer den jetzt ausgewählten.</translation>
+    </message>
+    <message>
+        <source>&amp;Cancel or select nothing</source>
+        <translation>&amp;Abbrechen oder nichts auswählen</translation>
+    </message>
+    <message>
+        <source>Cancels what the pen is doing, or clears the selection.</source>
+        <translation>Bricht ab, was der Stift gerade tut, oder hebt die Auswahl auf.</translation>
+    </message>
+</context>
+<context>
+    <name>ErrorWords</name>
+    <message>
+        <source>The file or folder is not there.</source>
+        <translation>Die Datei oder der Ordner ist nicht da.</translation>
+    </message>
+    <message>
+        <source>The file cannot be read or written: it may be protected, or the disk may be full.</source>
+        <translation>Die Datei kann nicht gelesen oder geschrieben werden: vielleicht ist sie geschützt oder der Datenträger voll.</translation>
+    </message>
+    <message>
+        <source>It holds more than Feltline can take.</source>
+        <translation>Sie enthält mehr, als Feltline aufnehmen kann.</translation>
+    </message>
+    <message>
+        <source>Feltline cannot read this kind of file.</source>
+        <translation>Feltline kann Dateien dieser Art nicht lesen.</translation>
+    </message>
+    <message>
+        <source>It is damaged, or not a drawing that Feltline can read.</source>
+        <translation>Sie ist beschädigt oder keine Zeichnung, die Feltline lesen kann.</translation>
     </message>
 </context>
 <context>
@@ -662,6 +685,13 @@
     </message>
 </context>
 <context>
+    <name>MediaPicker</name>
+    <message>
+        <source>%1 draws in its own colour, %2.</source>
+        <translation>%1 zeichnet in seiner eigenen Farbe, %2.</translation>
+    </message>
+</context>
+<context>
     <name>Menus</name>
     <message>
         <source>&amp;File</source>
@@ -701,7 +731,7 @@
     </message>
     <message>
         <source>&amp;Panels</source>
-        <translation>&amp;Felder</translation>
+        <translation>&amp;Bedienfelder</translation>
     </message>
     <message>
         <source>&amp;Example drawings</source>
@@ -714,6 +744,10 @@
     <message>
         <source>Pal&amp;ette</source>
         <translation>&amp;Palette</translation>
+    </message>
+    <message>
+        <source>S&amp;heet</source>
+        <translation>&amp;Blatt</translation>
     </message>
 </context>
 <context>
@@ -880,10 +914,6 @@
         <translation>Simuliert: %1</translation>
     </message>
     <message>
-        <source>Pen or mouse, exact</source>
-        <translation>Stift oder Maus, genau</translation>
-    </message>
-    <message>
         <source>The ink is exactly where the pen is. Forces are shown, not felt.</source>
         <translation>Die Tinte ist genau, wo der Stift ist. Kräfte werden gezeigt, nicht gefühlt.</translation>
     </message>
@@ -898,6 +928,18 @@
     <message>
         <source>A person holds it, and feels the forces.</source>
         <translation>Man hält es in der Hand und fühlt die Kräfte.</translation>
+    </message>
+    <message>
+        <source>Mouse or pen, without forces</source>
+        <translation>Maus oder Stift, ohne Kräfte</translation>
+    </message>
+    <message>
+        <source>Mouse or pen</source>
+        <translation>Maus oder Stift</translation>
+    </message>
+    <message>
+        <source>Worst case: light, frictionless, coarse</source>
+        <translation>Schlimmster Fall: leicht, reibungsfrei, grob</translation>
     </message>
 </context>
 <context>
@@ -977,10 +1019,6 @@
     <message>
         <source>the pen seemed to jump</source>
         <translation>der Stift schien zu springen</translation>
-    </message>
-    <message>
-        <source>they had to fall too often</source>
-        <translation>sie mussten zu oft nachgeben</translation>
     </message>
     <message>
         <source>the self-test failed</source>
@@ -1085,6 +1123,10 @@
     <message>
         <source>Drawing goes on. Let the device rest for some minutes, then switch the forces on again.</source>
         <translation>Das Zeichnen geht weiter. Das Gerät einige Minuten ruhen lassen, dann die Kräfte wieder einschalten.</translation>
+    </message>
+    <message>
+        <source>the computer or the device could not keep up several times in a minute</source>
+        <translation>Computer oder Gerät kamen mehrmals in einer Minute nicht nach</translation>
     </message>
 </context>
 <context>
@@ -1247,6 +1289,21 @@
     <message>
         <source>ends and corners go along, or stay</source>
         <translation>Enden und Ecken gehen mit oder bleiben</translation>
+    </message>
+    <message>
+        <source>Push lines away from the side of the pen.</source>
+        <translation>Linien mit der Seite des Stifts wegschieben.</translation>
+    </message>
+</context>
+<context>
+    <name>ToolSize</name>
+    <message>
+        <source>%1 mm is the largest size.</source>
+        <translation>%1 mm ist die größte Größe.</translation>
+    </message>
+    <message>
+        <source>%1 mm is the smallest size.</source>
+        <translation>%1 mm ist die kleinste Größe.</translation>
     </message>
 </context>
 <context>
@@ -1573,6 +1630,10 @@
         <source>Width</source>
         <translation>Breite</translation>
     </message>
+    <message>
+        <source>Restyle</source>
+        <translation>Farbe oder Zeichenmittel ändern</translation>
+    </message>
 </context>
 <context>
     <name>felt::desktop::AboutDialog</name>
@@ -1698,6 +1759,14 @@
         <source>No pressure seen yet: a mouse draws lines of even width.</source>
         <translation>Noch kein Druck erkannt: die Maus zeichnet gleich breite Linien.</translation>
     </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>Right button: %1</source>
+        <translation>Rechte Taste: %1</translation>
+    </message>
 </context>
 <context>
     <name>felt::desktop::CanvasPage</name>
@@ -1783,6 +1852,17 @@
     <message>
         <source>the clipboard</source>
         <translation>der Zwischenablage</translation>
+    </message>
+</context>
+<context>
+    <name>felt::desktop::ColorWell</name>
+    <message>
+        <source>Colour of the ink</source>
+        <translation>Farbe der Tinte</translation>
+    </message>
+    <message>
+        <source>Colour of the ink: %1</source>
+        <translation>Farbe der Tinte: %1</translation>
     </message>
 </context>
 <context>
@@ -2503,10 +2583,6 @@ Ihre Zeichnung ist noch da: speichern Sie sie anderswo.</translation>
         <translation>&amp;Ersetzen</translation>
     </message>
     <message>
-        <source>Feltline</source>
-        <translation>Feltline</translation>
-    </message>
-    <message>
         <source>Damaged drawing</source>
         <translation>Beschädigte Zeichnung</translation>
     </message>
@@ -2524,6 +2600,10 @@ Ihre Zeichnung ist noch da: speichern Sie sie anderswo.</translation>
     <message>
         <source>&amp;Show what is left</source>
         <translation>Übriges &amp;zeigen</translation>
+    </message>
+    <message>
+        <source>Save &amp;as…</source>
+        <translation>Speichern &amp;unter…</translation>
     </message>
 </context>
 <context>
@@ -2739,7 +2819,7 @@ Ihre Zeichnung ist noch da: speichern Sie sie anderswo.</translation>
     </message>
     <message>
         <source>&amp;Theme:</source>
-        <translation>&amp;Farben:</translation>
+        <translation>&amp;Farbschema:</translation>
     </message>
     <message>
         <source>&amp;Language:</source>
@@ -2862,6 +2942,10 @@ Ihre Zeichnung ist noch da: speichern Sie sie anderswo.</translation>
     <message>
         <source>Version, licence and what it is built on</source>
         <translation>Version, Lizenz und worauf es gebaut ist</translation>
+    </message>
+    <message>
+        <source>From the tour</source>
+        <translation>Aus der Tour</translation>
     </message>
 </context>
 <context>
@@ -3030,6 +3114,14 @@ Double-click to rename, drag to move</source>
         <translation>%1
 Doppelklick benennt um, Ziehen verschiebt</translation>
     </message>
+    <message>
+        <source>Ink</source>
+        <translation>Tinte</translation>
+    </message>
+    <message>
+        <source>Layer %1</source>
+        <translation>Ebene %1</translation>
+    </message>
 </context>
 <context>
     <name>felt::desktop::LayersPanel</name>
@@ -3069,6 +3161,18 @@ Doppelklick benennt um, Ziehen verschiebt</translation>
         <source>Removes the layer and what is drawn on it</source>
         <translation>Entfernt die Ebene und was darauf gezeichnet ist</translation>
     </message>
+    <message>
+        <source>All layers were hidden or locked: “%1” was added, so that there is one to draw on.</source>
+        <translation>Alle Ebenen waren verborgen oder gesperrt: „%1“ kam dazu, damit es eine zum Zeichnen gibt.</translation>
+    </message>
+    <message>
+        <source>“%1” is locked: unlock it to draw there.</source>
+        <translation>„%1“ ist gesperrt: zum Zeichnen dort entsperren.</translation>
+    </message>
+    <message>
+        <source>“%1” is hidden: show it to draw there.</source>
+        <translation>„%1“ ist verborgen: zum Zeichnen dort einblenden.</translation>
+    </message>
 </context>
 <context>
     <name>felt::desktop::MainWindow</name>
@@ -3102,7 +3206,7 @@ Doppelklick benennt um, Ziehen verschiebt</translation>
     </message>
     <message>
         <source>&amp;Hide all panels</source>
-        <translation>Alle Felder &amp;verbergen</translation>
+        <translation>Alle Bedienfelder &amp;verbergen</translation>
     </message>
     <message>
         <source>Leaves nothing but the sheet</source>
@@ -3126,11 +3230,11 @@ Doppelklick benennt um, Ziehen verschiebt</translation>
     </message>
     <message>
         <source>&amp;Reset the panels</source>
-        <translation>Felder &amp;zurücksetzen</translation>
+        <translation>Bedienfelder &amp;zurücksetzen</translation>
     </message>
     <message>
         <source>Puts panels and bars where they were at first</source>
-        <translation>Stellt Felder und Leisten hin, wo sie zuerst waren</translation>
+        <translation>Stellt Bedienfelder und Leisten hin, wo sie zuerst waren</translation>
     </message>
     <message>
         <source>&amp;Preferences…</source>
@@ -3175,6 +3279,10 @@ Doppelklick benennt um, Ziehen verschiebt</translation>
     <message>
         <source>Feel, see and hear the other one of the two that the editor compares</source>
         <translation>Das andere der beiden fühlen, sehen und hören, die der Editor vergleicht</translation>
+    </message>
+    <message>
+        <source> (read-only)</source>
+        <translation> (schreibgeschützt)</translation>
     </message>
 </context>
 <context>
@@ -3583,6 +3691,14 @@ Doppelklick benennt um, Ziehen verschiebt</translation>
         <source>Feel</source>
         <translation>Gefühl</translation>
     </message>
+    <message>
+        <source>More</source>
+        <translation>Mehr</translation>
+    </message>
+    <message>
+        <source>Options that are seldom needed</source>
+        <translation>Optionen, die selten gebraucht werden</translation>
+    </message>
 </context>
 <context>
     <name>felt::desktop::OutputActions</name>
@@ -3633,6 +3749,10 @@ Doppelklick benennt um, Ziehen verschiebt</translation>
     <message>
         <source>Write the drawing as SVG, PDF, PNG or ink for other programs</source>
         <translation>Die Zeichnung als SVG, PDF, PNG oder Tinte für andere Programme schreiben</translation>
+    </message>
+    <message>
+        <source>“%1” was exported.</source>
+        <translation>„%1“ wurde exportiert.</translation>
     </message>
 </context>
 <context>
@@ -4184,6 +4304,21 @@ Doppelklick benennt um, Ziehen verschiebt</translation>
     </message>
 </context>
 <context>
+    <name>felt::desktop::SizeField</name>
+    <message>
+        <source>Size</source>
+        <translation>Größe</translation>
+    </message>
+    <message>
+        <source>Width of the line that a mouse draws, or size of the tool in hand; [ and ] change it</source>
+        <translation>Breite der Linie, die eine Maus zeichnet, oder Größe des Werkzeugs; [ und ] ändern sie</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+</context>
+<context>
     <name>felt::desktop::SoundState</name>
     <message>
         <source>There is no sound device now, so nothing is heard. It is heard once there is one.</source>
@@ -4354,16 +4489,20 @@ Doppelklick benennt um, Ziehen verschiebt</translation>
         <translation>Wie sich das Blatt anfühlt und aussieht</translation>
     </message>
     <message>
-        <source>Pen:</source>
-        <translation>Stift:</translation>
-    </message>
-    <message>
         <source>What is drawn with</source>
         <translation>Womit gezeichnet wird</translation>
     </message>
     <message>
         <source>What the pen is made of: how it looks, feels and sounds</source>
         <translation>Woraus der Stift ist: wie er aussieht, sich anfühlt und klingt</translation>
+    </message>
+    <message>
+        <source>Size:</source>
+        <translation>Größe:</translation>
+    </message>
+    <message>
+        <source>Medium:</source>
+        <translation>Zeichenmittel:</translation>
     </message>
 </context>
 <context>
@@ -4642,10 +4781,6 @@ Doppelklick benennt um, Ziehen verschiebt</translation>
     <message>
         <source>Mass of the stabiliser</source>
         <translation>Masse des Stabilisators</translation>
-    </message>
-    <message>
-        <source>Material</source>
-        <translation>Material</translation>
     </message>
     <message>
         <source>Mode</source>
@@ -5446,6 +5581,10 @@ Doppelklick benennt um, Ziehen verschiebt</translation>
     <message>
         <source>Whether a line that is meant to meet another or itself is attracted (force), connected (snap), or both.</source>
         <translation>Ob eine Linie, die eine andere oder sich selbst treffen soll, angezogen (Kraft), verbunden (Einrasten) wird oder beides.</translation>
+    </message>
+    <message>
+        <source>Medium</source>
+        <translation>Zeichenmittel</translation>
     </message>
 </context>
 </TS>

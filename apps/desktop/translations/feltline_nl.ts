@@ -219,14 +219,6 @@
         <translation>Doet opnieuw wat teruggenomen is.</translation>
     </message>
     <message>
-        <source>&amp;Cancel the line in work</source>
-        <translation>&amp;Lopende lijn afbreken</translation>
-    </message>
-    <message>
-        <source>What the pen is doing now never was; lift it to go on.</source>
-        <translation>Wat de pen nu doet is nooit gebeurd; til hem op om verder te gaan.</translation>
-    </message>
-    <message>
         <source>De&amp;lete</source>
         <translation>&amp;Verwijderen</translation>
     </message>
@@ -257,6 +249,37 @@
     <message>
         <source>Selects all lines but those that are selected now.</source>
         <translation>Selecteert alle lijnen behalve de nu geselecteerde.</translation>
+    </message>
+    <message>
+        <source>&amp;Cancel or select nothing</source>
+        <translation>&amp;Annuleren of niets selecteren</translation>
+    </message>
+    <message>
+        <source>Cancels what the pen is doing, or clears the selection.</source>
+        <translation>Breekt af wat de pen aan het doen is, of heft de selectie op.</translation>
+    </message>
+</context>
+<context>
+    <name>ErrorWords</name>
+    <message>
+        <source>The file or folder is not there.</source>
+        <translation>Het bestand of de map is er niet.</translation>
+    </message>
+    <message>
+        <source>The file cannot be read or written: it may be protected, or the disk may be full.</source>
+        <translation>Het bestand kan niet worden gelezen of geschreven: misschien is het beveiligd of de schijf vol.</translation>
+    </message>
+    <message>
+        <source>It holds more than Feltline can take.</source>
+        <translation>Het bevat meer dan Feltline aankan.</translation>
+    </message>
+    <message>
+        <source>Feltline cannot read this kind of file.</source>
+        <translation>Feltline kan dit soort bestand niet lezen.</translation>
+    </message>
+    <message>
+        <source>It is damaged, or not a drawing that Feltline can read.</source>
+        <translation>Het is beschadigd, of geen tekening die Feltline kan lezen.</translation>
     </message>
 </context>
 <context>
@@ -662,6 +685,13 @@
     </message>
 </context>
 <context>
+    <name>MediaPicker</name>
+    <message>
+        <source>%1 draws in its own colour, %2.</source>
+        <translation>%1 tekent in zijn eigen kleur, %2.</translation>
+    </message>
+</context>
+<context>
     <name>Menus</name>
     <message>
         <source>&amp;File</source>
@@ -714,6 +744,10 @@
     <message>
         <source>Pal&amp;ette</source>
         <translation>Pal&amp;et</translation>
+    </message>
+    <message>
+        <source>S&amp;heet</source>
+        <translation>&amp;Blad</translation>
     </message>
 </context>
 <context>
@@ -880,10 +914,6 @@
         <translation>Gesimuleerd: %1</translation>
     </message>
     <message>
-        <source>Pen or mouse, exact</source>
-        <translation>Pen of muis, exact</translation>
-    </message>
-    <message>
         <source>The ink is exactly where the pen is. Forces are shown, not felt.</source>
         <translation>De inkt ligt precies waar de pen is. Krachten worden getoond, niet gevoeld.</translation>
     </message>
@@ -898,6 +928,18 @@
     <message>
         <source>A person holds it, and feels the forces.</source>
         <translation>Je houdt het in de hand en voelt de krachten.</translation>
+    </message>
+    <message>
+        <source>Mouse or pen, without forces</source>
+        <translation>Muis of pen, zonder krachten</translation>
+    </message>
+    <message>
+        <source>Mouse or pen</source>
+        <translation>Muis of pen</translation>
+    </message>
+    <message>
+        <source>Worst case: light, frictionless, coarse</source>
+        <translation>Slechtste geval: licht, wrijvingsloos, grof</translation>
     </message>
 </context>
 <context>
@@ -977,10 +1019,6 @@
     <message>
         <source>the pen seemed to jump</source>
         <translation>de pen leek te springen</translation>
-    </message>
-    <message>
-        <source>they had to fall too often</source>
-        <translation>ze moesten te vaak zakken</translation>
     </message>
     <message>
         <source>the self-test failed</source>
@@ -1085,6 +1123,10 @@
     <message>
         <source>Drawing goes on. Let the device rest for some minutes, then switch the forces on again.</source>
         <translation>Tekenen gaat door. Laat het apparaat enkele minuten rusten en zet de krachten dan weer aan.</translation>
+    </message>
+    <message>
+        <source>the computer or the device could not keep up several times in a minute</source>
+        <translation>computer of apparaat kon het meermaals in een minuut niet bijhouden</translation>
     </message>
 </context>
 <context>
@@ -1247,6 +1289,21 @@
     <message>
         <source>ends and corners go along, or stay</source>
         <translation>uiteinden en hoeken gaan mee of blijven</translation>
+    </message>
+    <message>
+        <source>Push lines away from the side of the pen.</source>
+        <translation>Duw lijnen weg met de zijkant van de pen.</translation>
+    </message>
+</context>
+<context>
+    <name>ToolSize</name>
+    <message>
+        <source>%1 mm is the largest size.</source>
+        <translation>%1 mm is de grootste maat.</translation>
+    </message>
+    <message>
+        <source>%1 mm is the smallest size.</source>
+        <translation>%1 mm is de kleinste maat.</translation>
     </message>
 </context>
 <context>
@@ -1573,6 +1630,10 @@
         <source>Width</source>
         <translation>Breedte</translation>
     </message>
+    <message>
+        <source>Restyle</source>
+        <translation>Kleur of tekenmiddel wijzigen</translation>
+    </message>
 </context>
 <context>
     <name>felt::desktop::AboutDialog</name>
@@ -1698,6 +1759,14 @@
         <source>No pressure seen yet: a mouse draws lines of even width.</source>
         <translation>Nog geen druk gezien: een muis tekent even brede lijnen.</translation>
     </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>Right button: %1</source>
+        <translation>Rechterknop: %1</translation>
+    </message>
 </context>
 <context>
     <name>felt::desktop::CanvasPage</name>
@@ -1783,6 +1852,17 @@
     <message>
         <source>the clipboard</source>
         <translation>het klembord</translation>
+    </message>
+</context>
+<context>
+    <name>felt::desktop::ColorWell</name>
+    <message>
+        <source>Colour of the ink</source>
+        <translation>Kleur van de inkt</translation>
+    </message>
+    <message>
+        <source>Colour of the ink: %1</source>
+        <translation>Kleur van de inkt: %1</translation>
     </message>
 </context>
 <context>
@@ -2503,10 +2583,6 @@ Je tekening is er nog: sla haar ergens anders op.</translation>
         <translation>&amp;Vervangen</translation>
     </message>
     <message>
-        <source>Feltline</source>
-        <translation>Feltline</translation>
-    </message>
-    <message>
         <source>Damaged drawing</source>
         <translation>Beschadigde tekening</translation>
     </message>
@@ -2524,6 +2600,10 @@ Je tekening is er nog: sla haar ergens anders op.</translation>
     <message>
         <source>&amp;Show what is left</source>
         <translation>&amp;Tonen wat er over is</translation>
+    </message>
+    <message>
+        <source>Save &amp;as…</source>
+        <translation>Opslaan &amp;als…</translation>
     </message>
 </context>
 <context>
@@ -2863,6 +2943,10 @@ Je tekening is er nog: sla haar ergens anders op.</translation>
         <source>Version, licence and what it is built on</source>
         <translation>Versie, licentie en waarop het gebouwd is</translation>
     </message>
+    <message>
+        <source>From the tour</source>
+        <translation>Uit de rondleiding</translation>
+    </message>
 </context>
 <context>
     <name>felt::desktop::HistoryModel</name>
@@ -3030,6 +3114,14 @@ Double-click to rename, drag to move</source>
         <translation>%1
 Dubbelklik om te hernoemen, sleep om te verplaatsen</translation>
     </message>
+    <message>
+        <source>Ink</source>
+        <translation>Inkt</translation>
+    </message>
+    <message>
+        <source>Layer %1</source>
+        <translation>Laag %1</translation>
+    </message>
 </context>
 <context>
     <name>felt::desktop::LayersPanel</name>
@@ -3068,6 +3160,18 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen</translation>
     <message>
         <source>Removes the layer and what is drawn on it</source>
         <translation>Verwijdert de laag en wat erop getekend is</translation>
+    </message>
+    <message>
+        <source>All layers were hidden or locked: “%1” was added, so that there is one to draw on.</source>
+        <translation>Alle lagen waren verborgen of vergrendeld: ‘%1’ is toegevoegd, zodat er een is om op te tekenen.</translation>
+    </message>
+    <message>
+        <source>“%1” is locked: unlock it to draw there.</source>
+        <translation>‘%1’ is vergrendeld: ontgrendel de laag om er te tekenen.</translation>
+    </message>
+    <message>
+        <source>“%1” is hidden: show it to draw there.</source>
+        <translation>‘%1’ is verborgen: toon de laag om er te tekenen.</translation>
     </message>
 </context>
 <context>
@@ -3175,6 +3279,10 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen</translation>
     <message>
         <source>Feel, see and hear the other one of the two that the editor compares</source>
         <translation>De andere van de twee voelen, zien en horen die de editor vergelijkt</translation>
+    </message>
+    <message>
+        <source> (read-only)</source>
+        <translation> (alleen-lezen)</translation>
     </message>
 </context>
 <context>
@@ -3583,6 +3691,14 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen</translation>
         <source>Feel</source>
         <translation>Gevoel</translation>
     </message>
+    <message>
+        <source>More</source>
+        <translation>Meer</translation>
+    </message>
+    <message>
+        <source>Options that are seldom needed</source>
+        <translation>Opties die zelden nodig zijn</translation>
+    </message>
 </context>
 <context>
     <name>felt::desktop::OutputActions</name>
@@ -3633,6 +3749,10 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen</translation>
     <message>
         <source>Write the drawing as SVG, PDF, PNG or ink for other programs</source>
         <translation>De tekening als SVG, PDF, PNG of inkt voor andere programma’s schrijven</translation>
+    </message>
+    <message>
+        <source>“%1” was exported.</source>
+        <translation>‘%1’ is geëxporteerd.</translation>
     </message>
 </context>
 <context>
@@ -4184,6 +4304,21 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen</translation>
     </message>
 </context>
 <context>
+    <name>felt::desktop::SizeField</name>
+    <message>
+        <source>Size</source>
+        <translation>Grootte</translation>
+    </message>
+    <message>
+        <source>Width of the line that a mouse draws, or size of the tool in hand; [ and ] change it</source>
+        <translation>Breedte van de lijn die een muis tekent, of grootte van het gereedschap; [ en ] veranderen die</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+</context>
+<context>
     <name>felt::desktop::SoundState</name>
     <message>
         <source>There is no sound device now, so nothing is heard. It is heard once there is one.</source>
@@ -4354,16 +4489,20 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen</translation>
         <translation>Hoe het vel aanvoelt en eruitziet</translation>
     </message>
     <message>
-        <source>Pen:</source>
-        <translation>Pen:</translation>
-    </message>
-    <message>
         <source>What is drawn with</source>
         <translation>Waarmee getekend wordt</translation>
     </message>
     <message>
         <source>What the pen is made of: how it looks, feels and sounds</source>
         <translation>Waarvan de pen is: hoe hij eruitziet, aanvoelt en klinkt</translation>
+    </message>
+    <message>
+        <source>Size:</source>
+        <translation>Grootte:</translation>
+    </message>
+    <message>
+        <source>Medium:</source>
+        <translation>Tekenmiddel:</translation>
     </message>
 </context>
 <context>
@@ -4642,10 +4781,6 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen</translation>
     <message>
         <source>Mass of the stabiliser</source>
         <translation>Massa van de stabilisator</translation>
-    </message>
-    <message>
-        <source>Material</source>
-        <translation>Materiaal</translation>
     </message>
     <message>
         <source>Mode</source>
@@ -5446,6 +5581,10 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen</translation>
     <message>
         <source>Whether a line that is meant to meet another or itself is attracted (force), connected (snap), or both.</source>
         <translation>Of een lijn die een andere of zichzelf moet raken wordt aangetrokken (kracht), verbonden (vastklikken), of beide.</translation>
+    </message>
+    <message>
+        <source>Medium</source>
+        <translation>Tekenmiddel</translation>
     </message>
 </context>
 </TS>

@@ -4,10 +4,13 @@
 #include <QCloseEvent>
 #include <QKeyEvent>
 #include <QMenuBar>
+#include <QScreen>
+#include <QScrollArea>
 #include <QVBoxLayout>
 #include <algorithm>
 
 #include "desktop/canvas/view_actions.h"
+#include "desktop/engine/kept_options.h"
 #include "desktop/engine/settings.h"
 #include "desktop/feel/feel_actions.h"
 #include "desktop/feel/feel_panel.h"
@@ -36,6 +39,9 @@ namespace {
 /// Of the layout that restoreState() knows; another one starts anew.
 constexpr int kLayoutVersion = 1;
 constexpr QSize kFirstSize{1280, 820};
+/// Of a screen, for the frame that the window manager adds.
+constexpr QSize kFrame{0, 40};
+constexpr int kLeastLines = 8;  // of a panel that scrolls
 /// Of the height, in per cent: a tool has more options than a drawing has layers.
 constexpr int kOptionsShare = 64;
 
@@ -75,6 +81,20 @@ DrawingLooks looks_of(Canvas& canvas, ColorsPanel& colors) {
               }};
 }
 
+/// A panel that scrolls up and down where the screen is too small for it.
+QWidget* scrolled(QWidget* panel, const QString& name) {
+  auto* area = new QScrollArea;
+  area->setWidget(panel);
+  area->setWidgetResizable(true);
+  area->setFrameShape(QFrame::NoFrame);
+  area->setFocusPolicy(Qt::NoFocus);
+  area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  area->setAccessibleName(name);
+  area->setMinimumSize(panel->minimumSizeHint().width(),
+                       kLeastLines * panel->fontMetrics().height());
+  return area;
+}
+
 StudioOptions with_own_materials(StudioOptions options) {
   options.materials = OwnMaterials::the().known();
   return options;
@@ -91,6 +111,7 @@ MainWindow::MainWindow(StudioOptions options, QWidget* parent)
       materials_(new MaterialDesk(*studio_, OwnMaterials::the(), this)),
       media_pictures_(new MediaPictures(*studio_, this)) {
   setObjectName(QStringLiteral("main"));
+  new KeptOptions(*studio_, this);
   setCentralWidget(sheet_with_notices());
   auto* pens = new PenInput(*canvas_);
   add_edit_actions(*actions_, *studio_);
@@ -100,10 +121,6 @@ MainWindow::MainWindow(StudioOptions options, QWidget* parent)
   add_feel_actions(*actions_, *studio_, this);
   auto* help = new HelpActions(*actions_, this);
   connect(help, &HelpActions::wants_drawing, this, &MainWindow::wants_drawing);
-  connect(help, &HelpActions::wants_sheet, this, [this] {
-    activateWindow();
-    canvas_->setFocus();
-  });
   new ToolKeys(*actions_, *studio_, this);
   make_panels();
   add_window_actions();
@@ -124,9 +141,10 @@ MainWindow::MainWindow(StudioOptions options, QWidget* parent)
   });
   show_title();
   place_panels();
-  resize(kFirstSize);
+  resize(kFirstSize.boundedTo(screen()->availableSize() - kFrame));
   restoreGeometry(Settings::the().value(window_keys::kGeometry).toByteArray());
   restoreState(Settings::the().value(window_keys::kLayout).toByteArray(), kLayoutVersion);
+  check_panel_actions();
   qApp->installEventFilter(this);
   canvas_->setFocus();
 }
@@ -144,6 +162,7 @@ QWidget* MainWindow::sheet_with_notices() {
   care_ = new DeviceCare(*studio_, *device_notice_, this);
   column->addWidget(canvas_, 1);
   connect(files_, &FileActions::taken, notices, &NoticeBar::show_report);
+  connect(files_, &FileActions::drawing_changed, notices, &NoticeBar::forget_report);
   if (const QStringList wrong = OwnMaterials::the().take_problems(); !wrong.isEmpty()) {
     notices->show_words(tr("These of your own materials could not be read:") + QLatin1Char('\n') +
                         wrong.join(QLatin1Char('\n')));
@@ -177,18 +196,20 @@ void MainWindow::make_panels() {
   add_panel(QStringLiteral("options"), tr("Options"),
             new OptionsPanel(*studio_, nullptr, {{"pencil.material", media}}));
   auto* feel = new FeelPanel(*studio_);
-  add_panel(QStringLiteral("feel"), tr("Feel"), feel);
+  add_panel(QStringLiteral("feel"), tr("Feel"), scrolled(feel, tr("Feel")));
   connect(feel, &FeelPanel::wants_editor, this,
           [this] { actions_->find(QStringLiteral("view.materials"))->trigger(); });
   auto* layers = new LayersPanel(*studio_);
   add_panel(QStringLiteral("layers"), tr("Layers"), layers);
   add_layer_actions(*actions_, *studio_, *layers);
   auto* colors = new ColorsPanel(*studio_);
-  add_panel(QStringLiteral("colors"), tr("Colours"), colors);
+  add_panel(QStringLiteral("colors"), tr("Colours"), scrolled(colors, tr("Colours")));
   add_color_actions(*actions_, *colors);
   files_->set_looks(looks_of(*canvas_, *colors));
   add_panel(QStringLiteral("history"), tr("History"), new HistoryPanel(*studio_));
-  add_panel(QStringLiteral("forces"), tr("Forces"), new ForcePanel(*studio_));
+  // Its words may need many lines: a small screen scrolls them, and the window stays as it is.
+  add_panel(QStringLiteral("forces"), tr("Forces"),
+            scrolled(new ForcePanel(*studio_), tr("Forces")));
 }
 
 void MainWindow::place_panels() {
@@ -208,10 +229,19 @@ void MainWindow::place_panels() {
   tabifyDockWidget(dock("colors"), dock("history"));
   addDockWidget(Qt::BottomDockWidgetArea, dock("forces"));
   dock("forces")->hide();  // a calm window first
+  check_panel_actions();
   dock("options")->raise();
   dock("layers")->raise();
   resizeDocks({dock("options"), dock("layers")}, {kOptionsShare, 100 - kOptionsShare},
               Qt::Vertical);
+}
+
+/// A dock says that it is hidden only once it was shown.
+void MainWindow::check_panel_actions() {
+  for (const QDockWidget* panel : panels_) {
+    QAction* action = actions_->find(QStringLiteral("view.panel_") + panel->objectName());
+    if (action) action->setChecked(!panel->isHidden());
+  }
 }
 
 void MainWindow::reset_layout() {
@@ -325,6 +355,7 @@ void MainWindow::show_title() {
   // In a title "[*]" is the place of the mark for changes, and twice "[*]" is those three letters.
   QString name = files_->display_name();
   name.replace(QStringLiteral("[*]"), QStringLiteral("[*][*]"));
+  if (files_->is_read_only()) name += tr(" (read-only)");
   setWindowTitle(name + QStringLiteral("[*] \u2013 Feltline"));
   setWindowModified(studio_->is_modified());
   setWindowFilePath(files_->path());
@@ -332,7 +363,8 @@ void MainWindow::show_title() {
 
 bool MainWindow::eventFilter(QObject* watched, QEvent* event) {
   // On the sheet Tab hides the panels; everywhere else it goes on to the next control, as always.
-  if (event->type() == QEvent::ShortcutOverride && watched != canvas_ && watched->isWidgetType() &&
+  // An override that the sheet leaves alone goes on to its parents: the focus says whose key it is.
+  if (event->type() == QEvent::ShortcutOverride && !canvas_->hasFocus() && watched->isWidgetType() &&
       static_cast<QWidget*>(watched)->window() == this) {
     const auto* key = static_cast<QKeyEvent*>(event);
     const bool is_plain = !(key->modifiers() & (Qt::ControlModifier | Qt::AltModifier));

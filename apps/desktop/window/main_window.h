@@ -59,6 +59,7 @@ class MainWindow : public QMainWindow {
   QWidget* sheet_with_notices();
   void make_panels();
   void place_panels();
+  void check_panel_actions();
   void add_window_actions();
   void add_material_actions();
   void hide_panels(bool hide);

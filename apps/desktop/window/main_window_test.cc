@@ -6,6 +6,8 @@
 #include <QAbstractButton>
 #include <QComboBox>
 #include <QDir>
+#include <QDockWidget>
+#include <QDoubleSpinBox>
 #include <QMenuBar>
 #include <QMessageBox>
 #include <QPointer>
@@ -351,6 +353,74 @@ TEST(Windows, AFileThatCannotBeOpenedSaysSoInAWindowThatStays) {
   first->studio().set_modified(false);
   delete second;
   delete first;
+}
+
+TEST(MainWindow, TabHidesThePanelsWhileTheSheetHasTheFocus) {
+  const auto window = shown_window();
+  ASSERT_TRUE(window->canvas().hasFocus());
+  QTest::keyClick(window->windowHandle(), Qt::Key_Tab);
+  QAction* hide = window->actions().find(QStringLiteral("view.hide_panels"));
+  EXPECT_TRUE(hide->isChecked());
+  QTest::keyClick(window->windowHandle(), Qt::Key_Tab);
+  EXPECT_FALSE(hide->isChecked());
+  auto* field = window->findChild<QDoubleSpinBox*>(QStringLiteral("top_size"));
+  ASSERT_TRUE(field);
+  field->setFocus();
+  QTest::keyClick(window->windowHandle(), Qt::Key_Tab);
+  EXPECT_FALSE(hide->isChecked()) << "elsewhere it goes to the next control";
+}
+
+TEST(MainWindow, TheMenuKnowsWhichPanelsAreSeenFromTheStart) {
+  const auto window = shown_window();
+  for (const QDockWidget* panel : window->findChildren<QDockWidget*>()) {
+    const QAction* action =
+        window->actions().find(QStringLiteral("view.panel_") + panel->objectName());
+    ASSERT_TRUE(action);
+    EXPECT_EQ(action->isChecked(), !panel->isHidden()) << panel->objectName().toStdString();
+  }
+  window->actions().find(QStringLiteral("view.panel_forces"))->trigger();
+  EXPECT_FALSE(window->findChild<QDockWidget*>(QStringLiteral("forces"))->isHidden());
+}
+
+TEST(MainWindow, FitsASmallScreenWithEveryPanel) {
+  const auto window = shown_window();
+  window->show_panel(QStringLiteral("forces"));
+  window->studio().use_device(QStringLiteral("simulated:touch"));
+  window->resize(1280, 740);
+  QCoreApplication::processEvents();
+  EXPECT_LE(window->height(), 740);
+  EXPECT_LE(window->width(), 1280);
+  EXPECT_LE(window->minimumSizeHint().height(), 700);
+}
+
+TEST(MainWindow, ChoosingAToolMovesNothing) {
+  const auto window = shown_window();
+  const QRect before = window->canvas().geometry();
+  for (const auto& tool : window->studio().session().tools()) {
+    window->studio().apply(SelectTool{std::string(tool->info().id)});
+    QCoreApplication::processEvents();
+    EXPECT_EQ(window->canvas().geometry(), before) << tool->info().id;
+  }
+}
+
+TEST(MainWindow, APasteIsWhatIsSelected) {
+  const auto window = shown_window();
+  Studio& studio = window->studio();
+  touch(*window, true);
+  for (int i = 0; i < 20; ++i) {
+    studio.point({studio.now_ns(), {50.0 + i, 50}, true, 0.5});
+    studio.advance(5'000'000);
+  }
+  studio.point({studio.now_ns(), {70, 50}, false, 0.0});
+  studio.advance(400'000'000);
+  ASSERT_EQ(studio.session().document().stroke_count(), 1U);
+  const Document original = studio.session().document();
+  for (const char* name : {"edit.select_all", "edit.copy", "edit.paste", "edit.delete"}) {
+    window->actions().find(QString::fromLatin1(name))->trigger();
+  }
+  EXPECT_EQ(studio.session().document().stroke_count(), 1U);
+  EXPECT_TRUE(studio.session().document().find(original.layers()[0].strokes[0]))
+      << "the copy went, not the original";
 }
 
 }  // namespace

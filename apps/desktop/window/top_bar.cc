@@ -9,6 +9,8 @@
 #include "desktop/feel/material_words.h"
 #include "desktop/materials/media_picker.h"
 #include "desktop/panels/tool_icons.h"
+#include "desktop/window/color_well.h"
+#include "desktop/window/size_field.h"
 
 namespace felt::desktop {
 namespace {
@@ -54,6 +56,8 @@ TopBar::TopBar(const Actions& actions, Canvas& canvas, const MediaPictures& pict
   gap->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
   addWidget(gap);
   add_media(pictures);
+  addWidget(new ColorWell(studio_, this));
+  add_size();
   add_sheets();
   addSeparator();
   add_forces(actions);
@@ -112,7 +116,7 @@ QComboBox* TopBar::add_list(const QString& label, const QString& name, const QSt
 
 /// With a picture of each. Whoever takes one wants to draw with it, so the pencil comes with it.
 void TopBar::add_media(const MediaPictures& pictures) {
-  QComboBox* box = add_list(tr("Pen:"), tr("What is drawn with"),
+  QComboBox* box = add_list(tr("Medium:"), tr("What is drawn with"),
                             tr("What the pen is made of: how it looks, feels and sounds"));
   box->setObjectName(QStringLiteral("top_media"));
   box->setIconSize(kPicturePx);
@@ -136,8 +140,12 @@ void TopBar::add_media(const MediaPictures& pictures) {
   };
   fill();
   connect(box, &QComboBox::activated, this, [this, box, show] {
-    if (studio_.session().tool().info().id != "pencil") studio_.apply(SelectTool{"pencil"});
-    take_medium(studio_, box->currentData().toString().toStdString());
+    // With a selection it is for the lines that are selected.
+    const Session& session = studio_.session();
+    if (session.tool().info().id != "pencil" && session.selection().empty()) {
+      studio_.apply(SelectTool{"pencil"});
+    }
+    choose_medium(studio_, box->currentData().toString().toStdString());
     show();
   });
   connect(&studio_, &Studio::option_changed, this, [show](const QString& id) {
@@ -146,6 +154,15 @@ void TopBar::add_media(const MediaPictures& pictures) {
   connect(&studio_, &Studio::materials_changed, this, fill);
   connect(&studio_, &Studio::opened, this, fill);
   connect(&pictures, &MediaPictures::changed, this, show_pictures);
+}
+
+void TopBar::add_size() {
+  auto* words = new QLabel(tr("Size:"), this);
+  words->setContentsMargins(6, 0, 4, 0);
+  auto* field = new SizeField(studio_, this);
+  words->setBuddy(field);
+  addWidget(words);
+  addWidget(field);
 }
 
 void TopBar::add_sheets() {

@@ -34,11 +34,12 @@ void History::record(Edit edit) {
     steps_.pop_back();
   }
   const std::size_t bytes = memory_of(edit);
-  steps_.push_back({std::move(edit), bytes});
+  steps_.push_back({std::move(edit), bytes, ++recorded_});
   bytes_ += bytes;
   ++done_;
   while (bytes_ > limit_ && steps_.size() > 1) {
     bytes_ -= steps_.front().bytes;
+    forgotten_number_ = steps_.front().number;
     steps_.pop_front();
     --done_;
     ++forgotten_;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <deque>
 #include <string_view>
 
@@ -38,6 +39,11 @@ class History {
   /// Label of what undo() would take back, "" for nothing. Valid until the next call that changes.
   [[nodiscard]] std::string_view undo_label() const noexcept;
   [[nodiscard]] std::string_view redo_label() const noexcept;
+  /// Which step was done last, 0 for none: the same number means the same document, whatever was
+  /// undone and done again in between.
+  [[nodiscard]] std::uint64_t position() const noexcept {
+    return done_ > 0 ? steps_[done_ - 1].number : forgotten_number_;
+  }
   /// Steps that can be undone.
   [[nodiscard]] std::size_t undo_count() const noexcept { return done_; }
   /// All that are remembered: those that can be undone, the oldest first, then those that can be
@@ -55,6 +61,7 @@ class History {
   struct Step {
     Edit edit;
     std::size_t bytes = 0;
+    std::uint64_t number = 0;  // in the order of record()
   };
 
   std::deque<Step> steps_;  // done ones, then undone ones
@@ -62,6 +69,8 @@ class History {
   std::size_t bytes_ = 0;
   std::size_t limit_;
   std::size_t forgotten_ = 0;
+  std::uint64_t recorded_ = 0;
+  std::uint64_t forgotten_number_ = 0;  // of the last step that was forgotten
 };
 
 /// Memory that an edit keeps alive, in bytes; each stroke counted once per mention.

@@ -185,5 +185,27 @@ TEST(History, ADocumentChangedBehindItsBackIsReported) {
   EXPECT_EQ(d, Document());
 }
 
+TEST(History, ThePositionIsThatOfTheDocumentWhateverWasUndone) {
+  Document d;
+  History history;
+  const auto step = [&] {
+    const Edit edit = draw(d);
+    EXPECT_TRUE(d.apply(edit));
+    history.record(edit);
+  };
+  const std::uint64_t start = history.position();
+  step();
+  const std::uint64_t one = history.position();
+  EXPECT_NE(one, start);
+  ASSERT_TRUE(history.undo(d));
+  EXPECT_EQ(history.position(), start);
+  ASSERT_TRUE(history.redo(d));
+  EXPECT_EQ(history.position(), one);
+  ASSERT_TRUE(history.undo(d));
+  step();
+  EXPECT_NE(history.position(), one) << "another step in its place";
+  EXPECT_NE(history.position(), start);
+}
+
 }  // namespace
 }  // namespace felt

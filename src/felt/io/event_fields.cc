@@ -231,6 +231,15 @@ constexpr std::array kPoseFields = {
     EventField{"lean", false, parse_lean},
 };
 
+constexpr std::array kRestyleFields = {
+    kEvent,
+    kTime,
+    EventField{"color", false,
+               [](Value& v, EventFields& e) { return parse_text(v, "color", e.color); }},
+    EventField{"medium", false,
+               [](Value& v, EventFields& e) { return parse_text(v, "medium", e.medium); }},
+};
+
 constexpr std::array kDeviceFields = {
     kEvent,
     kTime,
@@ -298,6 +307,7 @@ constexpr NamedEvent kEvents[] = {
     {"select", EventName::kSelect, kSelectFields},
     {"delete", EventName::kDelete, kPlainFields},
     {"duplicate", EventName::kDuplicate, kPlainFields},
+    {"restyle", EventName::kRestyle, kRestyleFields},
     {"layer", EventName::kLayer, kLayerFields},
     {"device", EventName::kDevice, kDeviceFields},
     {"material", EventName::kMaterial, kMaterialFields},

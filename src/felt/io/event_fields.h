@@ -32,6 +32,8 @@ struct EventFields {
   Capabilities device;
   std::optional<std::size_t> index;
   std::string text;
+  std::string color;
+  std::string medium;
 };
 
 /// The kinds of events, by their name in the file.
@@ -47,6 +49,7 @@ enum class EventName {
   kSelect,
   kDelete,
   kDuplicate,
+  kRestyle,
   kLayer,
   kDevice,
   kMaterial

@@ -69,6 +69,9 @@ Event event_of(EventName name, EventFields&& fields) {
     case EventName::kDuplicate:
       event.what = DuplicateEvent{};
       break;
+    case EventName::kRestyle:
+      event.what = RestyleEvent{std::move(fields.color), std::move(fields.medium)};
+      break;
     case EventName::kLayer:
       event.what = layer_event(std::move(fields));
       break;

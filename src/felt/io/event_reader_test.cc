@@ -65,6 +65,8 @@ TEST(EventReader, ReadsEveryKind) {
             (Event{3'000'000, ImportEvent{"a/b.ndjson"}}));
   EXPECT_EQ(event_of(R"({"event":"delete","t_ms":3})"), (Event{3'000'000, DeleteEvent{}}));
   EXPECT_EQ(event_of(R"({"event":"duplicate","t_ms":3})"), (Event{3'000'000, DuplicateEvent{}}));
+  EXPECT_EQ(event_of(R"({"event":"restyle","medium":"chalk","t_ms":3})"),
+            (Event{3'000'000, RestyleEvent{.medium = "chalk"}}));
   EXPECT_EQ(event_of(R"({"event":"select","what":"invert","t_ms":3})"),
             (Event{3'000'000, SelectStrokes{SelectStrokes::What::kInvert}}));
 }
@@ -188,7 +190,7 @@ TEST(EventReader, NamesTheKeyAndTheReason) {
   EXPECT_EQ(
       error_of(R"({"event":"fly","t_ms":0})"),
       "event: \"fly\" is not one of tool, option, pen, hand, undo, redo, cancel, import, select, "
-      "delete, duplicate, layer, device, material");
+      "delete, duplicate, restyle, layer, device, material");
   EXPECT_EQ(error_of(R"({"event":7,"t_ms":0})"), "event: 7 is not a string");
   EXPECT_EQ(error_of(R"({"event":"undo"})"), "key \"t_ms\" is missing");
   EXPECT_EQ(error_of(R"({"event":"undo","t_ms":null})"), "t_ms: null is not a number");

@@ -69,6 +69,11 @@ struct AppendWhat {
   }
   void operator()(const DeleteEvent&) const { kind("delete"); }
   void operator()(const DuplicateEvent&) const { kind("duplicate"); }
+  void operator()(const RestyleEvent& e) const {
+    kind("restyle");
+    if (!e.color.empty()) append_key_string(out, "color", e.color);
+    if (!e.medium.empty()) append_key_string(out, "medium", e.medium);
+  }
   void operator()(const LayerEvent& e) const {
     kind("layer");
     append_key_string(out, "do", json::word_of(e.what));

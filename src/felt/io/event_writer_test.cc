@@ -44,6 +44,8 @@ TEST(EventWriter, WritesKeysInAFixedOrder) {
             "{\"t_ms\":0,\"event\":\"select\",\"what\":\"none\"}\n");
   EXPECT_EQ(line_of({0, DeleteEvent{}}), "{\"t_ms\":0,\"event\":\"delete\"}\n");
   EXPECT_EQ(line_of({0, DuplicateEvent{}}), "{\"t_ms\":0,\"event\":\"duplicate\"}\n");
+  EXPECT_EQ(line_of({0, RestyleEvent{"#b02020", "chalk"}}),
+            "{\"t_ms\":0,\"event\":\"restyle\",\"color\":\"#b02020\",\"medium\":\"chalk\"}\n");
   EXPECT_EQ(line_of({0, LayerEvent{LayerEvent::Do::kAdd, {}, "Ideas"}}),
             "{\"t_ms\":0,\"event\":\"layer\",\"do\":\"add\",\"name\":\"Ideas\"}\n");
   EXPECT_EQ(

@@ -53,6 +53,16 @@ struct ImportedDrawing {
   ImportReport report;
 };
 
+/// The medium of lines that come from a program without media: it is shown solid and in exactly the
+/// colour of the line.
+inline constexpr const char* kSolidMedium = "ink-pen";
+
+/// `fit` with the solid medium, unless the caller chose another than the default.
+inline InkFitOptions solid_fit(InkFitOptions fit) {
+  if (fit.material == InkFitOptions{}.material) fit.material = kSolidMedium;
+  return fit;
+}
+
 /// What readers of foreign formats need to know.
 struct ImportOptions {
   /// How samples of a pen become ink, where a format holds samples and no curves.

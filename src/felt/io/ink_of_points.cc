@@ -179,7 +179,9 @@ Result<StrokeData> InkOfPoints::of_line(std::span<const WidePoint> line) {
   }
   if (Result<void> done = end_run(); !done) return tl::unexpected(done.error());
   const bool is_ring = line_.size() > 3 && line_.front().position == line_.back().position;
-  return std::move(pieces).finish(is_ring ? 4.0 * kDrawnLineToleranceMm : 0.0);
+  Result<StrokeData> whole = std::move(pieces).finish(is_ring ? 4.0 * kDrawnLineToleranceMm : 0.0);
+  if (whole) whole->material = fit_.material;
+  return whole;
 }
 
 // Continues the run to `to` in steps that the fit cannot overlook.

@@ -65,7 +65,7 @@ struct Points {
 class InkmlReader {
  public:
   InkmlReader(const XmlInput& input, const ImportOptions& options)
-      : input_(input), ink_(options.fit), settings_(input, report_) {}
+      : input_(input), ink_(solid_fit(options.fit)), settings_(input, report_) {}
 
   Result<ImportedDrawing> read() {
     const pugi::xml_node root = input_.root();

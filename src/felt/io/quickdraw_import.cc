@@ -20,7 +20,7 @@ constexpr double kInset = 0.5 * (kQuickdrawCellMm - kSquare * kQuickdrawMmPerUni
 
 class QuickdrawReader {
  public:
-  explicit QuickdrawReader(const ImportOptions& options) : ink_(options.fit) {}
+  explicit QuickdrawReader(const ImportOptions& options) : ink_(solid_fit(options.fit)) {}
 
   void add(const NdjsonLine& line) {
     if (records_.size() == static_cast<std::size_t>(kMaxQuickdrawDrawings)) {

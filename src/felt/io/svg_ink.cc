@@ -19,8 +19,6 @@ namespace {
 
 /// Where ink is drawn that stands in no layer.
 constexpr const char* kLayerName = "Ink";
-/// A line of other programs has no relief of the sheet in it.
-constexpr const char* kMaterial = "felt-tip";
 /// As far as files can be written.
 constexpr double kFarthestMm = 1e9;
 constexpr const char* kFar = "reaches farther than 1e9 mm and was left out";
@@ -168,7 +166,7 @@ bool SvgInk::add_wide(const SvgShape& shape) {
     wide->id = svg_clean_name(wide->id);
     wide->data.material = svg_clean_name(wide->data.material);
   } else {
-    wide->data.material = kMaterial;
+    wide->data.material = kSolidMedium;
     wide->data.color = shape.fill ? shape.fill->color : shape.line->color;
     wide->id.clear();
   }
@@ -310,7 +308,7 @@ void SvgInk::add_part(const SvgShape& shape, SvgContour moved, Rgba color, doubl
   data.closed = line.closed;
   data.widths = std::move(widths.knots);
   data.color = color;
-  data.material = kMaterial;
+  data.material = kSolidMedium;
   push(shape, std::move(data), {});
 }
 

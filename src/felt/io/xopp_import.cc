@@ -56,7 +56,7 @@ std::optional<Rgba> named_color(const std::array<NamedColor, n>& names, std::str
 class XoppReader {
  public:
   XoppReader(const XmlInput& input, const ImportOptions& options)
-      : input_(input), ink_(options.fit) {}
+      : input_(input), ink_(solid_fit(options.fit)) {}
 
   Result<ImportedDrawing> read() {
     const pugi::xml_node root = input_.root();

@@ -8,6 +8,7 @@
 #include "felt/base/read_file.h"
 #include "felt/io/import_checks.h"
 #include "felt/io/unpack.h"
+#include "felt/material/materials.h"
 
 namespace felt {
 namespace {
@@ -227,6 +228,19 @@ TEST(XoppImport, RealFiles) {
     for (const SketchLayer& layer : d.drawing.layers) count += layer.strokes.size();
     EXPECT_EQ(count, strokes);
   }
+}
+
+TEST(XoppImport, LinesAreSolidAndOfExactlyTheirColour) {
+  const Stroke s = only_stroke(
+      read(page("<stroke tool=\"pen\" color=\"#cc0000ff\" width=\"1.41\">72 144 360 144</stroke>\n")));
+  const Medium* medium = find_medium(s.material());
+  ASSERT_TRUE(medium) << s.material();
+  EXPECT_EQ(medium->look.grain, 0.0);
+  EXPECT_EQ(medium->look.opacity_light, 1.0);
+  EXPECT_EQ(medium->look.opacity_heavy, 1.0);
+  EXPECT_EQ(medium->look.rim, 0.0);
+  EXPECT_EQ(medium->look.edge, 0.0);
+  EXPECT_EQ(s.color(), (Rgba{0xcc, 0, 0, 255}));
 }
 
 }  // namespace

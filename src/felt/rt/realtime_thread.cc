@@ -107,7 +107,7 @@ std::int64_t RealtimeThread::now_ns() const noexcept {
 
 RealtimeStatus RealtimeThread::status() const noexcept {
   RealtimeStatus status = status_;
-  if (!is_running()) return status;
+  if (!is_running() || is_paused()) return status;
   const std::int64_t ticked_ns = ticked_ns_.load(std::memory_order_relaxed);
   status.is_silent = now_ns() - std::max(ticked_ns, first_due_ns_) > kSilentNs;
   return status;
@@ -121,6 +121,7 @@ const LoopStats& RealtimeThread::stats() noexcept {
 Result<void> RealtimeThread::start() {
   if (is_running()) return {};
   stop_asked_.store(false, std::memory_order_relaxed);
+  pause_asked_.store(false, std::memory_order_relaxed);
   is_set_up_.store(false, std::memory_order_relaxed);
   has_ended_.store(false, std::memory_order_relaxed);
   ticked_ns_.store(kNever, std::memory_order_relaxed);
@@ -146,6 +147,7 @@ bool RealtimeThread::stop() noexcept {
 
 bool RealtimeThread::stop_thread() noexcept {
   stop_asked_.store(true, std::memory_order_relaxed);
+  resume();
   const auto has_ended = [this] { return has_ended_.load(std::memory_order_acquire); };
   if (!wait_until(options_.stop_patience_ns, has_ended)) {
     if (thread_.joinable()) thread_.detach();
@@ -199,12 +201,34 @@ void RealtimeThread::loop() noexcept {
   const std::int64_t period_ns = servo_.options().period_ns;
   std::int64_t deadline_ns = first_due_ns_;
   while (!stop_asked_.load(std::memory_order_relaxed)) {
+    if (pause_asked_.load(std::memory_order_acquire)) {
+      deadline_ns = sleep_until_resumed(deadline_ns);
+      continue;
+    }
     const std::int64_t woke_ns = wait_for(deadline_ns);
     const std::int64_t late_ns = woke_ns - deadline_ns;
     tick(woke_ns, late_ns);
     deadline_ns += period_ns * (1 + std::max<std::int64_t>(late_ns, 0) / period_ns);
   }
   stats_.publish(own_stats_);
+}
+
+// Between two ticks, so that nothing of a tick blocks. Returns the deadline of the next tick, whole
+// periods after the one given: who counts on first_due_ns() stays right.
+std::int64_t RealtimeThread::sleep_until_resumed(std::int64_t deadline_ns) const noexcept {
+  const std::int64_t period_ns = servo_.options().period_ns;
+  pause_asked_.wait(true, std::memory_order_acquire);
+  const std::int64_t passed_ns = now_ns() - deadline_ns;
+  return passed_ns <= 0 ? deadline_ns : deadline_ns + period_ns * (1 + passed_ns / period_ns);
+}
+
+void RealtimeThread::pause() noexcept {
+  if (!host_ && is_running()) pause_asked_.store(true, std::memory_order_release);
+}
+
+void RealtimeThread::resume() noexcept {
+  pause_asked_.store(false, std::memory_order_release);
+  pause_asked_.notify_one();
 }
 
 // Edit thread; false when it lost patience. There is no event to wait for: the haptic thread wakes

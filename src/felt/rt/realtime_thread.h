@@ -90,6 +90,17 @@ class RealtimeThread {
   /// (felt/rt/abandon.h), or call stop() again later.
   [[nodiscard]] bool stop() noexcept;
 
+  /// Lets the loop sleep, without a tick or a wake-up, until resume(): while nothing moves a pointer
+  /// there is nothing to read. Only for a device without motors: nobody watches the forces meanwhile.
+  /// Does nothing with a host. A loop that is stopped is not paused any more.
+  void pause() noexcept;
+  /// The next tick comes within a period, at a time when it would have come without the pause. Call
+  /// Servo::heartbeat() first, or the edit side seems to have been silent.
+  void resume() noexcept;
+  [[nodiscard]] bool is_paused() const noexcept {
+    return pause_asked_.load(std::memory_order_relaxed);
+  }
+
   [[nodiscard]] bool is_running() const noexcept {
     return thread_.joinable() || is_detached_ || is_hosted_;
   }
@@ -110,6 +121,7 @@ class RealtimeThread {
   void run() noexcept;
   void set_up() noexcept;
   void loop() noexcept;
+  [[nodiscard]] std::int64_t sleep_until_resumed(std::int64_t deadline_ns) const noexcept;
   std::int64_t wait_for(std::int64_t deadline_ns) const noexcept;
   void tick(std::int64_t now_ns, std::int64_t late_ns) noexcept;
   Result<void> start_hosted();
@@ -130,6 +142,7 @@ class RealtimeThread {
   bool is_detached_ = false;  // it hangs; whether it has ended since, has_ended_ tells
   std::atomic<bool> is_set_up_{false};
   std::atomic<bool> stop_asked_{false};
+  std::atomic<bool> pause_asked_{false};
   std::atomic<bool> has_ended_{false};   // our own thread: it will touch nothing any more
   std::atomic<bool> is_in_tick_{false};  // the host's
   std::atomic<Hosted> hosted_{Hosted::kDone};

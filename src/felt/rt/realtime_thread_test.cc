@@ -115,5 +115,35 @@ TEST(RealtimeThread, TheEditSideMayDoEverythingWhileItRuns) {
   EXPECT_TRUE(loop.stop());
 }
 
+TEST(RealtimeThread, APausedLoopDoesNotTickAndGoesOnAtOnce) {
+  NullDevice device;
+  const auto servo = std::make_unique<Servo>(device, ServoOptions{});
+  RealtimeThread loop(*servo, {});
+  loop.pause();
+  EXPECT_FALSE(loop.is_paused()) << "it does not run";
+  ASSERT_TRUE(loop.start().has_value());
+  const auto drained = [&servo] {
+    std::size_t count = 0;
+    for (PenSample sample; servo->for_edit().pop(sample);) ++count;
+    return count;
+  };
+  wait_until([&] { return drained() > 0; });
+  loop.pause();
+  EXPECT_TRUE(loop.is_paused());
+  EXPECT_FALSE(loop.status().is_silent);
+  std::this_thread::sleep_for(std::chrono::milliseconds(100));  // the tick that was under way
+  drained();
+  std::this_thread::sleep_for(std::chrono::milliseconds(200));
+  EXPECT_EQ(drained(), 0U);
+  servo->heartbeat(loop.now_ns());
+  loop.resume();
+  PenSample sample;
+  wait_until([&] { return servo->for_edit().pop(sample); });
+  // Whoever counts periods from the first tick is right as before.
+  loop.pause();
+  EXPECT_TRUE(loop.stop()) << "a paused loop ends, too";
+  EXPECT_FALSE(loop.is_paused());
+}
+
 }  // namespace
 }  // namespace felt

@@ -85,6 +85,15 @@ struct DuplicateEvent {
   friend bool operator==(const DuplicateEvent&, const DuplicateEvent&) = default;
 };
 
+/// {"event":"restyle","color":"#b02020","medium":"chalk"}: the selected strokes, those that are
+/// selected in part too, get this colour, this medium or both, as one step of undo. Their shapes and
+/// widths stay.
+struct RestyleEvent {
+  std::string color = {};   ///< as "sheet.color" takes it; "" leaves it
+  std::string medium = {};  ///< the id of one that is known and draws; "" leaves it
+  friend bool operator==(const RestyleEvent&, const RestyleEvent&) = default;
+};
+
 /// {"event":"layer","do":"hide","id":2}, {"event":"layer","do":"add","name":"Ideas"}
 struct LayerEvent {
   enum class Do : std::uint8_t {
@@ -129,8 +138,8 @@ struct UseMaterial {
 struct Event {
   std::int64_t time_ns = 0;
   std::variant<SelectTool, SetOption, PenEvent, HandEvent, UndoEvent, RedoEvent, CancelEvent,
-               ImportEvent, SelectStrokes, DeleteEvent, DuplicateEvent, LayerEvent, UseDevice,
-               UseMaterial>
+               ImportEvent, SelectStrokes, DeleteEvent, DuplicateEvent, RestyleEvent, LayerEvent,
+               UseDevice, UseMaterial>
       what;
   friend bool operator==(const Event&, const Event&) = default;
 };

@@ -46,6 +46,25 @@ Result<Edit> duplicate_edit(const Document& document, const Selection& selection
   return std::move(builder).build("Duplicate");
 }
 
+Result<Edit> restyle_edit(const Document& document, const Selection& selection,
+                          std::optional<Rgba> color, const std::string& medium) {
+  EditBuilder builder(document);
+  for (const auto& [id, marks] : selection.strokes()) {
+    const StrokePtr stroke = document.find(id);
+    if (!stroke) continue;
+    const bool is_so = (!color || stroke->color() == *color) &&
+                       (medium.empty() || stroke->material() == medium);
+    if (is_so) continue;
+    StrokeData data = stroke->data();
+    if (color) data.color = *color;
+    if (!medium.empty()) data.material = medium;
+    Result<Stroke> changed = Stroke::create(std::move(data));
+    if (!changed) return tl::unexpected(with_context(changed.error(), "restyle"));
+    builder.replace(id, std::make_shared<const Stroke>(*std::move(changed)));
+  }
+  return std::move(builder).build("Restyle");
+}
+
 Selection made_by(const Edit& edit) {
   Selection made;
   for (const StrokeChange& c : edit.changes) {

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <optional>
+#include <string>
+
 #include "felt/base/result.h"
 #include "felt/document/document.h"
 #include "felt/document/selection.h"
@@ -22,6 +25,11 @@ Edit delete_edit(const Document& document, const Selection& selection);
 /// order. Empty where there are none. Error: a shifted stroke breaks an invariant, so far out that
 /// its joints are lost to rounding; the message names the stroke.
 Result<Edit> duplicate_edit(const Document& document, const Selection& selection);
+
+/// The strokes that are selected, wholly or in part, in another colour or of another medium ("" is
+/// none). Empty if they are so already.
+Result<Edit> restyle_edit(const Document& document, const Selection& selection,
+                          std::optional<Rgba> color, const std::string& medium);
 
 /// All strokes that an edit makes, whole.
 Selection made_by(const Edit& edit);

@@ -10,6 +10,7 @@
 #include "felt/geometry/lean.h"
 #include "felt/material/material_file.h"
 #include "felt/session/layer_edit.h"
+#include "felt/session/selection_edit.h"
 
 namespace felt {
 namespace {
@@ -72,6 +73,7 @@ struct Session::Apply {
   Result<void> operator()(const SelectStrokes& e) const { return session.select_strokes(e.what); }
   Result<void> operator()(const DeleteEvent&) const { return session.delete_selected(); }
   Result<void> operator()(const DuplicateEvent&) const { return session.duplicate_selected(); }
+  Result<void> operator()(const RestyleEvent& e) const { return session.restyle_selected(e); }
   Result<void> operator()(const LayerEvent& e) const { return session.change_layer(e); }
   Result<void> operator()(const UseDevice& e) const {
     Result<void> ended = session.finish();
@@ -89,6 +91,7 @@ Session::Session(std::vector<std::unique_ptr<Tool>> tools, SessionOptions option
       selection_(std::move(options_.selection)),
       history_(options_.history_limit_bytes) {
   selection_.hold_to(document_);
+  selection_view_.look_at_all(document_, selection_);
   FELT_CHECK(!tools_.empty());
   active_ = find_tool("pencil").value_or(0);
   sheet_.follow(options_.materials);
@@ -136,7 +139,10 @@ Result<void> Session::sample(const PenSample& told) {
 Result<void> Session::import(std::int64_t time_ns, const std::string& path,
                              std::span<const SketchStroke> strokes) {
   if (Result<void> ended = finish(); !ended) return ended;
-  if (Result<void> done = commit(import_edit(document_, layer_, strokes)); !done) return done;
+  Edit edit = import_edit(document_, layer_, strokes);
+  Selection added = made_by(edit);
+  if (Result<void> done = commit(std::move(edit)); !done) return done;
+  set_selection(std::move(added));
   record({time_ns, ImportEvent{path}});
   return {};
 }
@@ -226,9 +232,7 @@ Result<void> Session::take(ToolResult result) {
     done = commit(std::move(*result.commit));
   }
   if (done && result.selection) {
-    selection_ = std::move(*result.selection);
-    selection_.hold_to(document_);
-    ++selections_;
+    set_selection(std::move(*result.selection));
   }
   if (!done) {
     return tl::unexpected(with_context(done.error(), std::string(tool().info().id)));
@@ -253,10 +257,23 @@ Result<void> Session::commit(Edit edit) {
 void Session::follow(const Edit& applied) {
   ++edits_;
   index_.update(applied, document_);
+  const bool is_selected =
+      !applied.layers.empty() ||
+      std::any_of(applied.changes.begin(), applied.changes.end(), [this](const StrokeChange& change) {
+        return selection_.find(change.id) != nullptr;
+      });
   selection_.follow(applied, document_);
   ++selections_;
+  if (is_selected) selection_view_.look_at_all(document_, selection_);
   if (!applied.layers.empty()) keep_layer_open();
   if (options_.on_edit) options_.on_edit(applied);
+}
+
+void Session::set_selection(Selection selection) {
+  selection_ = std::move(selection);
+  selection_.hold_to(document_);
+  ++selections_;
+  selection_view_.look_at_all(document_, selection_);
 }
 
 void Session::record(const Event& event) const {
@@ -265,6 +282,7 @@ void Session::record(const Event& event) const {
 
 void Session::draw(Overlay& overlay) const {
   overlay.clear();
+  if (!tool().info().shows_selection) selection_view_.draw(overlay);
   tool().draw(overlay);
 }
 

@@ -17,6 +17,7 @@
 #include "felt/session/sheet_options.h"
 #include "felt/stroke/sketch.h"
 #include "felt/tools/contact.h"
+#include "felt/tools/selection_view.h"
 #include "felt/tools/tool.h"
 
 namespace felt {
@@ -79,7 +80,8 @@ class Session {
   Result<void> apply(const Event& event);
   /// What a PenEvent ends in. Error: the tool made an edit that does not fit: a defect.
   Result<void> sample(const PenSample& sample);
-  /// Adds strokes on top of the layer in use as one step; what an ImportEvent of this path ends in.
+  /// Adds strokes on top of the layer in use as one step and selects them; what an ImportEvent of
+  /// this path ends in.
   Result<void> import(std::int64_t time_ns, const std::string& path,
                       std::span<const SketchStroke> strokes);
   /// No sample follows for now: the device is gone, the script or the program ends.
@@ -140,12 +142,14 @@ class Session {
   Result<void> select_strokes(SelectStrokes::What what);
   Result<void> delete_selected();
   Result<void> duplicate_selected();
+  Result<void> restyle_selected(const RestyleEvent& event);
   Result<void> change_layer(const LayerEvent& event);
   void keep_layer_open();
   void show(std::optional<Edit> preview);
   Result<void> take(ToolResult result);
   Result<void> commit(Edit edit);
   void follow(const Edit& applied);
+  void set_selection(Selection selection);
   void record(const Event& event) const;
 
   SessionOptions options_;
@@ -155,6 +159,7 @@ class Session {
   Document document_;
   StrokeIndex index_;
   Selection selection_;
+  SelectionView selection_view_;  // for tools that do not show it themselves
   History history_;
   LayerId layer_;
   std::optional<Edit> preview_;

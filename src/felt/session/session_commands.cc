@@ -4,6 +4,7 @@
 #include "felt/session/layer_edit.h"
 #include "felt/session/selection_edit.h"
 #include "felt/session/session.h"
+#include "felt/stroke/color_text.h"
 
 namespace felt {
 
@@ -39,8 +40,7 @@ Result<void> Session::settle() {
 Result<void> Session::select_strokes(SelectStrokes::What what) {
   if (gesture_in_work()) return {};
   if (Result<void> settled = settle(); !settled) return settled;
-  selection_ = selected(document_, selection_, what);
-  ++selections_;
+  set_selection(selected(document_, selection_, what));
   return {};
 }
 
@@ -58,9 +58,26 @@ Result<void> Session::duplicate_selected() {
   if (edit->empty()) return {};
   Selection copies = made_by(*edit);
   if (Result<void> done = commit(*std::move(edit)); !done) return done;
-  selection_ = std::move(copies);
-  ++selections_;
+  set_selection(std::move(copies));
   return {};
+}
+
+Result<void> Session::restyle_selected(const RestyleEvent& event) {
+  const std::optional<Rgba> color = color_from_text(event.color);
+  if (!event.color.empty() && !color) {
+    return fail(ErrorCode::kInvalidArgument,
+                "restyle: color: \"" + event.color + "\" is not a colour like #1f2933");
+  }
+  const Medium* medium = options_.materials.find_medium(event.medium);
+  if (!event.medium.empty() && (!medium || !medium->draws)) {
+    return fail(ErrorCode::kNotFound,
+                "restyle: medium: there is no medium \"" + event.medium + "\" that draws");
+  }
+  if (gesture_in_work()) return {};
+  if (Result<void> settled = settle(); !settled) return settled;
+  Result<Edit> edit = restyle_edit(document_, selection_, color, event.medium);
+  if (!edit) return tl::unexpected(edit.error());
+  return commit(*std::move(edit));
 }
 
 Result<void> Session::change_layer(const LayerEvent& event) {

@@ -473,5 +473,65 @@ TEST(SessionCommands, R52_RandomSessionsUndoToTheStartAndRedoToTheEnd) {
   }
 }
 
+TEST(SessionCommands, WhatIsImportedIsSelectedInPlaceOfWhatWas) {
+  Desk desk;
+  desk.line(0, 0);
+  desk.must(SelectStrokes{What::kAll});
+  const Sketch sketch{{"a", testing::straight_stroke({0, 50}, {9, 50}, 1, 2)},
+                      {"b", testing::straight_stroke({0, 60}, {9, 60}, 1, 2)}};
+  ASSERT_TRUE(desk.session.import(desk.now_ns, "clipboard", sketch));
+  EXPECT_EQ(desk.selected(), (std::vector<std::uint64_t>{2, 3}));
+  desk.must(DeleteEvent{});
+  EXPECT_EQ(desk.session.document().stroke_count(), 1U) << "the original stays";
+  EXPECT_TRUE(desk.session.document().find({1}));
+}
+
+TEST(SessionCommands, TheSelectionIsSeenWithToolsThatDoNotShowIt) {
+  Desk desk;
+  desk.line(0, 0);
+  desk.line(0, 20);
+  const auto marked = [&desk] {
+    Overlay overlay;
+    desk.session.draw(overlay);
+    return overlay.spans.size();
+  };
+  EXPECT_EQ(marked(), 0U);
+  desk.must(SelectStrokes{What::kAll});
+  const std::size_t all = marked();
+  EXPECT_GE(all, 2U);
+  desk.must(UndoEvent{});
+  EXPECT_LT(marked(), all) << "it follows every edit";
+  EXPECT_GT(marked(), 0U);
+  desk.must(SelectStrokes{What::kNone});
+  EXPECT_EQ(marked(), 0U);
+}
+
+TEST(SessionCommands, RestyleIsOneStepOfAllThatIsSelected) {
+  Desk desk;
+  desk.line(0, 0);
+  desk.line(0, 20);
+  const Document before = desk.session.document();
+  desk.must(RestyleEvent{.color = "#b02020"});
+  EXPECT_EQ(desk.session.document(), before) << "nothing is selected";
+  desk.must(SelectStrokes{What::kAll});
+  const std::size_t steps = desk.session.history().undo_count();
+  desk.must(RestyleEvent{.color = "#b02020", .medium = "chalk"});
+  EXPECT_EQ(desk.session.history().undo_count(), steps + 1);
+  EXPECT_EQ(desk.selected(), (std::vector<std::uint64_t>{1, 2}));
+  for (const std::uint64_t id : {1U, 2U}) {
+    const Stroke& stroke = *desk.session.document().find({id});
+    EXPECT_EQ(stroke.color(), (Rgba{0xb0, 0x20, 0x20, 255}));
+    EXPECT_EQ(stroke.material(), "chalk");
+    EXPECT_EQ(stroke.data().points, before.find({id})->data().points);
+    EXPECT_EQ(stroke.data().widths, before.find({id})->data().widths);
+  }
+  desk.must(RestyleEvent{.color = "#b02020"});
+  EXPECT_EQ(desk.session.history().undo_count(), steps + 1) << "it is so already";
+  desk.must(UndoEvent{});
+  EXPECT_EQ(desk.session.document(), before);
+  EXPECT_FALSE(desk.tell(RestyleEvent{.color = "red"}));
+  EXPECT_FALSE(desk.tell(RestyleEvent{.medium = "eraser"}));
+}
+
 }  // namespace
 }  // namespace felt

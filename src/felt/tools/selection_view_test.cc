@@ -97,5 +97,21 @@ TEST(SelectionView, LeavesLockedLayersOut) {
   EXPECT_TRUE(view.empty());
 }
 
+TEST(SelectionView, AFrameGoesRoundMoreThanItMarks) {
+  Desk desk;
+  for (std::size_t i = 0; i < SelectionView::kMostSpans + 1; ++i) {
+    const double x = static_cast<double>(i);
+    const StrokeId id = desk.add(straight_stroke({x, 0}, {x, 10}, 1, 1));
+    desk.selection.set_whole(id, 4);
+  }
+  SelectionView view;
+  view.look_at_all(desk.document, desk.selection);
+  Overlay overlay;
+  view.draw(overlay);
+  EXPECT_EQ(overlay.spans.size(), SelectionView::kMostSpans);
+  ASSERT_EQ(overlay.outlines.size(), 1U);
+  EXPECT_EQ(overlay.outlines[0].points[2], (Point{double(SelectionView::kMostSpans), 10}));
+}
+
 }  // namespace
 }  // namespace felt

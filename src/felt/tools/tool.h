@@ -28,6 +28,8 @@ struct ToolInfo {
   std::string_view help;   ///< one sentence
   char shortcut = 0;       ///< key of the desktop, 0 for none
   std::span<const OptionSpec> options;
+  /// draw() marks the selection; with other tools the session does.
+  bool shows_selection = false;
 };
 
 /// What came of one sample.

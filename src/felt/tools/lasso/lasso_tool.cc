@@ -12,7 +12,8 @@ constexpr ToolInfo kInfo{.id = "lasso",
                          .label = "Lasso",
                          .help = "Selects what a line is drawn round; a short touch takes a line.",
                          .shortcut = 'v',
-                         .options = kLassoOptions};
+                         .options = kLassoOptions,
+                         .shows_selection = true};
 
 LassoCombine combine_of(std::uint32_t buttons, LassoCombine option) {
   if (buttons & kFirstModifier) return LassoCombine::kAdd;

@@ -44,7 +44,7 @@ struct PencilOption {
 
 inline constexpr std::array<OptionSpec, PencilOption::kCount> kPencilOptions = {{
     {.id = "material",
-     .label = "Material",
+     .label = "Medium",
      .unit = "",
      .kind = OptionKind::kChoice,
      .fallback = 0,

@@ -16,7 +16,8 @@ constexpr ToolInfo kInfo{
         "Moves, turns, scales and stretches what is selected, held back by the lines that "
         "lead out of it.",
     .shortcut = 't',
-    .options = kTransformOptions};
+    .options = kTransformOptions,
+    .shows_selection = true};
 
 TransformKind kind_of(TransformMode mode) {
   switch (mode) {

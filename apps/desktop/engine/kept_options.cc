@@ -1,0 +1,81 @@
+#include "desktop/engine/kept_options.h"
+
+#include <cmath>
+#include <optional>
+#include <string>
+
+#include "desktop/engine/first_options.h"
+#include "desktop/engine/settings.h"
+#include "felt/stroke/color_text.h"
+#include "felt/tools/tool.h"
+
+namespace felt::desktop {
+namespace {
+
+constexpr auto kPrefix = "options/";
+constexpr auto kColor = "sheet.color";
+
+QString key_of(const std::string& id) {
+  return QLatin1String(kPrefix) + QString::fromStdString(id);
+}
+
+/// Nothing if the stored value is of another kind or out of range: of another version, or edited.
+std::optional<OptionValue> value_of(const QVariant& stored, const OptionSpec& spec,
+                                    const Materials& known) {
+  if (!stored.isValid()) return {};
+  if (spec.kind == OptionKind::kSwitch) return OptionValue(stored.toBool());
+  if (spec.kind == OptionKind::kNumber) {
+    bool ok = false;
+    const double number = stored.toDouble(&ok);
+    if (!ok || !std::isfinite(number) || number < spec.min || number > spec.max) return {};
+    return OptionValue(number);
+  }
+  OptionValue choice(stored.toString().toStdString());
+  if (!check_choice(spec, choice, known)) return {};
+  return choice;
+}
+
+QVariant stored_as(const OptionValue& value) {
+  if (const auto* on = std::get_if<bool>(&value)) return *on;
+  if (const auto* number = std::get_if<double>(&value)) return *number;
+  return QString::fromStdString(std::get<std::string>(value));
+}
+
+}  // namespace
+
+KeptOptions::KeptOptions(Studio& studio, QObject* parent) : QObject(parent), studio_(studio) {
+  restore();
+  connect(&studio, &Studio::option_changed, this, &KeptOptions::store);
+}
+
+void KeptOptions::restore() {
+  const Settings& settings = Settings::the();
+  for (const auto& tool : studio_.session().tools()) {
+    const std::string owner(tool->info().id);
+    for (const OptionSpec& row : tool->info().options) {
+      const std::string id = owner + "." + std::string(row.id);
+      const auto value = value_of(settings.value(key_of(id)), row, studio_.materials());
+      if (value && studio_.session().option(id) != *value) studio_.apply(SetOption{id, *value});
+    }
+  }
+  const std::string color = settings.text(key_of(kColor)).toStdString();
+  if (color_from_text(color)) studio_.apply(SetOption{kColor, OptionValue(color)});
+}
+
+void KeptOptions::store(const QString& id) {
+  const std::string name = id.toStdString();
+  const Result<OptionValue> now = studio_.session().option(name);
+  if (!now) return;
+  Settings& settings = Settings::the();
+  if (name == kColor) return settings.set(key_of(name), stored_as(*now));
+  for (const auto& tool : studio_.session().tools()) {
+    const std::string owner(tool->info().id);
+    for (const OptionSpec& row : tool->info().options) {
+      if (owner + "." + std::string(row.id) != name) continue;
+      if (*now == default_value(as_at_first(owner, row))) return settings.reset(key_of(name));
+      return settings.set(key_of(name), stored_as(*now));
+    }
+  }
+}
+
+}  // namespace felt::desktop

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <QObject>
+
+#include "desktop/engine/studio.h"
+
+namespace felt::desktop {
+
+/// Keeps the options of all tools (medium, widths, snapping, stabiliser, eraser mode, ...) and the
+/// colour of new ink in the settings, so that the next window and the next start begin with them.
+/// What is as it was at first is not stored, so that it follows a later version's defaults. Stored
+/// values that no longer fit are ignored.
+///
+///   new KeptOptions(studio, window);   // sets what was kept, then stores what changes
+class KeptOptions : public QObject {
+  Q_OBJECT
+
+ public:
+  explicit KeptOptions(Studio& studio, QObject* parent = nullptr);
+
+ private:
+  void restore();
+  void store(const QString& id);
+
+  Studio& studio_;
+};
+
+}  // namespace felt::desktop

@@ -1,0 +1,43 @@
+#include "desktop/window/size_field.h"
+
+#include <QSignalBlocker>
+#include <cstdlib>
+
+#include "desktop/panels/tool_size.h"
+
+namespace felt::desktop {
+
+SizeField::SizeField(Studio& studio, QWidget* parent) : QDoubleSpinBox(parent), studio_(studio) {
+  setObjectName(QStringLiteral("top_size"));
+  setAccessibleName(tr("Size"));
+  setToolTip(
+      tr("Width of the line that a mouse draws, or size of the tool in hand; [ and ] change it"));
+  setDecimals(2);
+  setSuffix(tr(" mm"));
+  setKeyboardTracking(false);
+  setFocusPolicy(Qt::StrongFocus);
+  connect(this, &QDoubleSpinBox::valueChanged, this, [this](double mm) {
+    set_tool_size(studio_, mm);
+    follow();
+  });
+  connect(&studio, &Studio::tool_changed, this, &SizeField::follow);
+  connect(&studio, &Studio::opened, this, &SizeField::follow);
+  connect(&studio, &Studio::option_changed, this, &SizeField::follow);
+  follow();
+}
+
+void SizeField::stepBy(int steps) {
+  for (int i = 0; i < std::abs(steps); ++i) step_tool_size(studio_, steps > 0);
+  selectAll();
+}
+
+void SizeField::follow() {
+  const auto size = tool_size(studio_.session());
+  setEnabled(size.has_value());
+  if (!size) return;
+  const QSignalBlocker quiet(this);
+  setRange(size->min_mm, size->max_mm);
+  setValue(size->mm);
+}
+
+}  // namespace felt::desktop

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <QDoubleSpinBox>
+
+#include "desktop/engine/studio.h"
+
+namespace felt::desktop {
+
+/// The size of the tool in hand (tool_size.h) as one number in the top bar; its arrows and the wheel
+/// go by the round numbers of the keys [ and ].
+class SizeField : public QDoubleSpinBox {
+  Q_OBJECT
+
+ public:
+  explicit SizeField(Studio& studio, QWidget* parent = nullptr);
+
+  void stepBy(int steps) override;
+
+ private:
+  void follow();
+
+  Studio& studio_;
+};
+
+}  // namespace felt::desktop
