@@ -28,7 +28,7 @@ constexpr std::array kFolded = {
     "lean_deg"sv,       "tolerance_mm"sv,      "refine"sv,        "reach_mm"sv,
     "snap_radius_mm"sv, "attraction_n"sv,      "keep_separate"sv, "stabiliser_mass_g"sv,
     "weights"sv,        "sweep_time_s"sv,      "extend"sv,        "stabiliser_length_mm"sv,
-    "rate_mm_per_s"sv,  "click_radius_mm"sv,   "grab_radius_mm"sv};
+    "rate_mm_per_s"sv,  "click_radius_mm"sv,   "grab_radius_mm"sv, "keep_offset"sv};
 constexpr auto kMoreKey = "panels/more_options";
 
 bool is_folded(std::string_view tool, const OptionSpec& spec) {

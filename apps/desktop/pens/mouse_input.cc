@@ -13,12 +13,16 @@ constexpr double kPxPerUnit = 0.5;
 constexpr double kDegreesPerUnit = 5.0 / 120.0;
 
 /// Where the pointer is, with its fraction of a pixel: Qt 6.4 rounds position() for child widgets,
-/// which on a screen of scale 2 loses every second pixel; globalPosition() is exact.
+/// and sometimes globalPosition(), which on a screen of scale 2 loses every second pixel.
 QPointF place_of(const QMouseEvent& event, const QWidget& canvas) {
-  const QPointF exact = canvas.mapFromGlobal(event.globalPosition());
-  const QPointF off = exact - event.position();
-  // Events that were made by hand may have no global position.
-  return std::max(std::abs(off.x()), std::abs(off.y())) <= 1.0 ? exact : event.position();
+  for (const QPointF exact : {canvas.mapFrom(canvas.window(), event.scenePosition()),
+                              canvas.mapFromGlobal(event.globalPosition())}) {
+    const QPointF off = exact - event.position();
+    const double far = std::max(std::abs(off.x()), std::abs(off.y()));
+    // Events that were made by hand may have neither.
+    if (far > 0.0 && far <= 1.0) return exact;
+  }
+  return event.position();
 }
 
 }  // namespace

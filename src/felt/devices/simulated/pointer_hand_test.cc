@@ -112,36 +112,5 @@ TEST(PointerHand, IgnoresPlacesThatAreNotFinite) {
   EXPECT_EQ(sample->pressure, 0.5);
 }
 
-// A mouse that comes fast and presses at once: the line begins where it pressed, not where the
-// simulated hand still was.
-TEST(PointerHand, TheHandArrivesBeforeItTouches) {
-  for (const char* name : {"touch", "premium", "falcon"}) {
-    const StylusPreset* device = find_stylus_preset(name);
-    if (!device) continue;
-    SCOPED_TRACE(name);
-    const SimulatedHand hand = typical_hand();
-    SimulatedStylus stylus(*device, hand);
-    const HandScriptOptions options = script_options_for(*device, hand);
-    PointerHand pointer(stylus, options);
-    const Point press{40, 20};
-    int touching = 0;
-    for (std::int64_t ms = 0; ms < 1200; ++ms) {
-      if (ms % 8 == 0) {
-        PointerEvent event{.time_ns = ms * kMs, .position = {-40, 20}};
-        if (ms > 300) event.position = {std::min(40.0, -40.0 + 1.5 * double(ms - 300)), 20};
-        event.touching = ms >= 360;  // right after the way
-        pointer.point(event);
-      }
-      const PenSample s = stylus.read(ms * kMs).value();
-      const double spring_n = 1e-3 * options.plane_n_per_m * depth_mm(s);
-      ASSERT_TRUE(stylus.write({0, 0, std::max(spring_n, 0.0)}).has_value());
-      if (depth_mm(s) <= 0.0) continue;
-      ++touching;
-      EXPECT_LT(distance({s.position.x, s.position.y}, press), 2.0) << ms << " ms";
-    }
-    EXPECT_GT(touching, 300) << "and it does touch";
-  }
-}
-
 }  // namespace
 }  // namespace felt

@@ -13,9 +13,6 @@ constexpr std::int64_t kStepNs = 250'000;
 constexpr std::int64_t kLongestNs = 100'000'000;
 constexpr double kStartHeightMm = 20.0;
 constexpr double kAimBeyondMm = 100.0;
-constexpr double kArrivedMm = 0.5;
-constexpr double kArrivedMmPerS = 60.0;
-constexpr std::int64_t kLongestLandingNs = 400'000'000;  // where something holds it back
 
 // The aim of a device that has a body is that of a hand, which takes its time.
 MovingAim aim_for(const Capabilities& device) noexcept {
@@ -92,24 +89,6 @@ void SimulatedStylus::take_untimed(const Aim& next, std::optional<Aim>& taken) n
   }
 }
 
-/// A hand in the air is to touch, and is not there yet.
-bool SimulatedStylus::must_arrive_first(const Aim& before, const Aim& touch,
-                                        std::int64_t now_ns) noexcept {
-  const bool lands = touch.target_mm.z < 0.0 && aim_.is_set() && before.target_mm.z >= 0.0;
-  if (!lands) {
-    landing_ns_.reset();
-    return false;
-  }
-  if (!landing_ns_) landing_ns_ = now_ns;
-  const Vec3 way = touch.target_mm - body_.position();
-  const Vec3& speed = body_.velocity();
-  const bool is_there = std::hypot(way.x, way.y) <= kArrivedMm &&
-                        std::hypot(speed.x, speed.y) <= kArrivedMmPerS;
-  if (!is_there && now_ns - *landing_ns_ < kLongestLandingNs) return true;
-  landing_ns_.reset();
-  return false;
-}
-
 void SimulatedStylus::take_aims(std::int64_t now_ns, std::int64_t tick_ns) noexcept {
   std::optional<Aim> taken = std::exchange(waiting_, std::nullopt);
   StampedAim next;
@@ -125,13 +104,7 @@ void SimulatedStylus::take_aims(std::int64_t now_ns, std::int64_t tick_ns) noexc
   while (is_timed_ && has_body_) {
     const Aim* due = track_.due(now_ns);
     if (!due || (taken && changes_contact(*taken, *due))) break;
-    const Aim before = taken ? *taken : aim_.newest();
     taken = *due;
-    if (must_arrive_first(before, *due, now_ns)) {
-      taken->target_mm.z = before.target_mm.z;
-      taken->pressure.reset();
-      break;
-    }
     track_.pass();
   }
   if (!taken) return;

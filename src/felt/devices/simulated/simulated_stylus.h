@@ -29,9 +29,7 @@ namespace felt {
 /// A device without force (mouse, tablet) has no body: the pen is where the hand aims, and write()
 /// is without effect. Aims that say when they were are played in their own spacing (AimTrack): on
 /// such a device each of them is a sample, exactly there and at its own time (plus the delay of the
-/// track), several between two reads if need be; a hand with a body is led by them. It touches the
-/// sheet once it has arrived where the touch was asked for: a pointer that comes fast and presses at
-/// once draws no hook from where the hand still was.
+/// track), several between two reads if need be; a hand with a body is led by them.
 ///
 /// Time: the first read() starts it. Where it stands still or runs backwards nothing moves. After a
 /// gap, at most 100 ms are simulated, so that a tick is bounded; the rest of it did not happen.
@@ -87,8 +85,6 @@ class SimulatedStylus final : public Device, public HandInput {
  private:
   void push_aim(StampedAim aim) noexcept;
   void take_aims(std::int64_t now_ns, std::int64_t tick_ns) noexcept;
-  [[nodiscard]] bool must_arrive_first(const Aim& before, const Aim& touch,
-                                       std::int64_t now_ns) noexcept;
   void take_untimed(const Aim& next, std::optional<Aim>& taken) noexcept;
   [[nodiscard]] PenSample read_track(std::int64_t now_ns) noexcept;
   [[nodiscard]] PenSample sample_of(const Aim& aim, std::int64_t time_ns) noexcept;
@@ -104,7 +100,6 @@ class SimulatedStylus final : public Device, public HandInput {
   bool has_body_;
   AimTrack track_;
   bool is_timed_ = false;  // by what came last
-  std::optional<std::int64_t> landing_ns_;  // since then the hand goes to where it will touch
   std::array<PenSample, kMostSamples> between_{};
   std::size_t between_next_ = 0, between_end_ = 0;
   std::int64_t sampled_ns_ = 0;  // time of the last sample
