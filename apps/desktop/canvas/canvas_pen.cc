@@ -112,8 +112,8 @@ void Canvas::show_size(const QString& option_id) {
 /// show what they reach by themselves.
 void Canvas::add_size_ring() {
   const PenState& pen = studio_.pen();
-  const Point at = pen_visible_ && pen.is_known ? pen.hand
-                                                : view_.to_mm({0.5 * width(), 0.5 * height()});
+  const Point at =
+      pen_visible_ && pen.is_known ? pen.hand : view_.to_mm({0.5 * width(), 0.5 * height()});
   const double width_mm = mouse_width_mm(studio_.session());
   shown_->overlay.rings.push_back({at, 0.5 * width_mm, Overlay::Role::kHandle});
   shown_->overlay.labels.push_back(

@@ -27,8 +27,8 @@ struct StudioOptions {
   /// False: no thread and no timer; whoever owns the studio moves time by advance(). For tests and
   /// pictures.
   bool live = true;
-  /// Begins with the options that this program has at first (first_options.h). False: the library's,
-  /// which scripts count on.
+  /// Begins with the options that this program has at first (first_options.h). False: the
+  /// library's, which scripts count on.
   bool first_options = true;
   /// So long after the last event a live studio whose device has no motors stops its loop and its
   /// timer; the next event starts them again.
@@ -265,13 +265,13 @@ class Studio : public QObject {
   std::int64_t clock_start_ns_ = 0;  // what the session's clock said when this loop began
   std::int64_t last_point_ns_ = 0;
   std::int64_t last_event_ns_ = 0;  // of the pointer, or a command
-  std::int64_t told_ns_ = 0;  // of the session's last event
-  QString given_up_label_;    // of a device, until a person has been told
-  std::vector<Edit> edits_;   // that signals have not told yet
-  QString home_tool_;         // while another is borrowed
+  std::int64_t told_ns_ = 0;        // of the session's last event
+  QString given_up_label_;          // of a device, until a person has been told
+  std::vector<Edit> edits_;         // that signals have not told yet
+  QString home_tool_;               // while another is borrowed
   int borrowed_ = 0;
   bool is_modified_ = false;
-  bool has_other_changes_ = false;     // than steps of the history: page, materials, a rescue
+  bool has_other_changes_ = false;    // than steps of the history: page, materials, a rescue
   std::uint64_t saved_position_ = 0;  // of the history, when there were no changes
   bool forces_on_ = false;
   double strength_ = 1.0;

@@ -556,9 +556,9 @@ TEST(KeptOptions, AnotherStartBeginsWithThem) {
   EXPECT_EQ(option("eraser.mode"), OptionValue(std::string("stroke")));
   EXPECT_EQ(option("sheet.color"), OptionValue(std::string("#b02020")));
   EXPECT_EQ(option("pencil.gamma"), OptionValue(1.0)) << "out of range";
-  for (const char* id : {"pencil.material", "pencil.max_width_mm", "pencil.snap",
-                         "pencil.stabiliser", "eraser.mode", "sheet.color", "pencil.gamma",
-                         "pull.mode"}) {
+  for (const char* id :
+       {"pencil.material", "pencil.max_width_mm", "pencil.snap", "pencil.stabiliser", "eraser.mode",
+        "sheet.color", "pencil.gamma", "pull.mode"}) {
     settings.reset(QStringLiteral("options/") + QString::fromLatin1(id));
   }
 }

@@ -69,9 +69,9 @@ void add_materials(Actions& actions, Studio& studio, QWidget* window) {
   auto* group = new QActionGroup(window);
   for (const SurfaceMaterial& material : surface_materials()) {
     const QString id = QString::fromUtf8(material.id.data(), qsizetype(material.id.size()));
-    QAction* action = actions.add_switch(QStringLiteral("feel.sheet_") + id, material_label(material), {},
-                                         material_words(material), id == material_of(studio),
-                                         [&studio, id](bool on) {
+    QAction* action = actions.add_switch(QStringLiteral("feel.sheet_") + id,
+                                         material_label(material), {}, material_words(material),
+                                         id == material_of(studio), [&studio, id](bool on) {
                                            if (on) choose_material(studio, id);
                                          });
     group->addAction(action);

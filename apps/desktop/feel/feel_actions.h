@@ -10,9 +10,9 @@ namespace felt::desktop {
 
 /// Brings what a person chose last time into a studio: strength, limit, material. Also adds to the
 /// window: feel.forces, feel.forces_off, feel.stronger, feel.weaker, a switch for each material
-/// (feel.sheet_paper ...), feel.sheet_own with a menu of the others, feel.sound where there is sound;
-/// Escape pressed twice switches the forces off, and so does a fault that needs a person. Nothing
-/// but feel.forces (and its button in the panel) switches them on again.
+/// (feel.sheet_paper ...), feel.sheet_own with a menu of the others, feel.sound where there is
+/// sound; Escape pressed twice switches the forces off, and so does a fault that needs a person.
+/// Nothing but feel.forces (and its button in the panel) switches them on again.
 void add_feel_actions(Actions& actions, Studio& studio, QWidget* window);
 
 /// Chooses a material for hand and eye, and keeps the choice.

@@ -2,12 +2,12 @@
 
 #include <gtest/gtest.h>
 
-#include <QApplication>
-#include <QSignalSpy>
 #include <QAbstractButton>
+#include <QApplication>
 #include <QLabel>
 #include <QMainWindow>
 #include <QMenu>
+#include <QSignalSpy>
 #include <QTest>
 
 #include "desktop/engine/settings.h"

@@ -93,7 +93,8 @@ QString words_for(SafetyFault fault) {
     case SafetyFault::kPositionJump:
       return QCoreApplication::translate("SafetyWords", "the pen seemed to jump");
     case SafetyFault::kTooManyFaults:
-      return QCoreApplication::translate("SafetyWords", "the computer or the device could not keep up several times in a minute");
+      return QCoreApplication::translate(
+          "SafetyWords", "the computer or the device could not keep up several times in a minute");
     case SafetyFault::kSelfTest:
       return QCoreApplication::translate("SafetyWords", "the self-test failed");
   }

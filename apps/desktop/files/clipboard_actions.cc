@@ -118,8 +118,7 @@ void ClipboardActions::paste() {
   const QMimeData* data = QGuiApplication::clipboard()->mimeData();
   Result<PastedStrokes> pasted = data ? strokes_of(*data) : PastedStrokes();
   if (!pasted) {
-    dialogs_.show_error(window_, tr("The clipboard cannot be pasted"),
-                        error_words(pasted.error()),
+    dialogs_.show_error(window_, tr("The clipboard cannot be pasted"), error_words(pasted.error()),
                         QString::fromStdString(pasted.error().message));
     return;
   }

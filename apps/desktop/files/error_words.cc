@@ -21,8 +21,7 @@ const char* words_of(ErrorCode code) {
     case ErrorCode::kInvalidArgument:
       break;
   }
-  return QT_TRANSLATE_NOOP("ErrorWords",
-                           "It is damaged, or not a drawing that Feltline can read.");
+  return QT_TRANSLATE_NOOP("ErrorWords", "It is damaged, or not a drawing that Feltline can read.");
 }
 
 }  // namespace

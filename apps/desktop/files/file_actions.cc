@@ -360,11 +360,10 @@ void FileActions::end_save(const QString& path, std::uint64_t revision, const Re
   --saves_in_work_;
   last_save_failed_ = !done;
   if (!done) {
-    dialogs_->show_save_error(
-        window_, tr("“%1” was not saved").arg(QFileInfo(path).fileName()),
-        tr("%1\nYour drawing is still here: save it to another place.")
-            .arg(error_words(done.error())),
-        text_of(done.error()), [this] { save_as(); });
+    dialogs_->show_save_error(window_, tr("“%1” was not saved").arg(QFileInfo(path).fileName()),
+                              tr("%1\nYour drawing is still here: save it to another place.")
+                                  .arg(error_words(done.error())),
+                              text_of(done.error()), [this] { save_as(); });
     Q_EMIT saved(false);
     return;
   }

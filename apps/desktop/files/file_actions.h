@@ -57,8 +57,8 @@ class FileActions : public QObject {
   /// Nothing was drawn, opened or saved here: another drawing may take the place.
   [[nodiscard]] bool is_pristine() const;
 
-  /// Opens it here; asks about unsaved changes once it could be read. False: it was not opened, and the person has
-  /// been told why.
+  /// Opens it here; asks about unsaved changes once it could be read. False: it was not opened, and
+  /// the person has been told why.
   bool open(const QString& path);
   /// Begins to write; false: the person stopped it. What comes of it is told by `saved`.
   bool save();

@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include <QDateTime>
 #include <QAction>
+#include <QDateTime>
 #include <QDropEvent>
 #include <QFile>
 #include <QMenu>

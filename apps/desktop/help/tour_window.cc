@@ -65,7 +65,9 @@ QString tour_text(const char* text) {
 
 TourWindow::TourWindow(QWidget* parent)
     : QWidget(parent, Qt::Window),
-      studio_(new Studio({.device = QStringLiteral("simulated:touch"), .live = false, .first_options = false}, this)),
+      studio_(new Studio(
+          {.device = QStringLiteral("simulated:touch"), .live = false, .first_options = false},
+          this)),
       canvas_(new Canvas(*studio_, this)),
       player_(*studio_) {
   setWindowTitle(tr("Guided tour"));

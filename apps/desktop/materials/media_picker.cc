@@ -60,8 +60,9 @@ bool choose_medium(Studio& studio, const std::string& id) {
   if (!studio.session().selection().empty()) studio.apply(RestyleEvent{.medium = id});
   const Rgba now = studio.session().sheet().color();
   if (now != before) {
-    Q_EMIT studio.refused(QCoreApplication::translate("MediaPicker", "%1 draws in its own colour, %2.")
-                              .arg(label, QString::fromStdString(color_to_text(now))));
+    Q_EMIT studio.refused(
+        QCoreApplication::translate("MediaPicker", "%1 draws in its own colour, %2.")
+            .arg(label, QString::fromStdString(color_to_text(now))));
   }
   return true;
 }

@@ -76,8 +76,8 @@ void add_history(Actions& actions, Studio& studio) {
       actions.add(QStringLiteral("edit.cancel"),
                   text(QT_TRANSLATE_NOOP("EditActions", "&Cancel or select nothing")),
                   {QKeySequence(Qt::Key_Escape)},
-                  text(QT_TRANSLATE_NOOP("EditActions",
-                                         "Cancels what the pen is doing, or clears the selection.")),
+                  text(QT_TRANSLATE_NOOP(
+                      "EditActions", "Cancels what the pen is doing, or clears the selection.")),
                   [&studio] {
                     const Session& session = studio.session();
                     if (session.gesture_in_work() || session.selection().empty()) {

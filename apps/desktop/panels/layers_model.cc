@@ -44,16 +44,14 @@ QString LayersModel::shown_name(const Layer& layer) {
   const QString name = QString::fromStdString(layer.name);
   constexpr auto kNumbered = "Layer ";
   bool is_number = false;
-  const int number =
-      name.startsWith(QLatin1String(kNumbered)) ? name.mid(6).toInt(&is_number) : 0;
+  const int number = name.startsWith(QLatin1String(kNumbered)) ? name.mid(6).toInt(&is_number) : 0;
   return is_number ? tr("Layer %1").arg(number) : name;
 }
 
 QString LayersModel::spoken(const Layer& layer) const {
-  QString text =
-      tr("%1, %2, %3")
-          .arg(shown_name(layer), layer.visible ? tr("visible") : tr("hidden"),
-               layer.locked ? tr("locked") : tr("unlocked"));
+  QString text = tr("%1, %2, %3")
+                     .arg(shown_name(layer), layer.visible ? tr("visible") : tr("hidden"),
+                          layer.locked ? tr("locked") : tr("unlocked"));
   if (layer.id == studio_.session().layer()) text += tr(", in use");
   return text;
 }

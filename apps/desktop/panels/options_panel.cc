@@ -24,17 +24,17 @@ constexpr std::string_view kStrength = "strength";  // the row of strength_optio
 
 /// What few people set: folded behind "More".
 constexpr std::array kFolded = {
-    "min_width_mm"sv,   "max_width_mm"sv,      "gamma"sv,         "mouse_pressure"sv,
-    "lean_deg"sv,       "tolerance_mm"sv,      "refine"sv,        "reach_mm"sv,
-    "snap_radius_mm"sv, "attraction_n"sv,      "keep_separate"sv, "stabiliser_mass_g"sv,
-    "weights"sv,        "sweep_time_s"sv,      "extend"sv,        "stabiliser_length_mm"sv,
-    "rate_mm_per_s"sv,  "click_radius_mm"sv,   "grab_radius_mm"sv, "keep_offset"sv};
+    "min_width_mm"sv,   "max_width_mm"sv,    "gamma"sv,          "mouse_pressure"sv,
+    "lean_deg"sv,       "tolerance_mm"sv,    "refine"sv,         "reach_mm"sv,
+    "snap_radius_mm"sv, "attraction_n"sv,    "keep_separate"sv,  "stabiliser_mass_g"sv,
+    "weights"sv,        "sweep_time_s"sv,    "extend"sv,         "stabiliser_length_mm"sv,
+    "rate_mm_per_s"sv,  "click_radius_mm"sv, "grab_radius_mm"sv, "keep_offset"sv};
 constexpr auto kMoreKey = "panels/more_options";
 
 bool is_folded(std::string_view tool, const OptionSpec& spec) {
   // Of these tools it is the one size that they have.
-  const bool is_size = (tool == "width" && spec.id == "reach_mm") ||
-                       (tool == "pull" && spec.id == "grab_radius_mm");
+  const bool is_size =
+      (tool == "width" && spec.id == "reach_mm") || (tool == "pull" && spec.id == "grab_radius_mm");
   return !is_size && std::find(kFolded.begin(), kFolded.end(), spec.id) != kFolded.end();
 }
 

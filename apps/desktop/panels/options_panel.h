@@ -19,10 +19,10 @@ namespace felt::desktop {
 using OptionPicker = std::function<QWidget*(QWidget* parent)>;
 
 /// The options of the tool in hand, made from its table (OptionSpec): a row each, its help as the
-/// tip. Rows that mean nothing with what is chosen are not shown; what is felt comes last, and what few people
-/// set is folded behind "More". Writes
-/// SetOption events, and follows all that others write. Options that have a picker, by
-/// "tool.option", get that in place of a row, with the option's name above it.
+/// tip. Rows that mean nothing with what is chosen are not shown; what is felt comes last, and what
+/// few people set is folded behind "More". Writes SetOption events, and follows all that others
+/// write. Options that have a picker, by "tool.option", get that in place of a row, with the
+/// option's name above it.
 class OptionsPanel : public QWidget {
   Q_OBJECT
 

@@ -11,9 +11,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "desktop/engine/settings.h"
 #include "desktop/panels/panels_fixture.h"
 #include "desktop/panels/tool_texts.h"
-#include "desktop/engine/settings.h"
 
 namespace felt::desktop {
 namespace {

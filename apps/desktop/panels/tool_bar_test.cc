@@ -99,7 +99,8 @@ TEST(ToolActions, SizesClimbAndFallWithinTheRangeOfEveryTool) {
 TEST(ToolActions, TheSizeOfThePencilIsTheLineOfAMouse) {
   Desk desk;
   const auto size = [&desk] { return tool_size(desk.studio.session()).value(); };
-  const double thin = desk.number("pencil.min_width_mm"), broad = desk.number("pencil.max_width_mm");
+  const double thin = desk.number("pencil.min_width_mm"),
+               broad = desk.number("pencil.max_width_mm");
   EXPECT_NEAR(size().mm, thin + (broad - thin) * desk.number("pencil.mouse_pressure"), 1e-12);
   set_tool_size(desk.studio, 2.0);
   EXPECT_NEAR(size().mm, 2.0, 1e-9);

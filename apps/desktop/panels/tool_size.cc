@@ -52,8 +52,8 @@ void set_pencil_size(Studio& studio, const ToolSize& size, double mm) {
   const double share = share_of_mouse(session);
   const double thin =
       std::clamp(number(session, kMin) * mm / size.mm, least->min, std::min(mm, least->max));
-  const double broad = share > 0.0 ? thin + (mm - thin) / share
-                                   : number(session, kMax) * mm / size.mm;
+  const double broad =
+      share > 0.0 ? thin + (mm - thin) / share : number(session, kMax) * mm / size.mm;
   set(studio, kMin, thin);
   set(studio, kMax, std::clamp(broad, std::max(thin, most->min), most->max));
 }

@@ -9,10 +9,10 @@
 namespace felt::desktop {
 
 /// Drawing with keys alone: the arrows move the pen, faster the longer one is held, Shift finely;
-/// Return, Enter or Insert put it down and lift it, once an arrow has moved it or Tab or F6 has brought
-/// the focus here: an Enter that was meant for a text field draws nothing. Escape cancels what it draws. Steps are
-/// counted, not timed: the same keys make the same line. The view follows. What it is given must
-/// outlive it.
+/// Return, Enter or Insert put it down and lift it, once an arrow has moved it or Tab or F6 has
+/// brought the focus here: an Enter that was meant for a text field draws nothing. Escape cancels
+/// what it draws. Steps are counted, not timed: the same keys make the same line. The view follows.
+/// What it is given must outlive it.
 ///
 /// A person who holds a device that cannot tell whether its pen touches draws while one of the keys
 /// is held that put the pen down.
@@ -52,7 +52,7 @@ class KeyboardPen : public QObject {
   int key_ = 0;
   int repeats_ = 0;
   bool is_leading_ = false;  // an arrow was pressed since the mouse moved
-  int held_ = 0;  // the key that holds a device's pen down
+  int held_ = 0;             // the key that holds a device's pen down
 };
 
 }  // namespace felt::desktop

@@ -98,8 +98,8 @@ bool PenInput::eventFilter(QObject* watched, QEvent* event) {
   }
 }
 
-/// The keys of the sheet (Space, Shift, the letters of the tools) work where the pointer is: after a
-/// click on a medium or a slider, too. Where somebody types a text, the focus stays.
+/// The keys of the sheet (Space, Shift, the letters of the tools) work where the pointer is: after
+/// a click on a medium or a slider, too. Where somebody types a text, the focus stays.
 void PenInput::take_focus() {
   QWidget* focus = QApplication::focusWidget();
   if (!focus || focus == &canvas_ || focus->window() != canvas_.window()) return;

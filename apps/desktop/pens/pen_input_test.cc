@@ -5,8 +5,8 @@
 #include <QApplication>
 #include <QDoubleSpinBox>
 #include <QLineEdit>
-#include <QPushButton>
 #include <QPointingDevice>
+#include <QPushButton>
 #include <QTest>
 #include <QTouchEvent>
 #include <cmath>

@@ -364,8 +364,8 @@ void MainWindow::show_title() {
 bool MainWindow::eventFilter(QObject* watched, QEvent* event) {
   // On the sheet Tab hides the panels; everywhere else it goes on to the next control, as always.
   // An override that the sheet leaves alone goes on to its parents: the focus says whose key it is.
-  if (event->type() == QEvent::ShortcutOverride && !canvas_->hasFocus() && watched->isWidgetType() &&
-      static_cast<QWidget*>(watched)->window() == this) {
+  if (event->type() == QEvent::ShortcutOverride && !canvas_->hasFocus() &&
+      watched->isWidgetType() && static_cast<QWidget*>(watched)->window() == this) {
     const auto* key = static_cast<QKeyEvent*>(event);
     const bool is_plain = !(key->modifiers() & (Qt::ControlModifier | Qt::AltModifier));
     if (is_plain && key->key() == Qt::Key_Tab) event->accept();

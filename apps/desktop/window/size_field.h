@@ -6,8 +6,8 @@
 
 namespace felt::desktop {
 
-/// The size of the tool in hand (tool_size.h) as one number in the top bar; its arrows and the wheel
-/// go by the round numbers of the keys [ and ].
+/// The size of the tool in hand (tool_size.h) as one number in the top bar; its arrows and the
+/// wheel go by the round numbers of the keys [ and ].
 class SizeField : public QDoubleSpinBox {
   Q_OBJECT
 

@@ -90,9 +90,9 @@ class RealtimeThread {
   /// (felt/rt/abandon.h), or call stop() again later.
   [[nodiscard]] bool stop() noexcept;
 
-  /// Lets the loop sleep, without a tick or a wake-up, until resume(): while nothing moves a pointer
-  /// there is nothing to read. Only for a device without motors: nobody watches the forces meanwhile.
-  /// Does nothing with a host. A loop that is stopped is not paused any more.
+  /// Lets the loop sleep, without a tick or a wake-up, until resume(): while nothing moves a
+  /// pointer there is nothing to read. Only for a device without motors: nobody watches the forces
+  /// meanwhile. Does nothing with a host. A loop that is stopped is not paused any more.
   void pause() noexcept;
   /// The next tick comes within a period, at a time when it would have come without the pause. Call
   /// Servo::heartbeat() first, or the edit side seems to have been silent.

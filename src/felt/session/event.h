@@ -86,8 +86,8 @@ struct DuplicateEvent {
 };
 
 /// {"event":"restyle","color":"#b02020","medium":"chalk"}: the selected strokes, those that are
-/// selected in part too, get this colour, this medium or both, as one step of undo. Their shapes and
-/// widths stay.
+/// selected in part too, get this colour, this medium or both, as one step of undo. Their shapes
+/// and widths stay.
 struct RestyleEvent {
   std::string color = {};   ///< as "sheet.color" takes it; "" leaves it
   std::string medium = {};  ///< the id of one that is known and draws; "" leaves it

@@ -52,8 +52,8 @@ Result<Edit> restyle_edit(const Document& document, const Selection& selection,
   for (const auto& [id, marks] : selection.strokes()) {
     const StrokePtr stroke = document.find(id);
     if (!stroke) continue;
-    const bool is_so = (!color || stroke->color() == *color) &&
-                       (medium.empty() || stroke->material() == medium);
+    const bool is_so =
+        (!color || stroke->color() == *color) && (medium.empty() || stroke->material() == medium);
     if (is_so) continue;
     StrokeData data = stroke->data();
     if (color) data.color = *color;

@@ -258,10 +258,10 @@ void Session::follow(const Edit& applied) {
   ++edits_;
   index_.update(applied, document_);
   const bool is_selected =
-      !applied.layers.empty() ||
-      std::any_of(applied.changes.begin(), applied.changes.end(), [this](const StrokeChange& change) {
-        return selection_.find(change.id) != nullptr;
-      });
+      !applied.layers.empty() || std::any_of(applied.changes.begin(), applied.changes.end(),
+                                             [this](const StrokeChange& change) {
+                                               return selection_.find(change.id) != nullptr;
+                                             });
   selection_.follow(applied, document_);
   ++selections_;
   if (is_selected) selection_view_.look_at_all(document_, selection_);

@@ -88,9 +88,8 @@ void SelectionView::draw(Overlay& overlay) const {
   overlay.spans.insert(overlay.spans.end(), seen_.spans.begin(), seen_.spans.end());
   if (seen_.spans.size() < kMostSpans) return;
   const Rect& b = seen_.box;
-  overlay.outlines.push_back({{{b.x0, b.y0}, {b.x1, b.y0}, {b.x1, b.y1}, {b.x0, b.y1}},
-                              true,
-                              Overlay::Role::kSelected});
+  overlay.outlines.push_back(
+      {{{b.x0, b.y0}, {b.x1, b.y0}, {b.x1, b.y1}, {b.x0, b.y1}}, true, Overlay::Role::kSelected});
 }
 
 }  // namespace felt

@@ -25,8 +25,8 @@ class SelectionView {
  public:
   /// Control points that one look looks at: 30 us at most, of strokes that are far apart in memory.
   static constexpr std::size_t kPointsPerLook = 500;
-  /// Marked pieces at most; of a larger selection the first ones are marked, and a frame round all of
-  /// it is drawn.
+  /// Marked pieces at most; of a larger selection the first ones are marked, and a frame round all
+  /// of it is drawn.
   static constexpr std::size_t kMostSpans = 2'000;
   static constexpr double kBesideMm = 3.0;
 
