@@ -1,15 +1,17 @@
 #include "drawing_output.h"
 
+#include <algorithm>
+#include <memory>
 #include <optional>
+#include <thread>
 #include <utility>
 
-#include "felt/document/visible_strokes.h"
 #include "felt/formats/drawing_writer.h"
 #include "felt/formats/format_traits.h"
-#include "felt/io/ndjson_writer.h"
+#include "felt/formats/layered_drawing.h"
+#include "felt/formats/line_drawing.h"
 #include "felt/io/svg_writer.h"
-#include "felt/io/unpack.h"
-#include "felt/render/page.h"
+#include "ordered_pipeline.h"
 
 namespace felt::cli {
 namespace {
@@ -17,8 +19,8 @@ namespace {
 constexpr double kMarginMm = 5.0;
 
 /// All ink and a margin, as the streaming outputs show it.
-Rect ink_area(const Document& document, Format format) {
-  const Rect ink = ink_bounds(visible_strokes(document));
+Rect ink_area(const StoredDrawing& drawing, Format format) {
+  const Rect ink = view_of(drawing, LayerChoice::kVisible).ink();
   if (format == Format::kSvg) return svg_area(ink, SvgOptions{.margin_mm = kMarginMm});
   return (ink.empty() ? Rect{0.0, 0.0, 0.0, 0.0} : ink).inflated(kMarginMm);
 }
@@ -29,7 +31,7 @@ Result<std::optional<Rect>> shown_area(OpenedDrawing& opened, Format format,
   const bool is_picture = traits_of(format).picture;
   if (!picture.sheet) {
     const bool whole_ink = is_picture && (picture.fit || !opened.has_page);
-    return whole_ink ? std::optional(ink_area(opened.drawing.document, format)) : std::nullopt;
+    return whole_ink ? std::optional(ink_area(opened.drawing, format)) : std::nullopt;
   }
   Result<SheetPage> page = sheet_page(*picture.sheet, opened.drawing.page.paper);
   if (page) {
@@ -60,17 +62,45 @@ Result<WriteOptions> write_options(OpenedDrawing& opened, Format format, Picture
   return options;
 }
 
-/// As a stream of lines is written, without a header: what `convert` gives does not depend on what
-/// it was given.
-Result<std::string> lines(const Document& document) {
-  std::string text;
-  for (const SketchStroke& s : visible_strokes(document)) {
-    if (Result<void> fits = check_sketch_numbers(s.stroke.data()); !fits) {
-      return tl::unexpected(with_context(fits.error(), "stroke " + s.id));
-    }
-    append_sketch_line(text, s.id, s.stroke.data());
-  }
-  return text;
+/// One part of a file, and what became of making it.
+struct PartWork {
+  std::size_t number = 0;
+  [[nodiscard]] static std::size_t bytes() { return 0; }
+};
+struct PartDone {
+  DrawingPart part{};
+  Result<void> made{};
+};
+
+/// Makes the parts of a file on as many threads as there are cores, and writes them in order.
+Result<void> write_in_order(DrawingParts& parts, const std::string& name, Output& output) {
+  constexpr unsigned kMaxThreads = 8;
+  const unsigned cores = std::clamp(std::thread::hardware_concurrency(), 1U, kMaxThreads);
+  const bool one_thread = !parts.any_order() || parts.count() < 4;
+  OrderedPipeline<PartWork, PartDone> pipeline(one_thread ? 1 : static_cast<int>(cores));
+  std::size_t next = 0;
+  Result<void> done;
+  pipeline.run(
+      [&parts] {
+        return [&parts](const PartWork& work, PartDone& out) {
+          out.made = parts.make(work.number, out.part);
+        };
+      },
+      [&](PartWork& work) {
+        work.number = next;
+        return next < parts.count() && ++next > 0;
+      },
+      [&](const PartDone& out) {
+        if (!out.made) {
+          done = tl::unexpected(with_context(out.made.error(), name));
+        } else {
+          parts.add(out.part);
+          done = output.write(out.part.bytes);
+        }
+        return done.has_value();
+      });
+  if (!done) return done;
+  return output.write(parts.tail());
 }
 
 }  // namespace
@@ -91,14 +121,22 @@ Result<DrawingOutput> DrawingOutput::create(const std::string& path, Format form
 Result<void> DrawingOutput::write(OpenedDrawing drawing) {
   const Result<WriteOptions> options = write_options(drawing, format_, picture_);
   if (!options) return tl::unexpected(options.error());
-  Result<std::string> bytes = format_ == Format::kNdjson
-                                  ? lines(drawing.drawing.document)
-                                  : drawing_bytes(drawing.drawing, format_, *options);
-  if (!bytes) {
-    return tl::unexpected(with_context(bytes.error(), path_ == "-" ? "stdout" : path_));
+  const std::string name = path_ == "-" ? "stdout" : path_;
+  if (format_ == Format::kFelt) {
+    const Result<std::string> bytes = drawing_bytes(drawing.drawing, format_, *options);
+    if (!bytes) return tl::unexpected(with_context(bytes.error(), name));
+    return output_.save(*bytes);
   }
-  if (is_compressed_name(path_)) bytes = gzip(*bytes);
-  return format_ == Format::kFelt ? output_.save(*bytes) : output_.write_all(*bytes);
+  // Lines as a stream of them is written, without a header: what `convert` gives does not depend
+  // on what it was given.
+  Result<std::unique_ptr<DrawingParts>> parts =
+      format_ == Format::kNdjson
+          ? line_parts(view_of(drawing.drawing, LayerChoice::kVisible), LineHeader::kLeftOut)
+          : drawing_parts(drawing.drawing, format_, *options);
+  if (!parts) return tl::unexpected(with_context(parts.error(), name));
+  if (is_compressed_name(path_)) parts = gzip_parts(*std::move(parts));
+  if (auto ok = write_in_order(**parts, name, output_); !ok) return ok;
+  return output_.commit();
 }
 
 }  // namespace felt::cli

@@ -148,8 +148,9 @@ Result<std::unique_ptr<SketchOutput>> open_svg_output(const std::string& path,
 Result<void> encode(const SketchStroke& stroke, std::int64_t number, Format format,
                     SketchPiece& piece) {
   if (format == Format::kSvg) {
-    const Result<void> done = append_svg_stroke(
-        piece.text, stroke, static_cast<std::size_t>(number), SvgOptions{}.tolerance_mm);
+    const Result<void> done =
+        append_svg_stroke(piece.text, stroke.id, stroke.stroke, static_cast<std::size_t>(number),
+                          SvgOptions{}.tolerance_mm);
     if (!done) return done;
   } else if (Result<void> fits = check_sketch_numbers(stroke.stroke.data()); !fits) {
     return fits;

@@ -1,11 +1,13 @@
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 
 #include "felt/base/result.h"
 #include "felt/formats/file_format.h"
 #include "felt/geometry/rect.h"
+#include "felt/io/drawing_parts.h"
 #include "felt/io/grain_mask.h"
 #include "felt/render/grain.h"
 #include "felt/store/felt_file.h"
@@ -23,9 +25,14 @@ struct WriteOptions {
   bool no_page = false;
   double dpi = 300.0;  ///< of a .png
   Grain grain{};       ///< the relief of the sheet in the ink of a .png
-  /// Likewise of an .svg or .pdf, whose strokes stay outlines (GrainPrint); none: it is not shown.
+  /// The same of an .svg or .pdf, whose strokes stay outlines (GrainPrint); none: it is not shown.
   std::optional<GrainPrint> grain_print{};
 };
+
+/// A drawing as a file in the making: what drawing_bytes() gives, in parts that several threads may
+/// make, without all of it in memory (.felt and .png are one part). Valid as long as the drawing.
+Result<std::unique_ptr<DrawingParts>> drawing_parts(const StoredDrawing& drawing, FileFormat format,
+                                                    const WriteOptions& options = {});
 
 /// A drawing as the bytes of a file. Formats with layers keep hidden ones hidden; all others hold
 /// what is seen. Equal drawings give equal bytes. Error: what the format cannot hold, or a format

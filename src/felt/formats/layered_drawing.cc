@@ -78,6 +78,25 @@ LayeredSketch layered_sketch(const StoredDrawing& drawing, LayerChoice choice) {
   return sketch;
 }
 
+DrawingView view_of(const StoredDrawing& drawing, LayerChoice choice) {
+  DrawingView view;
+  for (const Layer& layer : drawing.document.layers()) {
+    if (choice == LayerChoice::kVisible && !layer.visible) continue;
+    LayerView& added = view.layers.emplace_back();
+    added.name = layer.name;
+    added.visible = layer.visible;
+    added.locked = layer.locked;
+    added.count = layer.strokes.size();
+    added.stroke = [&document = drawing.document, &layer](std::size_t i) -> const Stroke& {
+      return *document.find(layer.strokes[i]);
+    };
+    added.id = [&layer](std::size_t i) { return "s" + std::to_string(layer.strokes[i].value); };
+  }
+  view.page = drawing.page;
+  view.materials = drawing.materials;
+  return view;
+}
+
 StoredDrawing stored_drawing(LayeredSketch sketch) {
   if (sketch.layers.empty()) sketch.layers.push_back({"Ink", true, false, {}});
   StoredDrawing drawing;

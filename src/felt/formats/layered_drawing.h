@@ -1,6 +1,6 @@
 #pragma once
 
-#include "felt/io/layered_sketch.h"
+#include "felt/io/drawing_view.h"
 #include "felt/store/felt_file.h"
 
 namespace felt {
@@ -13,6 +13,9 @@ enum class LayerChoice {
 
 /// A drawing as it travels: each stroke is called after its id, "s12".
 LayeredSketch layered_sketch(const StoredDrawing& drawing, LayerChoice choice = LayerChoice::kAll);
+
+/// The same without a copy of the strokes: valid as long as the drawing is, and does not change.
+DrawingView view_of(const StoredDrawing& drawing, LayerChoice choice = LayerChoice::kAll);
 
 /// A drawing that arrived. A stroke called "s12" becomes stroke 12, the first of that name; all
 /// others get ids above, in their order, so that what layered_sketch() wrote comes back with its

@@ -86,6 +86,45 @@ Result<ImportedDrawing> import_lines(std::string_view text, const ImportOptions&
   return result;
 }
 
+namespace {
+
+/// Part 0 is the header.
+class LineParts final : public DrawingParts {
+ public:
+  LineParts(DrawingView drawing, LineHeader header)
+      : drawing_(std::move(drawing)), ranges_(stroke_ranges(drawing_)), header_(header) {}
+
+  [[nodiscard]] std::size_t count() const override { return ranges_.size() + 1; }
+  Result<void> make(std::size_t i, DrawingPart& out) const override {
+    out.clear();
+    if (i == 0) {
+      if (header_ == LineHeader::kWritten) append_header_line(out.bytes);
+      return {};
+    }
+    const StrokeRange& range = ranges_[i - 1];
+    const LayerView& layer = drawing_.layers[range.layer];
+    for (std::size_t k = range.first; k < range.last; ++k) {
+      const StrokeData& data = layer.stroke(k).data();
+      if (auto fits = check_sketch_numbers(data); !fits) {
+        return tl::unexpected(with_context(fits.error(), "stroke " + layer.id(k)));
+      }
+      append_sketch_line(out.bytes, layer.id(k), data);
+    }
+    return {};
+  }
+
+ private:
+  DrawingView drawing_;
+  std::vector<StrokeRange> ranges_;
+  LineHeader header_;
+};
+
+}  // namespace
+
+std::unique_ptr<DrawingParts> line_parts(DrawingView drawing, LineHeader header) {
+  return std::make_unique<LineParts>(std::move(drawing), header);
+}
+
 std::string lines_of(const Sketch& sketch) {
   std::string text;
   append_header_line(text);

@@ -1,10 +1,12 @@
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
 
 #include "felt/base/result.h"
+#include "felt/io/drawing_parts.h"
 #include "felt/io/import.h"
 #include "felt/io/ndjson_parser.h"
 #include "felt/stroke/ink_fitter.h"
@@ -42,6 +44,13 @@ inline constexpr const char* kMendedNotice =
 ///
 /// Error: nothing could be taken though there are lines (the first reason), or they hold events.
 Result<ImportedDrawing> import_lines(std::string_view text, const ImportOptions& options = {});
+
+/// Whether the first line says what the file is.
+enum class LineHeader { kWritten, kLeftOut };
+
+/// All strokes of a drawing as lines, in parts.
+std::unique_ptr<DrawingParts> line_parts(DrawingView drawing,
+                                         LineHeader header = LineHeader::kWritten);
 
 /// The sketch as lines, the header first.
 std::string lines_of(const Sketch& sketch);

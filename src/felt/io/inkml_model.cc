@@ -117,11 +117,11 @@ std::uint64_t trace_sum(std::span<const WidePoint> trace) noexcept {
   return sum.value();
 }
 
-Result<void> append_model(std::string& out, const SketchStroke& stroke,
+Result<void> append_model(std::string& out, std::string_view id, const Stroke& stroke,
                           std::span<const WidePoint> trace) {
-  const StrokeData& d = stroke.stroke.data();
+  const StrokeData& d = stroke.data();
   if (auto ok = check_range(d); !ok) return ok;
-  if (auto ok = append_name(out, "id", stroke.id); !ok) return ok;
+  if (auto ok = append_name(out, "id", id); !ok) return ok;
   if (auto ok = append_name(out, "material", d.material); !ok) return ok;
   out += d.closed ? " felt:closed=\"true\"" : "";
   out += " felt:points=\"";
@@ -213,7 +213,7 @@ std::optional<SheetPage> page_of_text(std::string_view text) {
 
 }  // namespace
 
-Result<void> append_sheet(std::string& out, const LayeredSketch& drawing) {
+Result<void> append_sheet(std::string& out, const DrawingView& drawing) {
   if (drawing.page) {
     out += " felt:page=\"" + page_text(*drawing.page) + '"';
   }

@@ -10,6 +10,7 @@
 #include <string>
 #include <string_view>
 
+#include "felt/io/drawing_view.h"
 #include "felt/io/ink_of_points.h"
 #include "felt/io/layered_sketch.h"
 #include "felt/stroke/sketch.h"
@@ -29,7 +30,7 @@ std::uint64_t trace_sum(std::span<const WidePoint> trace) noexcept;
 
 /// Appends the attributes of a stroke's exact model to its trace element. Error: an id or material
 /// that XML cannot hold or of more than 4096 bytes, a coordinate beyond 1e9 mm.
-Result<void> append_model(std::string& out, const SketchStroke& stroke,
+Result<void> append_model(std::string& out, std::string_view id, const Stroke& stroke,
                           std::span<const WidePoint> trace);
 
 /// The stroke that the attributes of a trace describe, in `color`. Nothing where there are none.
@@ -40,7 +41,7 @@ std::optional<Result<SketchStroke>> read_model(const pugi::xml_node& node,
 
 /// Attributes of the root: the sheet, "297 210 #ffffffff", its surface, and the materials, as far
 /// as there are any. Error: a surface or text that XML cannot hold.
-Result<void> append_sheet(std::string& out, const LayeredSketch& drawing);
+Result<void> append_sheet(std::string& out, const DrawingView& drawing);
 /// The other way round. False: a text of a material was left out, for it is none.
 bool read_sheet(const pugi::xml_node& root, const std::string& prefix, LayeredSketch& drawing);
 

@@ -1,9 +1,10 @@
 #pragma once
 
+#include <memory>
 #include <string>
 
 #include "felt/base/result.h"
-#include "felt/io/layered_sketch.h"
+#include "felt/io/drawing_parts.h"
 
 namespace felt {
 
@@ -14,6 +15,9 @@ inline constexpr double kTraceToleranceMm = 0.01;
 /// traceGroup for each layer; beside them our exact model, which import_inkml() gives back. Equal
 /// drawings give equal bytes. Error: a name that XML cannot hold or of more than 4096 bytes, a
 /// coordinate beyond 1e9 mm; it names the stroke.
+Result<std::unique_ptr<DrawingParts>> inkml_parts(DrawingView drawing);
+
+/// The same as one text.
 Result<std::string> inkml_text(const LayeredSketch& drawing);
 
 }  // namespace felt

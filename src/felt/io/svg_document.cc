@@ -19,7 +19,8 @@ constexpr std::string_view kSodipodiNamespace =
 std::string_view attribute_of(const pugi::xml_node& node, const std::string& prefix,
                               const char* name) {
   if (prefix.empty()) return {};
-  return node.attribute((prefix + name).c_str()).value();
+  const pugi::xml_attribute attribute = node.attribute((prefix + name).c_str());
+  return attribute ? std::string_view(attribute.value()) : std::string_view();
 }
 
 bool is_style_sheet(const pugi::xml_node& node) {

@@ -28,7 +28,7 @@ class SvgDocument {
   }
   /// The first element with this id, or a null node.
   [[nodiscard]] pugi::xml_node find(std::string_view id) const;
-  /// An attribute in the namespace of Inkscape or in ours.
+  /// An attribute in the namespace of Inkscape or in ours; its data() is null if there is none.
   [[nodiscard]] std::string_view inkscape(const pugi::xml_node& node, const char* name) const;
   [[nodiscard]] std::string_view ours(const pugi::xml_node& node, const char* name) const;
   [[nodiscard]] std::string_view sodipodi(const pugi::xml_node& node, const char* name) const;

@@ -21,6 +21,8 @@ inline constexpr std::int64_t kMaxSvgUseBytes = std::int64_t{64} << 20;
 /// has room for n / 2 of its own; the others are for those that `use` repeats.
 inline constexpr std::size_t kMaxSvgSegments = 20'000'000;
 inline constexpr std::size_t kSpareSvgSegments = 500'000;
+/// A number of path data: of ours they are steps of 0.001 mm.
+inline constexpr double kMaxSvgPathNumber = 1e13;
 /// Dashes of all lines together.
 inline constexpr std::size_t kMaxSvgDashes = 100'000;
 /// Segments of one stroke, fewer than a .felt file takes; a longer path becomes several strokes.

@@ -9,12 +9,11 @@
 
 #include "felt/io/limits.h"
 #include "felt/io/svg_scan.h"
+#include "felt/io/svg_text.h"
 #include "felt/io/svg_walk.h"
 
 namespace felt {
 namespace {
-
-constexpr std::string_view kVersion = "1";
 
 /// A side of the whole: as it is given, a share of the view box, or all of that.
 std::optional<double> page_side(std::string_view text, std::optional<double> box_px) {
@@ -56,10 +55,10 @@ Result<void> SvgWalker::begin() {
   SvgRoot root;
   const std::string_view version = document_.ours(node, "version");
   root.is_ours = is_ours_ = !version.empty();
-  if (root.is_ours && version != kVersion) {
+  if (root.is_ours && version != "1" && version != kSvgVersion) {
     return fail(ErrorCode::kUnsupported, "was written by a newer Feltline (version '" +
                                              std::string(version.substr(0, 100)) +
-                                             "', this one knows 1)");
+                                             "', this one knows 1 and 2)");
   }
   root.page = document_.ours(node, "page");
   root.surface = document_.ours(node, "surface");

@@ -41,7 +41,7 @@ struct SvgVariableWidth {
   std::string_view center_line;  ///< inkscape:original-d
   std::string_view offset_points, interpolator, interpolator_beta, scale_width, start_cap, end_cap;
   bool has_effect = false;
-  std::string_view id, material, closed, joints, widths, tones;
+  std::string_view id, material, closed, joints, points, widths, tones;
   bool is_ours = false;
   Rgba color;  ///< of its ink: the filling of the path, also where that is fully transparent
 };

@@ -4,6 +4,7 @@
 #include <array>
 #include <pugixml.hpp>
 
+#include "felt/io/svg_limits.h"
 #include "felt/io/svg_path_data.h"
 #include "felt/io/svg_scan.h"
 
@@ -119,7 +120,8 @@ SvgOutline svg_outline(std::string_view name, const pugi::xml_node& node,
                        std::size_t most_segments) {
   SvgOutline outline;
   if (name == "path") {
-    SvgPathData data = parse_svg_path(path_data(declared[SvgProperty::kD]), most_segments);
+    SvgPathData data = parse_svg_path(path_data(declared[SvgProperty::kD]), most_segments,
+                                      limits::kMaxSvgPathNumber);
     return {std::move(data.contours), std::move(data.problem)};
   }
   SvgPathBuilder path(most_segments);

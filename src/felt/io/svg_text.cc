@@ -1,10 +1,13 @@
 #include "felt/io/svg_text.h"
 
 #include <algorithm>
-#include <cctype>
+#include <array>
+#include <charconv>
 #include <cmath>
 #include <cstdint>
+#include <vector>
 
+#include "felt/io/exact_numbers.h"
 #include "felt/io/grain_mask.h"
 #include "felt/io/ndjson_writer.h"
 #include "felt/io/xml_text.h"
@@ -25,23 +28,15 @@ GridPoint on_grid(Point p) noexcept {
   return {std::llround(p.x * kSvgStepsPerMm), std::llround(p.y * kSvgStepsPerMm)};
 }
 
-/// steps / 10^4 in the fewest characters, and a space before it where one is needed.
+void append_whole(std::string& out, std::int64_t value) {
+  std::array<char, 24> text;
+  out.append(text.data(), std::to_chars(text.data(), text.data() + text.size(), value).ptr);
+}
+
+/// A whole number of steps, and a space before it where one is needed.
 void append_steps(std::string& out, std::int64_t steps) {
-  const bool after_number =
-      !out.empty() &&
-      (out.back() == '.' || std::isdigit(static_cast<unsigned char>(out.back())) != 0);
-  if (steps < 0)
-    out += '-';
-  else if (after_number)
-    out += ' ';
-  const auto size = static_cast<std::uint64_t>(std::abs(steps));
-  constexpr auto kOne = static_cast<std::uint64_t>(kSvgStepsPerMm);
-  if (size >= kOne || size == 0) out += std::to_string(size / kOne);
-  if (size % kOne == 0) return;
-  std::string digits = std::to_string(kOne + size % kOne);
-  digits.erase(digits.find_last_not_of('0') + 1);
-  out += '.';
-  out.append(digits, 1);
+  if (steps >= 0 && !out.empty() && out.back() >= '0' && out.back() <= '9') out += ' ';
+  append_whole(out, steps);
 }
 
 /// Writes path commands relative to the place reached so far.
@@ -63,11 +58,29 @@ class PathText {
     here_ = relative(p);
   }
 
+  /// A curve as it is, to half a step.
   void cubic(const Point* p) {
     command('c');
     relative(p[0]);
     relative(p[1]);
     here_ = relative(p[2]);
+  }
+
+  /// A curve of an outline: nothing where it is shorter than a step or two, and a line where its
+  /// handles are that near to one.
+  void edge(const Point* p) {
+    const GridPoint h0 = on_grid(p[0]), h1 = on_grid(p[1]), end = on_grid(p[2]);
+    const auto length = std::hypot(end.x - here_.x, end.y - here_.y);
+    if (is_near(h0, 1) && is_near(h1, 1) && is_near(end, 1)) return;
+    const auto beside = [&](GridPoint h) {
+      const std::int64_t dx = end.x - here_.x, dy = end.y - here_.y;
+      const std::int64_t hx = h.x - here_.x, hy = h.y - here_.y;
+      const auto off = static_cast<double>(dx * hy - dy * hx);
+      const auto along = static_cast<double>(dx * hx + dy * hy);
+      return std::fabs(off) <= kFlatSteps * length && along >= 0.0 && along <= length * length;
+    };
+    if (length < kLongestSteps && beside(h0) && beside(h1)) return line(p[2]);
+    cubic(p);
   }
 
   void close() {
@@ -77,6 +90,15 @@ class PathText {
   }
 
  private:
+  /// The curve is nearer to the line than three quarters of that.
+  static constexpr double kFlatSteps = 2.0;
+  /// So that products of differences are exact.
+  static constexpr double kLongestSteps = 1e7;
+
+  [[nodiscard]] bool is_near(GridPoint g, std::int64_t steps) const noexcept {
+    return std::abs(g.x - here_.x) <= steps && std::abs(g.y - here_.y) <= steps;
+  }
+
   /// A repeated command need not be named again.
   void command(char c) {
     if (last_ != c) out_ += c;
@@ -100,40 +122,33 @@ void append_length(std::string& out, double mm) {
   append_number(out, std::round(mm * 1e6) / 1e6);
 }
 
-void append_pair(std::string& out, double a, double b) {
-  append_number(out, a);
-  out += ',';
-  append_number(out, b);
-}
-
-/// The centre line, exactly: every number in the shortest form that reads back the same.
+/// The centre line in steps; what it is more precisely says append_points().
 void append_center_line(std::string& out, const StrokeData& d) {
-  out += "M ";
-  append_pair(out, d.points[0].x, d.points[0].y);
-  out += " C";
-  for (std::size_t i = 1; i < d.points.size(); ++i) {
-    out += ' ';
-    append_pair(out, d.points[i].x, d.points[i].y);
-  }
-  if (d.closed) out += " Z";
+  PathText text(out);
+  text.move(d.points[0]);
+  for (std::size_t i = 1; i + 2 < d.points.size(); i += 3) text.cubic(&d.points[i]);
+  if (d.closed) text.close();
 }
 
-/// Knots of Inkscape's PowerStroke: place and HALF width. Halving a double is exact.
+/// Knots of Inkscape's PowerStroke: place and HALF width.
 void append_power_knots(std::string& out, const StrokeData& d) {
+  constexpr double kPlaces = 1e4;
   // Round a closed path the first knot follows the last one.
   const std::size_t count = d.widths.size() - (d.closed ? 1 : 0);
   for (std::size_t i = 0; i < count; ++i) {
     if (i > 0) out += " | ";
-    append_pair(out, d.widths[i].u, 0.5 * d.widths[i].width_mm);
+    append_number(out, std::round(d.widths[i].u * kPlaces) / kPlaces);
+    out += ',';
+    append_whole(out, std::llround(0.5 * d.widths[i].width_mm * kSvgStepsPerMm));
   }
 }
 
+/// What is not said here is as Inkscape has it anyway.
 void append_path_effect(std::string& out, const StrokeData& d, const std::string& number) {
-  out += "<defs><inkscape:path-effect id=\"width" + number +
-         "\" effect=\"powerstroke\" is_visible=\"true\" lpeversion=\"1.3\" scale_width=\"1\" "
-         "interpolator_type=\"Linear\" interpolator_beta=\"0.2\" start_linecap_type=\"round\" "
-         "end_linecap_type=\"round\" linejoin_type=\"round\" miter_limit=\"4\" "
-         "sort_points=\"true\" not_jump=\"false\" offset_points=\"";
+  out += "<defs><inkscape:path-effect id=\"w" + number +
+         "\" effect=\"powerstroke\" lpeversion=\"1.3\" "
+         "interpolator_type=\"Linear\" start_linecap_type=\"round\" "
+         "end_linecap_type=\"round\" linejoin_type=\"round\" offset_points=\"";
   append_power_knots(out, d);
   out += "\"/></defs>\n";
 }
@@ -152,10 +167,11 @@ void append_area(std::string& out, const Rect& area) {
 }
 
 /// The picture in all that SVG viewers understand, the old ones too.
-void append_mask(std::string& out, const Rect& area, std::string_view png,
+void append_mask(std::string& out, const Rect& mm, std::string_view png,
                  const std::string& number) {
   std::string place;
-  append_area(place, area);
+  append_area(place, {kSvgStepsPerMm * mm.x0, kSvgStepsPerMm * mm.y0, kSvgStepsPerMm * mm.x1,
+                      kSvgStepsPerMm * mm.y1});
   out += "<defs><mask id=\"" + std::string(kSvgMaskId) + number +
          "\" maskUnits=\"userSpaceOnUse\"" + place + "><image" + place +
          " preserveAspectRatio=\"none\" xmlns:xlink=\"http://www.w3.org/1999/xlink\" "
@@ -178,25 +194,35 @@ void append_paper(std::string& out, const Rect& area, Rgba color) {
   append_color(out, color);
 }
 
-void append_joints(std::string& out, const StrokeData& d) {
-  for (std::size_t i = 0; i < d.joints.size(); ++i) {
-    if (i > 0) out += ' ';
-    out += d.joints[i] == JointKind::kSmooth ? "smooth" : "corner";
+/// What the control points are more than the steps of the centre line.
+void append_points(std::string& out, const StrokeData& d) {
+  std::vector<double> values, guesses;
+  const std::size_t count = d.points.size() - (d.closed ? 1 : 0);
+  for (std::size_t i = 0; i < count; ++i) {
+    const GridPoint g = on_grid(d.points[i]);
+    values.insert(values.end(), {d.points[i].x, d.points[i].y});
+    guesses.insert(guesses.end(), {static_cast<double>(g.x) / kSvgStepsPerMm,
+                                   static_cast<double>(g.y) / kSvgStepsPerMm});
   }
+  append_exact(out, values, guesses);
 }
 
+void append_joints(std::string& out, const StrokeData& d) {
+  for (const JointKind kind : d.joints) out += kind == JointKind::kSmooth ? 's' : 'c';
+}
+
+/// Places of the breakpoints but the first and the last, then the widths of all.
 void append_widths(std::string& out, const StrokeData& d) {
-  for (std::size_t i = 0; i < d.widths.size(); ++i) {
-    if (i > 0) out += ' ';
-    append_pair(out, d.widths[i].u, d.widths[i].width_mm);
-  }
+  std::vector<double> values;
+  for (std::size_t i = 1; i + 1 < d.widths.size(); ++i) values.push_back(d.widths[i].u);
+  for (const WidthKnot& knot : d.widths) values.push_back(knot.width_mm);
+  append_exact(out, values, std::vector<double>(values.size(), kSvgWidthGuess));
 }
 
 void append_tones(std::string& out, const StrokeData& d) {
-  for (std::size_t i = 0; i < d.widths.size(); ++i) {
-    if (i > 0) out += ' ';
-    append_number(out, d.widths[i].tone);
-  }
+  std::vector<double> values;
+  for (const WidthKnot& knot : d.widths) values.push_back(knot.tone);
+  append_exact(out, values, std::vector<double>(values.size(), kSvgWidthGuess));
 }
 
 bool within_reach(const Rect& r) noexcept {
@@ -217,7 +243,7 @@ void append_path_data(std::string& out, const OutlinePath& path) {
         text.line(*p++);
         break;
       case OutlinePath::Verb::kCubic:
-        text.cubic(p);
+        text.edge(p);
         p += 3;
         break;
       case OutlinePath::Verb::kClose:
@@ -234,7 +260,9 @@ void append_svg_head(std::string& out, const Rect& area, Rgba paper, std::string
       "<svg xmlns=\"http://www.w3.org/2000/svg\" "
       "xmlns:inkscape=\"http://www.inkscape.org/namespaces/inkscape\" xmlns:felt=\"";
   out += kSvgNamespace;
-  out += "\" version=\"1.1\" felt:version=\"1\" ";
+  out += "\" version=\"1.1\" felt:version=\"";
+  out += kSvgVersion;
+  out += "\" ";
   if (!model.empty()) {
     out += "xmlns:sodipodi=\"http://sodipodi.sourceforge.net/DTD/sodipodi-0.dtd\" ";
     out += model;
@@ -259,18 +287,32 @@ void append_svg_head(std::string& out, const Rect& area, Rgba paper, std::string
   out += end;
 }
 
-Result<void> append_svg_stroke(std::string& out, const SketchStroke& stroke, std::size_t number,
-                               double tolerance_mm, const GrainMask* mask) {
-  if (!within_reach(stroke.stroke.bounds())) {
+void append_svg_group_begin(std::string& out) {
+  out += "<g transform=\"scale(.001)\">\n";
+}
+
+void append_svg_group_end(std::string& out) {
+  out += "</g>\n";
+}
+
+Result<void> append_svg_stroke(std::string& out, std::string_view id, const Stroke& stroke,
+                               std::size_t number, double tolerance_mm, const GrainMask* mask) {
+  if (!within_reach(stroke.bounds())) {
     return fail(ErrorCode::kLimitExceeded, "the stroke reaches farther than 1e9 mm");
   }
-  const StrokeData& d = stroke.stroke.data();
-  std::string names;
-  names += "felt:id=\"";
-  if (auto ok = append_xml_attribute(names, stroke.id); !ok) return ok;
-  names += "\" felt:material=\"";
-  if (auto ok = append_xml_attribute(names, d.material); !ok) return ok;
+  const StrokeData& d = stroke.data();
   const std::string count = std::to_string(number);
+  std::string names;
+  if (id != "s" + count) {
+    names += " felt:id=\"";
+    if (auto ok = append_xml_attribute(names, id); !ok) return ok;
+    names += '"';
+  }
+  if (d.material != kSvgUsualMaterial) {
+    names += " felt:material=\"";
+    if (auto ok = append_xml_attribute(names, d.material); !ok) return ok;
+    names += '"';
+  }
   std::string picture;
   if (mask) {
     Result<std::string> png = mask->png(kMmPerInch * mask->width / mask->area.width());
@@ -279,15 +321,17 @@ Result<void> append_svg_stroke(std::string& out, const SketchStroke& stroke, std
   }
   append_path_effect(out, d, count);
   if (mask) append_mask(out, mask->area, picture, count);
-  out += "<path id=\"stroke" + count + "\" d=\"";
-  append_path_data(out, outline_path(stroke.stroke, tolerance_mm));
+  out += "<path id=\"s" + count + "\" d=\"";
+  append_path_data(out, outline_path(stroke, tolerance_mm));
   out += '"';
   append_color(out, d.color);
   if (mask) out += "mask=\"url(#" + std::string(kSvgMaskId) + count + ")\" ";
-  out += "stroke=\"none\" inkscape:path-effect=\"#width" + count + "\" inkscape:original-d=\"";
+  out += "inkscape:path-effect=\"#w" + count + "\" inkscape:original-d=\"";
   append_center_line(out, d);
-  out += "\" " + names + "\" felt:closed=\"" + (d.closed ? "true" : "false") + "\" felt:joints=\"";
+  out += '"' + names + " felt:joints=\"";
   append_joints(out, d);
+  out += "\" felt:points=\"";
+  append_points(out, d);
   out += "\" felt:widths=\"";
   append_widths(out, d);
   if (has_own_tone(d.widths)) {
@@ -317,7 +361,7 @@ std::string page_text(const std::optional<SheetPage>& page) {
 
 }  // namespace
 
-Result<std::string> svg_model_text(const LayeredSketch& drawing) {
+Result<std::string> svg_model_text(const DrawingView& drawing) {
   std::string out = "felt:page=\"" + page_text(drawing.page) + "\" ";
   const auto attribute = [&out](const std::string& name, std::string_view text) {
     out += "felt:" + name + "=\"";
@@ -339,19 +383,15 @@ Result<std::string> svg_model_text(const LayeredSketch& drawing) {
   return out;
 }
 
-Result<void> append_svg_layer_begin(std::string& out, const SketchLayer& layer,
-                                    std::size_t number) {
+Result<void> append_svg_layer_begin(std::string& out, const LayerView& layer, std::size_t number) {
   std::string label;
   if (auto ok = append_xml_attribute(label, layer.name); !ok) return ok;
   out += "<g id=\"layer" + std::to_string(number) +
-         "\" inkscape:groupmode=\"layer\" inkscape:label=\"" + label + '"';
+         "\" transform=\"scale(.001)\" inkscape:groupmode=\"layer\" inkscape:label=\"" + label +
+         '"';
   if (layer.locked) out += " sodipodi:insensitive=\"true\"";
   out += layer.visible ? " style=\"display:inline\">\n" : " style=\"display:none\">\n";
   return {};
-}
-
-void append_svg_layer_end(std::string& out) {
-  out += "</g>\n";
 }
 
 void append_svg_tail(std::string& out) {

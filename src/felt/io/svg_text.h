@@ -6,7 +6,7 @@
 
 #include "felt/base/result.h"
 #include "felt/geometry/rect.h"
-#include "felt/io/layered_sketch.h"
+#include "felt/io/drawing_view.h"
 #include "felt/stroke/outline_path.h"
 #include "felt/stroke/sketch.h"
 
@@ -17,8 +17,10 @@ struct GrainMask;
 /// The pieces of text that an SVG file of a sketch is made of (docs/formats/svg.md). Each function
 /// appends to `out`. Equal values give equal bytes.
 
-/// Namespace of the attributes that carry our model, and its version.
+/// Namespace of the attributes that carry our model, and the version that is written. Version 1 had
+/// every number as a decimal of 17 digits, in mm.
 inline constexpr std::string_view kSvgNamespace = "https://feltline.org/ns/1";
+inline constexpr std::string_view kSvgVersion = "2";
 
 /// What the ids of masks begin with that show the grain of a stroke.
 inline constexpr std::string_view kSvgMaskId = "grain";
@@ -27,8 +29,14 @@ inline constexpr std::string_view kSvgMaskId = "grain";
 /// when the area is known at last.
 inline constexpr std::size_t kSvgHeadBytes = 640;
 
-/// How fine coordinates of outlines are written: 1e-4 mm.
-inline constexpr double kSvgStepsPerMm = 1e4;
+/// Paths are written in whole steps of 0.001 mm, inside of a group that is scaled to them.
+inline constexpr double kSvgStepsPerMm = 1e3;
+
+/// The material of strokes that name none.
+inline constexpr std::string_view kSvgUsualMaterial = "pencil";
+
+/// What the exact numbers of widths and tones are differences from.
+inline constexpr double kSvgWidthGuess = 1.0;
 
 /// XML declaration and start of the root element, which shows `area` in mm at its true size; then
 /// the paper, a filled rectangle, unless its alpha is 0. `model`, where it is not empty, says what
@@ -38,28 +46,31 @@ void append_svg_head(std::string& out, const Rect& area, Rgba paper, std::string
 /// What the root says of a drawing: attributes with its page ("297 210 #ffffffff", or "none"), its
 /// surface and its materials where it has any, each with a blank behind. Error: a surface or text
 /// that XML cannot hold.
-Result<std::string> svg_model_text(const LayeredSketch& drawing);
+Result<std::string> svg_model_text(const DrawingView& drawing);
 
 /// Start of a layer, as Inkscape has them; `number` makes its element id unique. Nothing is
 /// appended on error: a name that XML cannot hold.
-Result<void> append_svg_layer_begin(std::string& out, const SketchLayer& layer, std::size_t number);
+Result<void> append_svg_layer_begin(std::string& out, const LayerView& layer, std::size_t number);
 
-/// End of a layer.
-void append_svg_layer_end(std::string& out);
+/// Start of strokes that are in no layer.
+void append_svg_group_begin(std::string& out);
+/// End of a layer or group.
+void append_svg_group_end(std::string& out);
 
 /// One stroke: a filled path that any viewer shows right, with Inkscape's PowerStroke and our own
 /// attributes on it. `number` makes the element ids unique. `tolerance_mm` is for the outline; the
 /// model is written exactly. Nothing is appended on error: an id or material that XML cannot
 /// hold, a coordinate beyond 1e9 mm. With a `mask` the path is seen through it; the path itself is
-/// the same.
-Result<void> append_svg_stroke(std::string& out, const SketchStroke& stroke, std::size_t number,
-                               double tolerance_mm, const GrainMask* mask = nullptr);
+/// the same. It stands in a layer or group of the functions above.
+Result<void> append_svg_stroke(std::string& out, std::string_view id, const Stroke& stroke,
+                               std::size_t number, double tolerance_mm,
+                               const GrainMask* mask = nullptr);
 
 /// End of the root element.
 void append_svg_tail(std::string& out);
 
-/// Path data of an outline: relative commands on the grid of kSvgStepsPerMm, so that rounding does
-/// not add up. Requires coordinates within 1e9 mm.
+/// Path data of an outline in steps: relative commands, whole numbers, so that rounding does not
+/// add up. Requires coordinates within 1e9 mm.
 void append_path_data(std::string& out, const OutlinePath& path);
 
 }  // namespace felt

@@ -2,20 +2,28 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <utility>
 
+#include "felt/io/exact_numbers.h"
 #include "felt/io/limits.h"
 #include "felt/io/svg_center_line.h"
 #include "felt/io/svg_limits.h"
 #include "felt/io/svg_path_data.h"
 #include "felt/io/svg_power_stroke.h"
 #include "felt/io/svg_scan.h"
+#include "felt/io/svg_text.h"
 #include "felt/stroke/mend_joints.h"
 #include "felt/stroke/width_profile.h"
 
 namespace felt {
 namespace {
+
+constexpr double kAnyDifference = std::numeric_limits<double>::infinity();
+
+/// How far knots that we wrote may be from those of the model: places, and widths in mm.
+constexpr double kKnotPlace = 1e-4, kKnotWidthMm = 1.5 / kSvgStepsPerMm;
 
 tl::unexpected<Error> bad(std::string what) {
   return fail(ErrorCode::kInvalidData, std::move(what));
@@ -61,9 +69,73 @@ bool read_tones(std::string_view text, std::vector<WidthKnot>& widths) {
   return true;
 }
 
+/// "scs": smooth, corner, smooth.
+bool read_joint_letters(std::string_view text, std::vector<JointKind>& joints) {
+  for (const char c : text) {
+    if (c != 's' && c != 'c') return false;
+    joints.push_back(c == 's' ? JointKind::kSmooth : JointKind::kCorner);
+  }
+  return true;
+}
+
+/// The exact control points beside a centre line in steps.
+bool read_exact_points(std::string_view text, const SvgContour& line, std::vector<Point>& points) {
+  // Half of a step and some rounding.
+  constexpr double kNearMm = 0.501 / kSvgStepsPerMm;
+  const std::size_t count = line.points.size() - (line.closed ? 1 : 0);
+  std::vector<double> guesses, values(2 * count);
+  for (std::size_t i = 0; i < count; ++i) {
+    guesses.push_back(std::round(line.points[i].x) / kSvgStepsPerMm);
+    guesses.push_back(std::round(line.points[i].y) / kSvgStepsPerMm);
+  }
+  if (!read_exact(text, guesses, kNearMm, values)) return false;
+  for (std::size_t i = 0; i < count; ++i) points.push_back({values[2 * i], values[2 * i + 1]});
+  if (line.closed) points.push_back(points.front());
+  return true;
+}
+
+bool read_exact_widths(const SvgVariableWidth& a, double end, std::vector<WidthKnot>& widths) {
+  const std::size_t numbers = exact_count(a.widths);
+  if (numbers < 2 || numbers % 2 != 0) return false;
+  const std::size_t inner = numbers / 2 - 1;
+  const std::vector<double> guesses(numbers, kSvgWidthGuess);
+  std::vector<double> values(numbers);
+  if (!read_exact(a.widths, guesses, kAnyDifference, values)) return false;
+  for (std::size_t i = 0; i < inner + 2; ++i) {
+    const double u = i == 0 ? 0.0 : i <= inner ? values[i - 1] : end;
+    widths.push_back({u, values[inner + i]});
+  }
+  return true;
+}
+
+bool read_exact_tones(std::string_view text, std::vector<WidthKnot>& widths) {
+  const std::vector<double> guesses(widths.size(), kSvgWidthGuess);
+  std::vector<double> values(widths.size());
+  if (!read_exact(text, guesses, kAnyDifference, values)) return false;
+  for (const double tone : values) {
+    if (!(tone >= 0.0 && tone <= 1.0)) return false;
+  }
+  for (std::size_t i = 0; i < values.size(); ++i) widths[i].tone = values[i];
+  return true;
+}
+
+/// What version 2 wrote beside the centre line, in mm.
+std::optional<StrokeData> exact_model(const SvgVariableWidth& a, const SvgContour& line) {
+  StrokeData d;
+  const std::size_t n = line.segment_count();
+  if (!read_joint_letters(a.joints, d.joints) || d.joints.size() != (line.closed ? n : n - 1) ||
+      !read_exact_points(a.points, line, d.points) ||
+      !read_exact_widths(a, static_cast<double>(n), d.widths)) {
+    return std::nullopt;
+  }
+  d.closed = line.closed;
+  return d;
+}
+
 /// What we wrote beside the centre line. None: it does not fit that any more, since another program
 /// changed the line.
 std::optional<StrokeData> our_model(const SvgVariableWidth& a, const SvgContour& line) {
+  if (!a.points.empty()) return exact_model(a, line);
   StrokeData d;
   const std::size_t n = line.segment_count();
   const bool says_closed = a.closed == "true";
@@ -78,12 +150,12 @@ std::optional<StrokeData> our_model(const SvgVariableWidth& a, const SvgContour&
 
 /// Whether the knots of the effect are still those that we wrote: others changed the widths.
 bool same_widths(const std::vector<WidthKnot>& ours, const std::vector<WidthKnot>& theirs,
-                 bool closed) {
+                 bool closed, double near_mm) {
   const std::size_t count = ours.size() - (closed ? 1 : 0);
   if (theirs.size() != count) return false;
   for (std::size_t i = 0; i < count; ++i) {
-    if (std::fabs(ours[i].u - theirs[i].u) > 1e-4) return false;
-    if (std::fabs(ours[i].width_mm - theirs[i].width_mm) > 1e-4 * (1.0 + ours[i].width_mm)) {
+    if (std::fabs(ours[i].u - theirs[i].u) > kKnotPlace) return false;
+    if (std::fabs(ours[i].width_mm - theirs[i].width_mm) > near_mm + 1e-4 * ours[i].width_mm) {
       return false;
     }
   }
@@ -167,7 +239,7 @@ bool svg_is_similarity(const Affine& m) noexcept {
 
 Result<SvgWideStroke> svg_wide_stroke(const SvgVariableWidth& a, const Affine& to_mm) {
   SvgPathData path =
-      parse_svg_path(a.center_line, limits::kMaxSvgSegments, limits::kMaxSketchNumber);
+      parse_svg_path(a.center_line, limits::kMaxSvgSegments, limits::kMaxSvgPathNumber);
   if (path.contours.empty()) return bad("it has no centre line");
   if (!path.problem.empty()) return bad("its centre line has an error");
   SvgWideStroke wide;
@@ -176,18 +248,28 @@ Result<SvgWideStroke> svg_wide_stroke(const SvgVariableWidth& a, const Affine& t
   }
   const SvgContour& line = path.contours.front();
   std::optional<StrokeData> d = a.is_ours ? our_model(a, line) : std::nullopt;
-  const bool has_tones = d && !a.tones.empty() && read_tones(a.tones, d->widths);
+  // What version 2 says in mm stands beside a path in steps.
+  const double per_mm = a.points.empty() ? 1.0 : kSvgStepsPerMm;
+  const bool has_tones =
+      d && !a.tones.empty() &&
+      (a.points.empty() ? read_tones(a.tones, d->widths) : read_exact_tones(a.tones, d->widths));
   if (d && !a.tones.empty() && !has_tones) {
     wide.notices.emplace_back(
         "has tones that are not one number of 0 to 1 a width; it got those of its widths");
   }
   if (d && a.has_effect) {
     Result<SvgPowerKnots> knots = svg_power_knots(a, line.segment_count(), line.closed);
-    if (knots && !same_widths(d->widths, knots->written, line.closed)) {
+    if (knots) {
+      for (WidthKnot& k : knots->widths) k.width_mm /= per_mm;
+      for (WidthKnot& k : knots->written) k.width_mm /= per_mm;
+    }
+    if (knots && !same_widths(d->widths, knots->written, line.closed,
+                              a.points.empty() ? 1e-4 : kKnotWidthMm)) {
       for (WidthKnot& k : knots->widths) k.tone = tone_at(d->widths, k.u);
       d->widths = std::move(knots->widths);
     }
   }
+  const bool is_in_mm = d.has_value();
   if (!d) {
     Result<StrokeData> power = power_stroke(a, line, wide.notices);
     if (!power) return tl::unexpected(power.error());
@@ -195,7 +277,7 @@ Result<SvgWideStroke> svg_wide_stroke(const SvgVariableWidth& a, const Affine& t
   }
   wide.id = a.id;
   if (a.is_ours) d->material = a.material;
-  move_to_sheet(*d, to_mm, wide.notices);
+  move_to_sheet(*d, is_in_mm && per_mm != 1.0 ? then(scaling(per_mm), to_mm) : to_mm, wide.notices);
   wide.data = *std::move(d);
   raise_widths(wide.data, wide.notices);
   if (!has_tones) take_tone_of_width(wide.data.widths);

@@ -424,8 +424,12 @@ std::optional<SvgVariableWidth> SvgWalker::variable_width(const Element& e) cons
   v.widths = document_.ours(e.node, "widths");
   v.tones = document_.ours(e.node, "tones");
   v.is_ours = !v.widths.empty();
+  v.points = document_.ours(e.node, "points");
   v.id = document_.ours(e.node, "id");
+  // Since version 2 the element's own id counts where there is no other.
+  if (v.id.data() == nullptr && !v.points.empty()) v.id = e.node.attribute("id").value();
   v.material = document_.ours(e.node, "material");
+  if (v.material.data() == nullptr && !v.points.empty()) v.material = kSvgUsualMaterial;
   v.closed = document_.ours(e.node, "closed");
   v.joints = document_.ours(e.node, "joints");
   SvgScan effects(document_.inkscape(e.node, "path-effect"));

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -7,6 +8,7 @@
 #include "felt/base/atomic_file.h"
 #include "felt/base/result.h"
 #include "felt/geometry/rect.h"
+#include "felt/io/drawing_parts.h"
 #include "felt/io/grain_mask.h"
 #include "felt/io/layered_sketch.h"
 #include "felt/stroke/sketch.h"
@@ -60,12 +62,15 @@ class SvgWriter {
 /// 0.01 mm where they follow from the ink.
 Rect svg_area(const Rect& ink, const SvgOptions& options) noexcept;
 
+/// A whole drawing in parts: its layers become layers of Inkscape, hidden and locked ones too. Its
+/// page, where there is one, goes before the sheet and the paper of the options. import_svg gives
+/// it back equal. Error: the page cannot be written.
+Result<std::unique_ptr<DrawingParts>> svg_parts(DrawingView drawing, const SvgOptions& options);
+
 /// The whole file as text.
 Result<std::string> svg_text(const Sketch& sketch, const SvgOptions& options);
 
-/// A whole drawing: its layers become layers of Inkscape, hidden and locked ones too. Its page,
-/// where there is one, goes before the sheet and the paper of the options. import_svg gives it back
-/// equal.
+/// The same of a whole drawing (svg_parts).
 Result<std::string> svg_text(const LayeredSketch& drawing, const SvgOptions& options);
 
 /// Writes a whole sketch. Error: the first stroke that cannot be written, or the file.

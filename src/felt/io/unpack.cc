@@ -145,4 +145,91 @@ std::string zlib_packed(std::string_view bytes) {
   return packed_by(stream, bytes);
 }
 
+std::string gzip_head() {
+  // Deflate, no flags, no time, no extra flags, 255: unknown system.
+  return std::string("\x1f\x8b\x08\0\0\0\0\0\0\xff", 10);
+}
+
+void append_deflated(std::string& out, std::string_view bytes) {
+  constexpr int kRaw = -15;  // the largest window, no header
+  constexpr int kMemory = 9;
+  constexpr int kFast = 3;  // a third of the time of the usual 6, a tenth larger
+  if (bytes.empty()) return;
+  z_stream stream{};
+  FELT_CHECK(deflateInit2(&stream, kFast, Z_DEFLATED, kRaw, kMemory, Z_DEFAULT_STRATEGY) == Z_OK);
+  std::array<char, kBlock> block;
+  for (bool more = true; more;) {
+    if (stream.avail_in == 0) {
+      const std::string_view part = bytes.substr(0, std::size_t{1} << 30);
+      stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(part.data()));
+      stream.avail_in = static_cast<uInt>(part.size());
+      bytes.remove_prefix(part.size());
+    }
+    stream.next_out = reinterpret_cast<Bytef*>(block.data());
+    stream.avail_out = static_cast<uInt>(block.size());
+    // Ends on a whole byte, and what follows does not look back.
+    deflate(&stream, bytes.empty() ? Z_FULL_FLUSH : Z_NO_FLUSH);
+    out.append(block.data(), block.size() - stream.avail_out);
+    more = stream.avail_out == 0 || !bytes.empty();
+  }
+  deflateEnd(&stream);
+}
+
+void append_deflate_end(std::string& out) {
+  out += std::string("\x03\0", 2);  // a last block, which is empty
+}
+
+namespace {
+
+void append_little_endian(std::string& out, std::uint32_t value) {
+  for (unsigned shift = 0; shift < 32; shift += 8)
+    out += static_cast<char>((value >> shift) & 255U);
+}
+
+uLong checksum_of(uLong (*sum)(uLong, const Bytef*, uInt), std::string_view bytes) {
+  uLong value = sum(0, nullptr, 0);
+  while (!bytes.empty()) {
+    const std::string_view part = bytes.substr(0, std::size_t{1} << 30);
+    value = sum(value, reinterpret_cast<const Bytef*>(part.data()), static_cast<uInt>(part.size()));
+    bytes.remove_prefix(part.size());
+  }
+  return value;
+}
+
+}  // namespace
+
+void append_gzip_tail(std::string& out, std::uint32_t crc32, std::uint64_t raw_bytes) {
+  append_little_endian(out, crc32);
+  append_little_endian(out, static_cast<std::uint32_t>(raw_bytes));
+}
+
+std::string zlib_head() {
+  return "\x78\x9c";
+}
+
+void append_zlib_tail(std::string& out, std::uint32_t adler32) {
+  for (unsigned shift = 32; shift > 0;) {
+    out += static_cast<char>((adler32 >> (shift -= 8)) & 255U);
+  }
+}
+
+std::uint32_t crc32_of(std::string_view bytes) {
+  return static_cast<std::uint32_t>(checksum_of(&crc32, bytes));
+}
+
+std::uint32_t crc32_joined(std::uint32_t first, std::uint32_t second, std::uint64_t second_bytes) {
+  return static_cast<std::uint32_t>(
+      crc32_combine(first, second, static_cast<z_off_t>(second_bytes)));
+}
+
+std::uint32_t adler32_of(std::string_view bytes) {
+  return static_cast<std::uint32_t>(checksum_of(&adler32, bytes));
+}
+
+std::uint32_t adler32_joined(std::uint32_t first, std::uint32_t second,
+                             std::uint64_t second_bytes) {
+  return static_cast<std::uint32_t>(
+      adler32_combine(first, second, static_cast<z_off_t>(second_bytes)));
+}
+
 }  // namespace felt

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <string>
 #include <string_view>
 
@@ -33,5 +34,23 @@ std::string gzip(std::string_view text);
 
 /// Data as zlib packs it (RFC 1950), which PDF calls FlateDecode. Likewise.
 std::string zlib_packed(std::string_view bytes);
+
+// What packed data is made of, for data that comes in pieces: head, pieces, end, tail.
+
+std::string gzip_head();
+/// Appends a piece, packed without regard to what came before it.
+void append_deflated(std::string& out, std::string_view bytes);
+void append_deflate_end(std::string& out);
+void append_gzip_tail(std::string& out, std::uint32_t crc32, std::uint64_t raw_bytes);
+/// Head and tail of data as zlib packs it.
+std::string zlib_head();
+void append_zlib_tail(std::string& out, std::uint32_t adler32);
+
+/// Checksums of a piece, and of two that follow each other, the second of so many bytes. That of no
+/// bytes is 0 for CRC-32, 1 for Adler-32.
+std::uint32_t crc32_of(std::string_view bytes);
+std::uint32_t crc32_joined(std::uint32_t first, std::uint32_t second, std::uint64_t second_bytes);
+std::uint32_t adler32_of(std::string_view bytes);
+std::uint32_t adler32_joined(std::uint32_t first, std::uint32_t second, std::uint64_t second_bytes);
 
 }  // namespace felt

@@ -10,7 +10,6 @@
 #include "felt/geometry/rect.h"
 #include "felt/io/ink_of_points.h"
 #include "felt/io/limits.h"
-#include "felt/io/unpack.h"
 #include "felt/io/xml_text.h"
 #include "felt/io/xopp_import.h"
 #include "felt/stroke/flatten.h"
@@ -23,93 +22,29 @@ constexpr double kStepsPerPoint = 1e4;
 /// Pieces that a part of a line is cut into at most, however fast its width grows.
 constexpr double kMostPieces = 64.0;
 
-class XoppText {
+void append_points(std::string& out, double mm) {
+  const double pt = std::round(mm / kMmPerPoint * kStepsPerPoint) / kStepsPerPoint;
+  std::array<char, 40> text;
+  const auto end = std::to_chars(text.data(), text.data() + text.size(), pt == 0.0 ? 0.0 : pt,
+                                 std::chars_format::fixed)
+                       .ptr;
+  out.append(text.data(), end);
+}
+
+std::string color_text(Rgba c) {
+  constexpr std::string_view kDigits = "0123456789abcdef";
+  std::string text = "#";
+  for (const std::uint8_t part : {c.r, c.g, c.b, c.a}) {
+    text += kDigits[part >> 4];
+    text += kDigits[part & 15];
+  }
+  return text;
+}
+
+/// A stroke as a line whose pieces differ little in width from their neighbours.
+class WideLine {
  public:
-  Result<std::string> write(const LayeredSketch& drawing) {
-    out_ =
-        "<?xml version=\"1.0\" standalone=\"no\"?>\n"
-        "<xournal creator=\"Feltline\" fileversion=\"4\">\n<title>Feltline drawing</title>\n";
-    begin_page(drawing);
-    for (const SketchLayer& layer : drawing.layers) {
-      if (auto ok = add(layer); !ok) return tl::unexpected(ok.error());
-    }
-    // A page of Xournal++ has a layer to draw on.
-    if (drawing.layers.empty()) out_ += "<layer>\n</layer>\n";
-    out_ += "</page>\n</xournal>\n";
-    return std::move(out_);
-  }
-
- private:
-  void begin_page(const LayeredSketch& drawing) {
-    Rgba paper{255, 255, 255, 255};
-    Rect area;
-    if (drawing.page) {
-      area = drawing.page->area();
-      if (drawing.page->paper.a > 0) paper = drawing.page->paper;
-    } else {
-      for (const SketchLayer& layer : drawing.layers) {
-        for (const SketchStroke& s : layer.strokes) area.extend(s.stroke.bounds());
-      }
-      area = area.empty() ? SheetPage{}.area() : area.inflated(kXoppMarginMm);
-    }
-    corner_ = {area.x0, area.y0};
-    out_ += "<page width=\"";
-    append_points(area.width());
-    out_ += "\" height=\"";
-    append_points(area.height());
-    paper.a = 255;
-    out_ += "\">\n<background type=\"solid\" color=\"" + color(paper) + "\" style=\"plain\"/>\n";
-  }
-
-  Result<void> add(const SketchLayer& layer) {
-    out_ += "<layer name=\"";
-    if (auto ok = append_xml_attribute(out_, layer.name); !ok) {
-      return tl::unexpected(with_context(ok.error(), "a layer's name"));
-    }
-    out_ += "\">\n";
-    for (const SketchStroke& s : layer.strokes) {
-      ++count_;
-      for (const Point& p : s.stroke.data().points) {
-        if (std::max(std::fabs(p.x), std::fabs(p.y)) <= limits::kMaxCoordinate) continue;
-        return fail(
-            ErrorCode::kLimitExceeded,
-            "stroke " + std::to_string(count_) + ": a coordinate beyond 1e9 mm cannot be written");
-      }
-      add(s.stroke);
-    }
-    out_ += "</layer>\n";
-    return {};
-  }
-
-  void add(const Stroke& stroke) {
-    sample(stroke);
-    const auto by_width = [](const WidePoint& a, const WidePoint& b) {
-      return a.width_mm < b.width_mm;
-    };
-    const auto [least, most] = std::minmax_element(line_.begin(), line_.end(), by_width);
-    const Rgba ink = stroke.color();
-    out_ +=
-        ink.a == 255 ? "<stroke tool=\"pen\" color=\"" : "<stroke tool=\"highlighter\" color=\"";
-    out_ += color(ink) + "\" width=\"";
-    append_points(most->width_mm);
-    if (most->width_mm - least->width_mm > 1e-6) {
-      for (std::size_t i = 1; i < line_.size(); ++i) {
-        out_ += ' ';
-        append_points(0.5 * (line_[i - 1].width_mm + line_[i].width_mm));
-      }
-    }
-    out_ += "\" capStyle=\"round\">";
-    for (std::size_t i = 0; i < line_.size(); ++i) {
-      if (i > 0) out_ += ' ';
-      append_points(line_[i].position.x - corner_.x);
-      out_ += ' ';
-      append_points(line_[i].position.y - corner_.y);
-    }
-    out_ += "</stroke>\n";
-  }
-
-  // The stroke as a line whose pieces differ little in width from their neighbours.
-  void sample(const Stroke& stroke) {
+  const std::vector<WidePoint>& sample(const Stroke& stroke) {
     flatten(stroke, kXoppToleranceMm, dabs_);
     line_.clear();
     for (std::size_t i = 0; i < dabs_.size(); ++i) {
@@ -126,40 +61,126 @@ class XoppText {
       }
       line_.push_back(to);
     }
+    return line_;
   }
 
-  void append_points(double mm) {
-    const double pt = std::round(mm / kMmPerPoint * kStepsPerPoint) / kStepsPerPoint;
-    std::array<char, 40> text;
-    const auto end = std::to_chars(text.data(), text.data() + text.size(), pt == 0.0 ? 0.0 : pt,
-                                   std::chars_format::fixed)
-                         .ptr;
-    out_.append(text.data(), end);
-  }
-
-  static std::string color(Rgba c) {
-    constexpr std::string_view kDigits = "0123456789abcdef";
-    std::string text = "#";
-    for (const std::uint8_t part : {c.r, c.g, c.b, c.a}) {
-      text += kDigits[part >> 4];
-      text += kDigits[part & 15];
-    }
-    return text;
-  }
-
-  std::string out_;
-  Point corner_;
-  std::size_t count_ = 0;
+ private:
   std::vector<Dab> dabs_;
   std::vector<WidePoint> line_;
 };
 
+/// Part 0 is the head; then the strokes, the layers' tags with the first and the last of each.
+class XoppParts final : public DrawingParts {
+ public:
+  explicit XoppParts(DrawingView drawing)
+      : drawing_(std::move(drawing)), ranges_(stroke_ranges(drawing_)) {
+    head_ =
+        "<?xml version=\"1.0\" standalone=\"no\"?>\n"
+        "<xournal creator=\"Feltline\" fileversion=\"4\">\n<title>Feltline drawing</title>\n";
+    begin_page();
+    // A page of Xournal++ has a layer to draw on.
+    if (drawing_.layers.empty()) head_ += "<layer>\n</layer>\n";
+  }
+
+  [[nodiscard]] std::size_t count() const override { return ranges_.size() + 1; }
+
+  Result<void> make(std::size_t i, DrawingPart& out) const override {
+    out.clear();
+    if (i == 0) {
+      out.bytes = head_;
+      return {};
+    }
+    const StrokeRange& range = ranges_[i - 1];
+    const LayerView& layer = drawing_.layers[range.layer];
+    if (range.first == 0) {
+      out.bytes += "<layer name=\"";
+      if (auto ok = append_xml_attribute(out.bytes, layer.name); !ok) {
+        return tl::unexpected(with_context(ok.error(), "a layer's name"));
+      }
+      out.bytes += "\">\n";
+    }
+    WideLine line;
+    for (std::size_t k = range.first; k < range.last; ++k) {
+      const Stroke& stroke = layer.stroke(k);
+      if (auto ok = check(stroke, range.before + (k - range.first) + 1); !ok) return ok;
+      append(out.bytes, stroke.color(), line.sample(stroke));
+    }
+    if (range.last == layer.count) out.bytes += "</layer>\n";
+    return {};
+  }
+
+  std::string tail() override { return "</page>\n</xournal>\n"; }
+
+ private:
+  void begin_page() {
+    Rgba paper{255, 255, 255, 255};
+    Rect area;
+    if (drawing_.page) {
+      area = drawing_.page->area();
+      if (drawing_.page->paper.a > 0) paper = drawing_.page->paper;
+    } else {
+      area = drawing_.ink();
+      area = area.empty() ? SheetPage{}.area() : area.inflated(kXoppMarginMm);
+    }
+    corner_ = {area.x0, area.y0};
+    head_ += "<page width=\"";
+    append_points(head_, area.width());
+    head_ += "\" height=\"";
+    append_points(head_, area.height());
+    paper.a = 255;
+    head_ +=
+        "\">\n<background type=\"solid\" color=\"" + color_text(paper) + "\" style=\"plain\"/>\n";
+  }
+
+  static Result<void> check(const Stroke& stroke, std::size_t number) {
+    for (const Point& p : stroke.data().points) {
+      if (std::max(std::fabs(p.x), std::fabs(p.y)) <= limits::kMaxCoordinate) continue;
+      return fail(ErrorCode::kLimitExceeded, "stroke " + std::to_string(number) +
+                                                 ": a coordinate beyond 1e9 mm cannot be written");
+    }
+    return {};
+  }
+
+  void append(std::string& out, Rgba ink, const std::vector<WidePoint>& line) const {
+    const auto by_width = [](const WidePoint& a, const WidePoint& b) {
+      return a.width_mm < b.width_mm;
+    };
+    const auto [least, most] = std::minmax_element(line.begin(), line.end(), by_width);
+    out += ink.a == 255 ? "<stroke tool=\"pen\" color=\"" : "<stroke tool=\"highlighter\" color=\"";
+    out += color_text(ink) + "\" width=\"";
+    append_points(out, most->width_mm);
+    if (most->width_mm - least->width_mm > 1e-6) {
+      for (std::size_t i = 1; i < line.size(); ++i) {
+        out += ' ';
+        append_points(out, 0.5 * (line[i - 1].width_mm + line[i].width_mm));
+      }
+    }
+    out += "\" capStyle=\"round\">";
+    for (std::size_t i = 0; i < line.size(); ++i) {
+      if (i > 0) out += ' ';
+      append_points(out, line[i].position.x - corner_.x);
+      out += ' ';
+      append_points(out, line[i].position.y - corner_.y);
+    }
+    out += "</stroke>\n";
+  }
+
+  DrawingView drawing_;
+  std::vector<StrokeRange> ranges_;
+  std::string head_;
+  Point corner_;
+};
+
 }  // namespace
 
+Result<std::unique_ptr<DrawingParts>> xopp_parts(DrawingView drawing) {
+  return gzip_parts(std::make_unique<XoppParts>(std::move(drawing)));
+}
+
 Result<std::string> xopp_bytes(const LayeredSketch& drawing) {
-  const Result<std::string> text = XoppText().write(drawing);
-  if (!text) return text;
-  return gzip(*text);
+  const Result<std::unique_ptr<DrawingParts>> parts = xopp_parts(view_of(drawing));
+  if (!parts) return tl::unexpected(parts.error());
+  return bytes_of(**parts);
 }
 
 }  // namespace felt

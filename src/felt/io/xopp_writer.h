@@ -1,9 +1,10 @@
 #pragma once
 
+#include <memory>
 #include <string>
 
 #include "felt/base/result.h"
-#include "felt/io/layered_sketch.h"
+#include "felt/io/drawing_parts.h"
 
 namespace felt {
 
@@ -17,6 +18,9 @@ inline constexpr double kXoppMarginMm = 5.0;
 /// A drawing as a document of Xournal++, of one page: layers, and strokes as lines with a width for
 /// each piece. docs/formats/xopp.md says what the format cannot hold. Equal drawings give equal
 /// bytes. Error: a layer's name that XML cannot hold, a coordinate beyond 1e9 mm.
+Result<std::unique_ptr<DrawingParts>> xopp_parts(DrawingView drawing);
+
+/// The same as one file.
 Result<std::string> xopp_bytes(const LayeredSketch& drawing);
 
 }  // namespace felt

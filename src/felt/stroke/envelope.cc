@@ -26,7 +26,9 @@ double normal_turn(const EnvelopeFrame& from, const EnvelopeFrame& to, int tie) 
   const Vec n = from.normal(), m = to.normal();
   // Both turn by less than a right angle and end up close: no remainder to mistake.
   if (d > 0.0 && dot(n, m) > 0.5) return std::atan2(cross(n, m), dot(n, m));
-  const double heading = c == 0.0 && d < 0.0 ? tie * std::numbers::pi : std::atan2(c, d);
+  // Which way a stroke turns that reverses must not hang on rounding, which differs between sides.
+  const bool reverses = d < 0.0 && std::fabs(c) < 1e-9;
+  const double heading = reverses ? tie * std::numbers::pi : std::atan2(c, d);
   return heading + to.normal_angle() - from.normal_angle();
 }
 

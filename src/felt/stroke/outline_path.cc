@@ -39,7 +39,12 @@ void append_seam(std::vector<SideStretch>& side, int direction) {
   if (from.radius_mm == to.radius_mm) return;
   const Vec heading = direction > 0 ? side.back().end.tangent : side.front().begin.tangent;
   const auto frame = EnvelopeFrame::of(heading, to.radius_mm - from.radius_mm, 0.0);
-  side.push_back({from, to, frame, frame, 0.0, false, {}, {}});
+  side.push_back({.from = from,
+                  .to = to,
+                  .begin = frame,
+                  .end = frame,
+                  .start = from.center + from.radius_mm * frame.normal(),
+                  .finish = to.center + to.radius_mm * frame.normal()});
 }
 
 class PathBuilder {
@@ -51,16 +56,17 @@ class PathBuilder {
     for (std::size_t i = 0; i < side.size(); ++i) {
       const SideStretch& now = side[i];
       if (i > 0 || closed) turn(i > 0 ? side[i - 1] : side.back(), now, direction);
-      const Point end = now.to.center + now.to.radius_mm * now.end.normal();
-      begin(now.from.center + now.from.radius_mm * now.begin.normal());
+      begin(now.start);
       if (now.curved) {
-        cubic(now.handle0, now.handle1, end);
+        cubic(now.handle0, now.handle1, now.finish);
       } else {
-        line(end);
+        line(now.finish);
       }
     }
-    if (!closed)
-      arc(side.back().to, side.back().end.normal(), -2.0 * side.back().end.normal_angle());
+    if (closed) return;
+    const SideStretch& last = side.back();
+    if (last.finishes_inside) line(last.to.center + last.to.radius_mm * last.end.normal());
+    arc(last.to, last.end.normal(), -2.0 * last.end.normal_angle());
   }
 
   void close() {
@@ -87,16 +93,29 @@ class PathBuilder {
     path_.points.insert(path_.points.end(), {h0, h1, end});
   }
 
+  /// From the end of a stretch to the start of the next one, around the dab between them. Moves
+  /// along a normal, between the edge and the inside of a bend, enclose nothing.
   void turn(const SideStretch& from, const SideStretch& to, int direction) {
     const Dab& dab = to.from;
-    const Turn turn = turn_between({from.end, from.length_mm}, {to.begin, to.length_mm},
+    const Turn turn = turn_between({from.end, from.end_length_mm}, {to.begin, to.begin_length_mm},
                                    dab.radius_mm, direction);
     const Vec n = from.end.normal(), m = to.begin.normal();
-    if (turn.sweep > -std::numbers::pi && dab.radius_mm * norm(m - n) < kNoticeableMm) return;
-    begin(dab.center + dab.radius_mm * n);
-    if (turn.kind == Turn::Kind::kArc) return arc(dab, n, turn.sweep);
-    if (turn.kind == Turn::Kind::kPivot) line(dab.center);
-    line(dab.center + dab.radius_mm * m);
+    const bool is_inside = from.finishes_inside || to.starts_inside;
+    if (turn.sweep > -std::numbers::pi && dab.radius_mm * norm(m - n) < kNoticeableMm) {
+      if (!is_inside || distance(from.finish, to.start) < kNoticeableMm) return;
+      begin(from.finish);
+      return line(to.start);
+    }
+    begin(from.finish);
+    if (turn.kind == Turn::Kind::kArc) {
+      if (from.finishes_inside) line(dab.center + dab.radius_mm * n);
+      arc(dab, n, turn.sweep);
+      if (to.starts_inside) line(to.start);
+      return;
+    }
+    // The shortcut relies on both strips being as wide as the radius.
+    if (turn.kind == Turn::Kind::kPivot || is_inside) line(dab.center);
+    line(to.start);
   }
 
   /// An arc by cubics whose distance from the circle is r 4/27 sin(a/4)^6 / cos(a/4)^2 for an
@@ -137,7 +156,7 @@ OutlinePath outline_path(const Stroke& stroke, double tolerance_mm) {
   std::vector<SideStretch> side;
   for (int direction : {+1, -1}) {
     side.clear();
-    for (const InkPiece& piece : pieces) append_left_edge(piece, tolerance_mm, side);
+    append_left_edge(pieces, tolerance_mm, side);
     if (stroke.closed()) append_seam(side, direction);
     builder.side(side, stroke.closed(), direction);
     if (stroke.closed() || direction < 0) builder.close();

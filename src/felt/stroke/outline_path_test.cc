@@ -55,6 +55,34 @@ TEST(OutlinePath, IsTheInkOfRandomStrokes) {
   }
 }
 
+/// As files have it: with rounding to 0.001 mm it stays within 0.01 mm (R53).
+TEST(OutlinePath, R53_IsWithinAHundredthOfAMillimetre) {
+  for (std::uint64_t seed = 250; seed < 450; ++seed) {
+    SCOPED_TRACE(seed);
+    const Stroke s = testing::random_stroke(seed);
+    testing::expect_outline_is_the_ink(polygons_of(outline_path(s, 0.009)), s, 0.0075, seed, 200);
+    if (::testing::Test::HasFailure()) break;
+  }
+}
+
+/// A line out and straight back, wider where it turns: both sides agree on who goes round the end.
+TEST(OutlinePath, ALineThatReversesKeepsItsEnd) {
+  for (const std::uint64_t seed : {55U, 760U, 2167U, 2782U}) {
+    SCOPED_TRACE(seed);
+    const Stroke s = testing::random_stroke(seed);
+    testing::expect_outline_is_the_ink(polygons_of(outline_path(s, 0.009)), s, 0.01, seed, 2000);
+  }
+}
+
+/// Random strokes have many bends that are tighter than their half width.
+TEST(OutlinePath, TightBendsTakeFewPoints) {
+  std::size_t points = 0;
+  for (std::uint64_t seed = 0; seed < 200; ++seed) {
+    points += outline_path(testing::random_stroke(seed), 0.009).points.size();
+  }
+  EXPECT_LT(points, 200U * 240U);
+}
+
 TEST(OutlinePath, EasyStrokesTakeFewCurves) {
   EXPECT_LE(curves_of(outline_path(testing::straight_stroke({0, 0}, {30, 5}, 0.3, 2.0), 0.005)),
             8u);

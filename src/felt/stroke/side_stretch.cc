@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include "felt/geometry/nearest.h"
+#include "felt/stroke/edge_fit.h"
 
 namespace felt {
 namespace {
@@ -12,17 +12,26 @@ namespace {
 /// Halvings of a piece on which the edge is smooth in parts only.
 constexpr int kMaxHalvings = 6;
 /// Places at which an edge is looked at, ends included.
-constexpr int kSamples = 9;
-/// Rounds of moving the parameters of the samples along the fitted curve and fitting again.
-constexpr int kRounds = 3;
+constexpr std::size_t kSamples = 9;
+/// Cosine of the largest angle between neighbouring samples: a wider one may hide a cusp.
+constexpr double kSlowTurn = 0.5;
+/// Cosine of the largest kink of the edge that a curve may run over, and how far the edge may be
+/// apart there, in tolerances.
+constexpr double kSmallKink = 0.97, kSmallGap = 2.0;
+/// Share of the tolerance within which lines inside of tight bends follow the centres of the bend.
+constexpr double kInsideShare = 0.4;
 
-/// A place on the left edge.
+/// A place on the left edge, and on the centre line.
 struct EdgePoint {
+  Dab dab;
   EnvelopeFrame frame;
-  Point place;
-  /// How fast the edge moves on per parameter; 0 or less where it runs backwards because the bend
-  /// is tighter than the radius.
-  double speed = 0.0;
+  Point place;  ///< `share` of the radius away from the centre line
+  /// 1 on the edge. Less where the bend is tighter than the radius, so that the edge would run
+  /// backwards: the place is then the centre of the bend.
+  double share = 1.0;
+  /// Whether there is an edge at all: a stroke that stands still, or grows faster than it moves on,
+  /// has none.
+  bool is_regular = false;
 };
 
 EdgePoint edge_at(const InkPiece& piece, double t) noexcept {
@@ -30,141 +39,255 @@ EdgePoint edge_at(const InkPiece& piece, double t) noexcept {
   const double v2 = norm_squared(v), ds = std::sqrt(v2);
   const double dr = piece.radius1_mm - piece.radius0_mm, r = piece.radius(t);
   EdgePoint e;
+  e.dab = {evaluate(piece.center, t), r};
   e.frame = EnvelopeFrame::of(tangent(piece.center, t), dr, ds);
-  e.place = evaluate(piece.center, t) + r * e.frame.normal();
-  // The normal lies at the angle acos(-slope) from the tangent and turns with both.
-  if (e.frame.height > 0.0 && ds > 0.0) {
+  // The normal lies at the angle acos(-slope) from the tangent and turns with both. A place on it
+  // moves on by `onward` less its share of `backward`.
+  e.is_regular = e.frame.height > 0.0 && ds > 0.0;
+  if (e.is_regular) {
     const double turning = cross(v, a) / v2;
     const double leaning = -dr * dot(v, a) / (v2 * ds) / e.frame.height;
-    e.speed = ds * e.frame.height - r * (turning + leaning);
+    const double onward = ds * e.frame.height, backward = r * (turning + leaning);
+    if (backward >= onward) e.share = onward / backward;
   }
+  e.place = e.dab.center + (e.share * r) * e.frame.normal();
   return e;
-}
-
-/// Direction in which the left edge runs at a place with this normal.
-Vec along(const EnvelopeFrame& frame) noexcept {
-  return -perp(frame.normal());
 }
 
 using Samples = std::array<EdgePoint, kSamples>;
 
-/// Handle lengths of the cubic between the end samples that leaves least squares of distance to
-/// the samples at the given parameters; false when there is no sensible answer. The normal
-/// equations of Schneider, "An algorithm for automatically fitting digitized curves", 1990.
-bool fit_handles(const Samples& s, const std::array<double, kSamples>& t, Cubic& c) noexcept {
-  const Point p0 = s.front().place, p3 = s.back().place;
-  const Vec d0 = along(s.front().frame), d1 = -along(s.back().frame);
-  double c00 = 0, c01 = 0, c11 = 0, x0 = 0, x1 = 0;
-  for (std::size_t i = 1; i + 1 < kSamples; ++i) {
-    const double u = t[i], w = 1.0 - u;
-    const double b1 = 3 * w * w * u, b2 = 3 * w * u * u;
-    const Vec base = lerp(p0, p3, u * u * (3 - 2 * u)) - s[i].place;
-    c00 += b1 * b1;
-    c01 += b1 * b2 * dot(d0, d1);
-    c11 += b2 * b2;
-    x0 -= b1 * dot(d0, base);
-    x1 -= b2 * dot(d1, base);
-  }
-  const double det = c00 * c11 - c01 * c01;
-  const double chord = distance(p0, p3);
-  double h0 = chord / 3, h1 = chord / 3;
-  if (det > 1e-9 * c00 * c11) {
-    h0 = (x0 * c11 - x1 * c01) / det;
-    h1 = (x1 * c00 - x0 * c01) / det;
-  }
-  c = Cubic{{p0, p0 + h0 * d0, p3 + h1 * d1, p3}};
-  return h0 > 0.0 && h1 > 0.0 && h0 + h1 < 3.0 * chord;
+bool turns_slowly(const EdgePoint& a, const EdgePoint& b) noexcept {
+  return dot(a.frame.tangent, b.frame.tangent) >= kSlowTurn &&
+         dot(a.frame.normal(), b.frame.normal()) >= kSlowTurn;
 }
 
-/// Fits one cubic to the edge; false when it would leave the tolerance at a sample.
-bool fit_edge(const Samples& s, double tolerance_mm, Cubic& c) noexcept {
-  std::array<double, kSamples> t;
-  for (std::size_t i = 0; i < kSamples; ++i) t[i] = static_cast<double>(i) / (kSamples - 1);
-  for (int round = 0; round < kRounds; ++round) {
-    if (!fit_handles(s, t, c)) return false;
-    double worst = 0.0;
-    for (std::size_t i = 1; i + 1 < kSamples; ++i) {
-      const Nearest n = nearest(c, s[i].place);
-      worst = std::max(worst, n.distance_squared);
-      t[i] = n.t;
-    }
-    // Between the samples a cubic strays little more than at them.
-    if (worst <= 0.64 * tolerance_mm * tolerance_mm) return true;
-  }
-  return false;
-}
-
-/// False when the edge may hide a cusp between two samples.
-bool turns_slowly(const Samples& s) noexcept {
-  for (std::size_t i = 1; i < kSamples; ++i) {
-    if (dot(s[i - 1].frame.tangent, s[i].frame.tangent) < 0.5) return false;
-    if (dot(s[i - 1].frame.normal(), s[i].frame.normal()) < 0.5) return false;
-  }
-  return true;
+/// Whether the strip between two places is a simple quadrilateral. Where their normals cross, the
+/// bend is tightest in between, and the strip would be wound the wrong way beyond that.
+bool is_simple(const EdgePoint& a, const EdgePoint& b) noexcept {
+  const Vec between = b.dab.center - a.dab.center;
+  const Vec p = a.place - a.dab.center, q = b.place - b.dab.center;
+  const double turn = cross(p, q);
+  if (turn == 0.0) return true;
+  // a.center + s p = b.center + t q.
+  const double s = cross(between, q) / turn, t = cross(between, p) / turn;
+  return s <= 0.0 || s >= 1.0 || t <= 0.0 || t >= 1.0;
 }
 
 class LeftEdge {
  public:
-  LeftEdge(const InkPiece& piece, double tolerance_mm, std::vector<SideStretch>& out)
-      : piece_(piece), tolerance_mm_(tolerance_mm), out_(out) {}
+  LeftEdge(double tolerance_mm, std::vector<SideStretch>& out)
+      : tolerance_mm_(tolerance_mm), out_(out) {}
 
-  void append(double t0, double t1, int halvings) {
-    Samples samples;
-    int smooth = 0;
-    for (int i = 0; i < kSamples; ++i) {
-      EdgePoint& e = samples[static_cast<std::size_t>(i)];
-      e = edge_at(piece_, t0 + (t1 - t0) * i / (kSamples - 1));
-      smooth += e.speed > 0.0 ? 1 : 0;
-    }
-    Cubic c;
-    if (smooth == kSamples && turns_slowly(samples) && fit_edge(samples, tolerance_mm_, c)) {
-      append_curve(samples, t0, t1, c);
-    } else if (smooth == 0 || halvings == 0 ||
-               flatten_steps(piece_.center, t1 - t0, tolerance_mm_) == 1) {
-      append_lines(t0, t1);
-    } else {
-      const double middle = 0.5 * (t0 + t1);
-      append(t0, middle, halvings - 1);
-      append(middle, t1, halvings - 1);
-    }
+  void append(const InkPiece& piece) { append(piece, 0.0, 1.0, kMaxHalvings); }
+
+  /// Call at the end.
+  void finish() {
+    flush_curves();
+    flush_inside();
   }
 
  private:
-  [[nodiscard]] Dab dab(double t) const noexcept {
-    return {evaluate(piece_.center, t), piece_.radius(t)};
+  /// Curve k runs along samples [8 k, 8 k + 8] of `curve_samples_`, which share no sample.
+  struct Curve {
+    Cubic cubic;
+  };
+
+  void append(const InkPiece& piece, double t0, double t1, int halvings) {
+    Samples samples;
+    std::size_t regular = 0, on_edge = 0;
+    bool slow = true, lines = true;
+    for (std::size_t i = 0; i < kSamples; ++i) {
+      EdgePoint& e = samples[i];
+      e = edge_at(piece, t0 + (t1 - t0) * static_cast<double>(i) / (kSamples - 1));
+      regular += e.is_regular ? 1 : 0;
+      on_edge += e.is_regular && e.share == 1.0 ? 1 : 0;
+      slow = slow && (i == 0 || turns_slowly(samples[i - 1], e));
+      lines = lines && (i == 0 || lines_will_do(samples[i - 1], e));
+    }
+    Cubic c;
+    if (on_edge == kSamples && slow && fit(samples, c)) return add_curve(samples, c);
+    const bool last = halvings == 0 || flatten_steps(piece.center, t1 - t0, tolerance_mm_) == 1;
+    const bool is_inside = on_edge == 0 || last;
+    if (regular == kSamples && slow && lines && is_inside) return add_inside(samples);
+    if (regular == 0 || last) return append_lines(piece, t0, t1);
+    const double middle = 0.5 * (t0 + t1);
+    append(piece, t0, middle, halvings - 1);
+    append(piece, middle, t1, halvings - 1);
   }
 
-  void append_curve(const Samples& s, double t0, double t1, const Cubic& c) {
-    const Dab from = dab(t0), to = dab(t1);
-    out_.push_back({from, to, s.front().frame, s.back().frame, distance(from.center, to.center),
-                    true, c.p[1], c.p[2]});
+  /// Fits one cubic to the samples of one or more neighbours: to all of one, to the more important
+  /// ones of many, each of which is smooth.
+  bool fit(std::span<const EdgePoint> samples, Cubic& c) {
+    const std::size_t count = samples.size() / kSamples;
+    if (count > 1 && dot(samples.front().frame.normal(), samples.back().frame.normal()) < 0.0) {
+      return false;
+    }
+    const std::size_t step = count == 1 ? 1 : count < 4 ? 2 : 4;
+    fit_.clear();
+    for (std::size_t i = 0; i < samples.size(); ++i) {
+      if (i % kSamples % step == 0) fit_.add(samples[i].place);
+    }
+    // The edge runs at a right angle to its normal.
+    return fit_.fit(-perp(samples.front().frame.normal()), -perp(samples.back().frame.normal()),
+                    tolerance_mm_, c);
   }
 
-  void append_lines(double t0, double t1) {
-    const int steps = flatten_steps(piece_.center, t1 - t0, tolerance_mm_);
-    Dab from = dab(t0);
-    for (int i = 1; i <= steps; ++i) {
-      const Dab to = dab(t0 + (t1 - t0) * i / steps);
-      const Vec way = to.center - from.center;
-      const double length = norm(way), dr = to.radius_mm - from.radius_mm;
-      const Vec heading = length > 0.0 ? normalized(way) : piece_.heading;
-      if (length > 0.0 || dr != 0.0) {
-        const auto frame = EnvelopeFrame::of(heading, dr, length);
-        out_.push_back({from, to, frame, frame, length, false, {}, {}});
+  // --- Curves
+
+  /// Whether a line from sample `a` to the next one `b` may stand for the edge. Where one of them
+  /// is on it, the edge may bulge between them, by r (1 - cos(turn / 2)).
+  [[nodiscard]] bool lines_will_do(const EdgePoint& a, const EdgePoint& b) const noexcept {
+    if (!is_simple(a, b)) return false;
+    if (a.share < 1.0 && b.share < 1.0) return true;
+    return a.dab.radius_mm * norm_squared(b.frame.normal() - a.frame.normal()) <=
+           4.0 * tolerance_mm_;
+  }
+
+  /// Whether one curve may run on from `a` to `b`, the end and the start of neighbours.
+  [[nodiscard]] bool runs_on(const EdgePoint& a, const EdgePoint& b) const noexcept {
+    return distance(a.place, b.place) <= kSmallGap * tolerance_mm_ &&
+           dot(a.frame.normal(), b.frame.normal()) > kSmallKink;
+  }
+
+  void add_curve(const Samples& samples, const Cubic& c) {
+    flush_inside();
+    if (!curves_.empty() && !runs_on(curve_samples_.back(), samples.front())) flush_curves();
+    curves_.push_back({c});
+    curve_samples_.insert(curve_samples_.end(), samples.begin(), samples.end());
+  }
+
+  [[nodiscard]] std::span<const EdgePoint> samples_of(std::size_t first, std::size_t last) const {
+    return std::span(curve_samples_).subspan(first * kSamples, (last - first) * kSamples);
+  }
+
+  /// Replaces neighbours by one curve as long as that stays within the tolerance.
+  void flush_curves() {
+    for (std::size_t first = 0; first < curves_.size();) {
+      Cubic best = curves_[first].cubic, longer;
+      std::size_t good = first + 1, bad = curves_.size() + 1;
+      for (std::size_t step = 1; good < curves_.size() && bad > good + 1;) {
+        const std::size_t next =
+            bad <= curves_.size() ? good + (bad - good) / 2 : std::min(good + step, curves_.size());
+        if (fit(samples_of(first, next), longer)) {
+          best = longer;
+          good = next;
+          step *= 2;
+        } else {
+          bad = next;
+        }
       }
-      from = to;
+      emit_curve(samples_of(first, good), best);
+      first = good;
+    }
+    curves_.clear();
+    curve_samples_.clear();
+  }
+
+  void emit_curve(std::span<const EdgePoint> s, const Cubic& c) {
+    const EdgePoint& a = s.front();
+    const EdgePoint& b = s.back();
+    out_.push_back({.from = a.dab,
+                    .to = b.dab,
+                    .begin = a.frame,
+                    .end = b.frame,
+                    .begin_length_mm = distance(a.dab.center, s[kSamples - 1].dab.center),
+                    .end_length_mm = distance(s[s.size() - kSamples].dab.center, b.dab.center),
+                    .start = a.place,
+                    .finish = b.place,
+                    .curved = true,
+                    .handle0 = c.p[1],
+                    .handle1 = c.p[2]});
+  }
+
+  // --- Inside of tight bends
+
+  void add_inside(const Samples& samples) {
+    flush_curves();
+    if (!inside_.empty() && !(inside_.back().dab == samples.front().dab &&
+                              inside_.back().frame.normal() == samples.front().frame.normal())) {
+      flush_inside();
+    }
+    inside_.insert(inside_.end(), samples.begin() + (inside_.empty() ? 0 : 1), samples.end());
+  }
+
+  /// Whether a line from sample `a` to sample `b` may stand for all between them.
+  [[nodiscard]] bool may_skip(std::size_t a, std::size_t b) const noexcept {
+    const Point p = inside_[a].place, q = inside_[b].place;
+    if (dot(inside_[a].frame.normal(), inside_[b].frame.normal()) < 0.0) return false;
+    if (!is_simple(inside_[a], inside_[b])) return false;
+    const Vec way = q - p;
+    const double length = norm(way), near = kInsideShare * tolerance_mm_;
+    for (std::size_t k = a + 1; k < b; ++k) {
+      const Vec to = inside_[k].place - p;
+      if (length <= near ? norm(to) > near : std::fabs(cross(way, to)) > near * length)
+        return false;
+      if (length > near && (dot(way, to) < 0.0 || dot(way, to) > length * length)) return false;
+    }
+    return true;
+  }
+
+  void flush_inside() {
+    for (std::size_t a = 0; a + 1 < inside_.size();) {
+      std::size_t b = a + 1;
+      while (b + 1 < inside_.size() && may_skip(a, b + 1)) ++b;
+      emit_line(inside_[a], inside_[b]);
+      a = b;
+    }
+    inside_.clear();
+  }
+
+  void emit_line(const EdgePoint& a, const EdgePoint& b) {
+    const double length = distance(a.dab.center, b.dab.center);
+    out_.push_back({.from = a.dab,
+                    .to = b.dab,
+                    .begin = a.frame,
+                    .end = b.frame,
+                    .begin_length_mm = length,
+                    .end_length_mm = length,
+                    .start = a.place,
+                    .finish = b.place,
+                    .starts_inside = a.share < 1.0,
+                    .finishes_inside = b.share < 1.0});
+  }
+
+  // --- Strips along the flattened centre line, where there is no edge to speak of
+
+  void append_lines(const InkPiece& piece, double t0, double t1) {
+    finish();
+    const auto dab = [&](double t) { return Dab{evaluate(piece.center, t), piece.radius(t)}; };
+    const int steps = flatten_steps(piece.center, t1 - t0, 0.5 * tolerance_mm_);
+    EdgePoint from, to;
+    from.dab = dab(t0);
+    for (int i = 1; i <= steps; ++i) {
+      to.dab = dab(t0 + (t1 - t0) * i / steps);
+      const Vec way = to.dab.center - from.dab.center;
+      const double length = norm(way), dr = to.dab.radius_mm - from.dab.radius_mm;
+      if (length > 0.0 || dr != 0.0) {
+        from.frame = to.frame =
+            EnvelopeFrame::of(length > 0.0 ? normalized(way) : piece.heading, dr, length);
+        for (EdgePoint* e : {&from, &to}) {
+          e->place = e->dab.center + e->dab.radius_mm * e->frame.normal();
+        }
+        emit_line(from, to);
+      }
+      from.dab = to.dab;
     }
   }
 
-  const InkPiece& piece_;
   double tolerance_mm_;
   std::vector<SideStretch>& out_;
+  EdgeFit fit_;
+  std::vector<Curve> curves_;
+  std::vector<EdgePoint> curve_samples_, inside_;
 };
 
 }  // namespace
 
-void append_left_edge(const InkPiece& piece, double tolerance_mm, std::vector<SideStretch>& out) {
-  LeftEdge(piece, tolerance_mm, out).append(0.0, 1.0, kMaxHalvings);
+void append_left_edge(std::span<const InkPiece> pieces, double tolerance_mm,
+                      std::vector<SideStretch>& out) {
+  LeftEdge edge(tolerance_mm, out);
+  for (const InkPiece& piece : pieces) edge.append(piece);
+  edge.finish();
 }
 
 }  // namespace felt

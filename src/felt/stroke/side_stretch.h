@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "felt/geometry/cubic.h"
@@ -28,17 +29,25 @@ constexpr InkPiece reversed(const InkPiece& piece) noexcept {
   return {reversed(piece.center), piece.radius1_mm, piece.radius0_mm, -piece.heading};
 }
 
-/// One curve or line of the left edge and what a turn at its ends needs to know.
+/// One curve or line of the left edge, and what a turn at its ends needs to know.
 struct SideStretch {
-  Dab from, to;
-  EnvelopeFrame begin, end;
-  double length_mm = 0.0;  ///< of the chord of the centre line
-  bool curved = false;     ///< false: a straight line from `from` to `to`
-  Point handle0, handle1;  ///< of the cubic that is the edge, when curved
+  Dab from{}, to{};
+  EnvelopeFrame begin{}, end{};
+  /// Of the chord of the centre line next to `from`, and next to `to`.
+  double begin_length_mm = 0.0, end_length_mm = 0.0;
+  Point start{}, finish{};     ///< of the edge
+  bool curved = false;         ///< false: a straight line from `start` to `finish`
+  Point handle0{}, handle1{};  ///< of the cubic that is the edge, when curved
+  /// Where the bend is tighter than the radius, the edge stays nearer to the centre line than that:
+  /// at the centre of the bend, since what is farther along the normal belongs to the ink
+  /// elsewhere.
+  bool starts_inside = false, finishes_inside = false;
 };
 
-/// Appends the left edge of a piece, from its start to its end: cubics within the tolerance of
-/// the true edge where there is one, else the straight strips of the flattened centre line.
-void append_left_edge(const InkPiece& piece, double tolerance_mm, std::vector<SideStretch>& out);
+/// Appends the left edge of pieces that follow each other, from the first to the last: as few
+/// cubics as stay within the tolerance of the true edge, across pieces too where it is smooth, and
+/// straight lines where it is not.
+void append_left_edge(std::span<const InkPiece> pieces, double tolerance_mm,
+                      std::vector<SideStretch>& out);
 
 }  // namespace felt

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "felt/document/sheet_page.h"
+#include "felt/io/layered_sketch.h"
+#include "felt/stroke/sketch.h"
+
+namespace felt {
+
+/// A layer of a drawing that is kept elsewhere. Both functions are called on any thread.
+struct LayerView {
+  std::string_view name{};
+  bool visible = true;
+  bool locked = false;
+  std::size_t count = 0;
+  /// Stroke i, the lowest first. Requires i < count.
+  std::function<const Stroke&(std::size_t i)> stroke{};
+  std::function<std::string(std::size_t i)> id{};
+};
+
+/// What LayeredSketch holds, without a copy of it: writers read the strokes where they are. Valid
+/// as long as that drawing is, and does not change.
+struct DrawingView {
+  std::vector<LayerView> layers{};
+  std::optional<SheetPage> page{};
+  std::string surface{};  ///< where there is no page
+  std::vector<std::string> materials{};
+
+  /// Around all ink; empty without any.
+  [[nodiscard]] Rect ink() const;
+};
+
+DrawingView view_of(const LayeredSketch& drawing);
+/// One layer without a name.
+DrawingView view_of(const Sketch& sketch);
+
+}  // namespace felt
