@@ -242,6 +242,8 @@ void Canvas::refresh() {
   const Session& session = studio_.session();
   ink_.show(session.preview());
   session.draw(s.overlay);
+  // The line itself shows its width.
+  if (in_contact(studio_.pen().sample)) s.size_ring.stop();
   if (s.size_ring.isActive()) add_size_ring();
   QRegion dirty(s.bands.update(s.overlay.spans));
   dirty += s.wet.update(s.overlay.ink, s.overlay.ink_color);

@@ -80,7 +80,7 @@ TEST(DrawingFile, APipeIsRefusedAndNotWaitedFor) {
   const QTemporaryDir folder;
   const QString path = folder.filePath(QStringLiteral("a.felt"));
   ASSERT_EQ(::mkfifo(path.toLocal8Bit().constData(), 0600), 0);
-  EXPECT_THAT(read_drawing(path).error().message, HasSubstr("a.felt: is no file"));
+  EXPECT_THAT(read_drawing(path).error().message, HasSubstr("a.felt: not a regular file"));
   EXPECT_FALSE(read_drawing(folder.path() + QStringLiteral("/.felt")));
 }
 

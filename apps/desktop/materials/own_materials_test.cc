@@ -50,7 +50,7 @@ TEST(OwnMaterials, APipeForAPictureKeepsNobodyWaiting) {
   EXPECT_TRUE(own.all().empty());
   const QStringList problems = own.take_problems();
   ASSERT_EQ(problems.size(), 1);
-  EXPECT_TRUE(problems.first().contains(QStringLiteral("pipe.png: is no file")));
+  EXPECT_TRUE(problems.first().contains(QStringLiteral("pipe.png: not a regular file")));
 }
 
 TEST(OwnMaterials, WhatIsSavedIsThereAtTheNextStart) {
