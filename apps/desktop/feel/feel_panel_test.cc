@@ -116,7 +116,7 @@ TEST(FeelPanel, AMaterialIsChosenByButtonActionOrEventAndAllAgree) {
   EXPECT_EQ(chosen(), "glass");
   EXPECT_TRUE(window.actions.find(QStringLiteral("feel.sheet_glass"))->isChecked());
   EXPECT_EQ(Settings::the().text(feel_keys::kMaterial), QStringLiteral("glass"));
-  window.actions.find(QStringLiteral("feel.felt"))->trigger();
+  window.actions.find(QStringLiteral("feel.sheet_felt"))->trigger();
   EXPECT_EQ(chosen(), "felt");
   EXPECT_FALSE(glass->isChecked());
   window.studio.apply(SetOption{"sheet.material", OptionValue(std::string("glass"))});
