@@ -31,11 +31,11 @@ TEST(FaultyDevice, FailsOnScheduleOnly) {
   const auto healthy = with_fault(InjectedFault::kReadError, 0.0);
   for (const InjectedFault fault :
        {InjectedFault::kReadError, InjectedFault::kUnplugged, InjectedFault::kNotFinite,
-        InjectedFault::kInfinite, InjectedFault::kJump, InjectedFault::kFrozen,
-        InjectedFault::kStuckAxis, InjectedFault::kSignFlip, InjectedFault::kNoise,
-        InjectedFault::kCoarse, InjectedFault::kTimeBackwards, InjectedFault::kButtonBounce,
-        InjectedFault::kUncalibrated, InjectedFault::kButtonStuck, InjectedFault::kDenormal,
-        InjectedFault::kNoAnswer}) {
+        InjectedFault::kInfinite, InjectedFault::kJump, InjectedFault::kJumpOften,
+        InjectedFault::kFrozen, InjectedFault::kStuckAxis, InjectedFault::kSignFlip,
+        InjectedFault::kNoise, InjectedFault::kCoarse, InjectedFault::kTimeBackwards,
+        InjectedFault::kButtonBounce, InjectedFault::kUncalibrated, InjectedFault::kButtonStuck,
+        InjectedFault::kDenormal, InjectedFault::kNoAnswer}) {
     const auto samples = with_fault(fault, 5.0);
     for (std::size_t i = 0; i < samples.size(); ++i) {
       const bool inside = i >= 10 && i < 20;
@@ -84,6 +84,9 @@ TEST(FaultyDevice, FailsOnScheduleOnly) {
         case InjectedFault::kJump:
           EXPECT_GT(samples[i]->position.x, 14.0);
           break;
+        case InjectedFault::kJumpOften:
+          EXPECT_EQ(samples[i]->position.x > 14.0, i % 2 == 1) << i;
+          break;
         case InjectedFault::kButtonStuck:
           EXPECT_EQ(samples[i]->buttons & 1u, 1u);
           break;
@@ -98,6 +101,10 @@ TEST(FaultyDevice, FailsOnScheduleOnly) {
         case InjectedFault::kForceIgnored:
         case InjectedFault::kForcesOff:
         case InjectedFault::kWarmMotors:
+        case InjectedFault::kSlowAnswers:
+        case InjectedFault::kLostAnswers:
+        case InjectedFault::kBurstAnswers:
+        case InjectedFault::kLateAnswer:
           break;
       }
     }
