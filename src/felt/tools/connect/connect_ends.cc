@@ -1,5 +1,6 @@
 #include "felt/tools/connect/connect_ends.h"
 
+#include <algorithm>
 #include <memory>
 #include <utility>
 
@@ -18,10 +19,18 @@ StrokePtr share(Stroke stroke) {
   return std::make_shared<const Stroke>(std::move(stroke));
 }
 
+/// True if both ends can go half of the way by bending alone. A wider gap is bridged from one end,
+/// which leaves the other as it is.
+bool is_small_gap(const Stroke& a, StrokeTip tip_a, const Stroke& b, StrokeTip tip_b) {
+  const double gap = distance(tip_point(a, tip_a), tip_point(b, tip_b));
+  return 0.5 * gap <= std::min(TipLead(a, tip_a).small_gap_mm(), TipLead(b, tip_b).small_gap_mm());
+}
+
 Edit close(const Document& document, TipId moved, const Stroke& stroke, Point meet) {
-  const auto half = TipLead(stroke, moved.tip).at(meet);
+  const StrokeTip other = opposite(moved.tip);
+  const auto half = TipLead(stroke, moved.tip).at(meet, -tip_direction(stroke, other));
   if (!half) return {};
-  const auto both = TipLead(*half, opposite(moved.tip)).at(meet);
+  const auto both = TipLead(*half, other).at(meet);
   if (!both) return {};
   auto ring = closed(*both);
   if (!ring) return {};
@@ -46,11 +55,12 @@ Edit connect_ends(const Document& document, TipId moved, TipId to,
   const LayerId layer = document.layer_of(moved.stroke), other = document.layer_of(to.stroke);
   if (!is_editable(document, layer)) return {};
   const Point target = tip_point(*b, to.tip);
-  const bool half = options.place == MeetingPlace::kHalfWay && is_editable(document, other);
+  const bool half = options.place == MeetingPlace::kHalfWay && is_editable(document, other) &&
+                    is_small_gap(*a, moved.tip, *b, to.tip);
   const Point meet = half ? lerp(tip_point(*a, moved.tip), target, 0.5) : target;
   if (moved.stroke == to.stroke) return close(document, moved, *a, meet);
 
-  const auto led = TipLead(*a, moved.tip).at(meet);
+  const auto led = TipLead(*a, moved.tip).at(meet, -tip_direction(*b, to.tip));
   const auto met = half ? TipLead(*b, to.tip).at(meet) : Result<Stroke>(*b);
   if (!led || !met) return {};
   if (!options.keep_separate && layer == other && look_alike(*a, *b)) {

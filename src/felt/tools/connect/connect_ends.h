@@ -8,7 +8,9 @@ namespace felt {
 /// Where two ends meet.
 enum class MeetingPlace {
   kAtTarget,  ///< the moved end comes to the other one, which stays
-  kHalfWay,   ///< both go half of the way; a stroke that must not be changed stays
+  /// Both go half of the way, but not over a gap that is wider than bending covers
+  /// (TipLead::small_gap_mm). A stroke that must not be changed stays.
+  kHalfWay,
 };
 
 struct ConnectEndsOptions {
@@ -25,7 +27,8 @@ struct ConnectEndsOptions {
 ///     profile steps at the joint;
 ///   - else the strokes share the point, "Connect": ink of another look or layer must not change
 ///     its own. A stroke of a locked or hidden layer stays as it is.
-/// Joints are smooth where the ink turns by less than 30 degrees, else corners.
+/// Joints are smooth if the ink turns by less than 30 degrees, else corners. Over a gap that is
+/// wider than bending covers, the moved end arrives in the direction of the target (TipLead).
 ///
 /// Empty when an end is not there, `moved` may not be edited, the strokes are too short for a valid
 /// one, or nothing would change: ink is never lost. Pure.

@@ -149,6 +149,97 @@ TEST(ConnectEnds, LockedAndHiddenLayersAreNotChanged) {
   }
 }
 
+/// How far the ink of the end `moved` is parallel to the target stroke within 0.3 mm, mm.
+double doubled_mm(const Stroke& one, const Stroke& target) {
+  double length = 0.0;
+  for (double u = 0.0; u < one.segment_count(); u += 0.005) {
+    const Point p = one.position(u);
+    double nearest = 1e9;
+    for (double v = 0.0; v <= target.segment_count(); v += 0.002) {
+      nearest = std::min(nearest, distance(p, target.position(v)));
+    }
+    if (nearest <= 0.3) length += distance(p, one.position(u + 0.005));
+  }
+  return length;
+}
+
+TEST(ConnectEnds, R45_AWideGapIsBridgedByOneFairCurve) {
+  const Stroke left = straight_stroke({0, 0}, {80, 0}, 1, 1);
+  const std::pair<Point, Point> targets[] = {
+      {{140, 0}, {220, 0}},    // 60 mm ahead
+      {{140, 15}, {220, 15}},  // and beside
+      {{80, 60}, {0, 60}},     // a U
+      {{80, 60}, {160, 60}},   // an S
+      {{100, 30}, {100, 90}},  // around the corner
+      {{100, 3}, {180, 3}},    // 20 mm ahead and a little beside
+      {{80, 20}, {160, 30}},   // 20 mm beside
+  };
+  for (const auto& [from, to] : targets) {
+    for (const MeetingPlace place : kPlaces) {
+      Desk desk;
+      const StrokeId moved = desk.add(left);
+      const StrokeId other = desk.add(straight_stroke(from, to, 1, 1));
+      const Document before = desk.document;
+      desk.apply(connect_ends(desk.document, {moved, kEnd}, {other, kStart}, {place}));
+      ASSERT_EQ(desk.strokes().size(), 1u);
+      const Stroke& one = *desk.strokes()[0];
+      EXPECT_EQ(tip_point(one, kStart), (Point{0, 0})) << from.x << " " << from.y;
+      EXPECT_EQ(tip_point(one, kEnd), to);
+      const Vec chord = from - Point{80, 0}, on = to - from;
+      const double needed = angle_between({1, 0}, chord) + angle_between(chord, on);
+      double turn = 0.0;
+      Vec last{1, 0};
+      for (int i = 0; i < one.segment_count(); ++i) {
+        if (i > 0) {
+          EXPECT_EQ(one.joint(i), JointKind::kSmooth) << from.x << " " << from.y;
+        }
+        for (int k = 0; k <= 200; ++k) {
+          const Vec t = tangent(one.segment(i), k / 200.0);
+          turn += angle_between(last, t);
+          last = t;
+        }
+      }
+      EXPECT_LE(turn, 1.6 * needed + 0.1) << from.x << " " << from.y;
+      if (place == MeetingPlace::kAtTarget) {
+        EXPECT_LE(doubled_mm(one, straight_stroke(from, to, 1, 1)), norm(on) + 5.0);
+      }
+      desk.undo();
+      EXPECT_EQ(desk.document, before);
+    }
+  }
+}
+
+TEST(ConnectEnds, R43_AWideGapOfARingIsClosedRound) {
+  // Three quarters of a circle, of radius 30.
+  const double k = 30.0 * 0.5522847498;
+  const Stroke arc = Stroke::create({.points = {{30, 0},
+                                                {30, k},
+                                                {k, 30},
+                                                {0, 30},
+                                                {-k, 30},
+                                                {-30, k},
+                                                {-30, 0},
+                                                {-30, -k},
+                                                {-k, -30},
+                                                {0, -30}},
+                                     .joints = {JointKind::kSmooth, JointKind::kSmooth},
+                                     .closed = false,
+                                     .widths = {{0, 1}, {3, 1}}})
+                         .value();
+  for (const StrokeTip mine : {kStart, kEnd}) {
+    for (const MeetingPlace place : kPlaces) {
+      Desk desk;
+      const StrokeId id = desk.add(arc);
+      desk.apply(connect_ends(desk.document, {id, mine}, {id, opposite(mine)}, {place}));
+      const Stroke& ring = *desk.document.find(id);
+      ASSERT_TRUE(ring.closed());
+      for (double u = 0; u < ring.segment_count(); u += 0.01) {
+        EXPECT_NEAR(norm(ring.position(u) - Point{0, 0}), 30.0, 4.0) << u;
+      }
+    }
+  }
+}
+
 TEST(ConnectEnds, WhatIsNotThereIsLeftAlone) {
   Desk desk;
   const StrokeId a = desk.add(straight_stroke({0, 0}, {50, 0}, 1, 1));

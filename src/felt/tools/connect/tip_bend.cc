@@ -27,9 +27,9 @@ class TipBend {
  public:
   TipBend(Zone zone, StrokeTip tip) : zone_(std::move(zone)), start_(tip == StrokeTip::kStart) {}
 
-  StrokeData move(Vec by, Point target) && {
+  StrokeData move(Vec by, Vec turn, Point target) && {
     for (int i = 0; i < zone_.segments; ++i) give_direction(i);
-    for (int i = 0; i < zone_.segments; ++i) move_joint(i, by);
+    for (int i = 0; i < zone_.segments; ++i) move_joint(i, by, turn);
     point(0) = target;
     return std::move(zone_.data);
   }
@@ -57,12 +57,13 @@ class TipBend {
     if (i > 0 && point(3 * i - 1) == at) point(3 * i - 1) = at - kStandingHandleMm * away;
   }
 
-  void move_joint(int i, Vec by) {
+  void move_joint(int i, Vec by, Vec turn) {
     const double reach = zone_.at_mm.back();
     const double x = zone_.at_mm[static_cast<std::size_t>(i)] / reach;
     const Point was = point(3 * i);
-    const Point at = was + (1.0 - x * x * (3.0 - 2.0 * x)) * by;
-    const Vec slope = (-6.0 * x * (1.0 - x) / reach) * by;
+    const double left = 1.0 - x;
+    const Point at = was + left * left * ((1.0 + 2.0 * x) * by + (x * reach) * turn);
+    const Vec slope = left * ((-6.0 * x / reach) * by + (1.0 - 3.0 * x) * turn);
     Point& out = point(3 * i + 1);
     out = at + (out - was) + distance(out, was) * slope;
     if (i > 0) {
@@ -122,17 +123,18 @@ std::optional<Zone> zone_of(const Stroke& stroke, StrokeTip tip, double reach, d
 
 }  // namespace
 
-Result<Stroke> with_tip_bent(const Stroke& stroke, StrokeTip tip, Point target, double reach_mm) {
+Result<Stroke> with_tip_bent(const Stroke& stroke, StrokeTip tip, Point target, double reach_mm,
+                             Vec turn) {
   const auto refuse = [](const char* why) { return fail(ErrorCode::kInvalidArgument, why); };
   if (stroke.closed()) return refuse("a closed stroke has no end to move");
   if (!is_finite(target)) return refuse("the place for the end of a stroke is not finite");
   const Vec shift = target - tip_point(stroke, tip);
-  if (shift == Vec{}) return stroke;
+  if (shift == Vec{} && turn == Vec{}) return stroke;
   auto zone = zone_of(stroke, tip, reach_mm, 2.0 * norm(shift));
   if (!zone || !(2.0 * norm(shift) <= zone->at_mm.back() * (1.0 + 1e-9))) {
     return refuse("the stroke is too short to reach that far");
   }
-  return Stroke::create(TipBend(*std::move(zone), tip).move(shift, target));
+  return Stroke::create(TipBend(*std::move(zone), tip).move(shift, turn, target));
 }
 
 }  // namespace felt

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <utility>
 
 #include "felt/base/check.h"
@@ -13,16 +14,20 @@ namespace felt {
 namespace {
 
 constexpr double kLengthAccuracy = 1e-3;
+constexpr double kRadians = std::numbers::pi / 180.0;
 
-/// A shorter piece is not grown: the stroke bends a little less instead.
-constexpr double kShortestPieceMm = 0.5;
+/// A stroke is not prolonged by less: it bends instead.
+constexpr double kMinPieceMm = 0.5;
+
+/// Samples of a segment for its bending energy.
+constexpr int kEnergySamples = 24;
 
 /// Strokes of fewer segments are worked on whole.
 constexpr int kFewSegments = 48;
 
 /// The number of segments at the end that are long enough for every bend: twice the longest fade.
 int segments_at(const Stroke& stroke, StrokeTip tip) {
-  constexpr double kEnoughMm = 2.0 * TipLead::kFadePerShift * TipLead::kMostBendMm;
+  constexpr double kEnoughMm = 2.0 * TipLead::kMaxFadeMm;
   const int n = stroke.segment_count();
   double length = 0.0;
   for (int i = 0; i < n; ++i) {
@@ -62,15 +67,50 @@ void append(StrokeData& data, const StrokeData& more, JointKind joint) {
   }
 }
 
-/// A straight stroke of one width and tone and of the look of `like`.
-Result<Stroke> straight_piece(Point from, Point to, const WidthKnot& ink, const Stroke& like) {
-  const Cubic line = straight(from, to);
+/// `stroke` prolonged at `tip` by `piece`, which begins there, in the width and tone of the end.
+Result<Stroke> prolonged(const Stroke& stroke, StrokeTip tip, const Cubic& piece) {
+  const bool start = tip == StrokeTip::kStart;
+  const WidthKnot& ink = start ? stroke.widths().front() : stroke.widths().back();
   StrokeData data;
-  data.points.assign(line.p.begin(), line.p.end());
+  data.points.assign(piece.p.begin(), piece.p.end());
+  if (start) std::reverse(data.points.begin(), data.points.end());
   data.widths = {{0.0, ink.width_mm, ink.tone}, {1.0, ink.width_mm, ink.tone}};
-  data.material = like.material();
-  data.color = like.color();
-  return Stroke::create(std::move(data));
+  data.material = stroke.material();
+  data.color = stroke.color();
+  const Result<Stroke> more = Stroke::create(std::move(data));
+  if (!more) return more;
+  return start ? joined(*more, stroke) : joined(stroke, *more);
+}
+
+/// A cubic from the end of `stroke`, along its tangent, to `target`. Its handles are those of a
+/// circular arc, 2/3 chord/(1 + cos), up to the chord. Without an arrival it ends uncurved.
+Cubic bridge(const Stroke& stroke, StrokeTip tip, Point target, std::optional<Vec> arrival) {
+  const Point from = tip_point(stroke, tip);
+  const Vec direction = tip_direction(stroke, tip), chord = target - from;
+  const auto handle = [&](Vec along) {
+    const double length = norm(chord);
+    return 2.0 / 3.0 * length / std::max(1.0 + dot(along, chord) / length, 2.0 / 3.0);
+  };
+  const Point out = from + handle(direction) * direction;
+  const Point in = arrival ? target - handle(*arrival) * *arrival : lerp(out, target, 0.5);
+  return {{from, out, in, target}};
+}
+
+/// The integral of the squared curvature over the segments, without corners.
+double bending_energy(const Stroke& stroke) {
+  double energy = 0.0;
+  for (int i = 0; i < stroke.segment_count(); ++i) {
+    const Cubic c = stroke.segment(i);
+    Vec last{};
+    for (int k = 1; k <= kEnergySamples; ++k) {
+      const Vec chord = evaluate(c, static_cast<double>(k) / kEnergySamples) -
+                        evaluate(c, static_cast<double>(k - 1) / kEnergySamples);
+      const double turn = k > 1 ? angle_between(last, chord) : 0.0;
+      if (turn > 0.0) energy += 2.0 * turn * turn / (norm(last) + norm(chord));
+      last = chord;
+    }
+  }
+  return energy;
 }
 
 }  // namespace
@@ -78,7 +118,7 @@ Result<Stroke> straight_piece(Point from, Point to, const WidthKnot& ink, const 
 TipLead::TipLead(const Stroke& stroke, StrokeTip tip)
     : tip_(tip), part_(part_at(stroke, tip)), length_mm_(length_mm(part_)) {
   FELT_CHECK(!stroke.closed());
-  most_bend_mm_ = std::min(0.25 * length_mm_, kMostBendMm);
+  small_gap_mm_ = std::min(0.125 * length_mm_, kMaxSmallGapMm);
   const int n = stroke.segment_count(), m = part_.segment_count();
   if (m == n) return;
   const bool start = tip == StrokeTip::kStart;
@@ -91,34 +131,51 @@ Result<Stroke> TipLead::at(Point target) const {
   if (!is_finite(target)) {
     return fail(ErrorCode::kInvalidArgument, "the place for the end of a stroke is not finite");
   }
-  const Result<Stroke> part = bent_and_grown(target);
-  return part ? whole(*part) : part;
+  return whole(bent(target, std::nullopt));
 }
 
-Result<Stroke> TipLead::bent_and_grown(Point target) const {
+Result<Stroke> TipLead::at(Point target, Vec arrival) const {
   const Point from = tip_point(part_, tip_);
-  const double shift = distance(from, target);
-  const bool grows = shift > most_bend_mm_;
-  const double bend =
-      grows ? std::min(most_bend_mm_, std::max(shift - kShortestPieceMm, 0.0)) : shift;
-  const double fade = std::min(std::max(kLeastFadeMm, kFadePerShift * bend), 0.5 * length_mm_);
-  if (!grows) return with_tip_bent(part_, tip_, target, fade);
-  const Point to = from + (bend / shift) * (target - from);
-  Result<Stroke> bent = with_tip_bent(part_, tip_, to, fade);
-  if (!bent) return bent;
-  const bool start = tip_ == StrokeTip::kStart;
-  const WidthKnot& ink = start ? bent->widths().front() : bent->widths().back();
-  const Result<Stroke> piece =
-      start ? straight_piece(target, to, ink, part_) : straight_piece(to, target, ink, part_);
-  if (!piece) return piece;
-  return start ? joined(*piece, *bent) : joined(*bent, *piece);
+  if (!is_finite(target) || distance(from, target) <= small_gap_mm_) return at(target);
+  const Vec direction = tip_direction(part_, tip_);
+  const bool is_along = angle_between(direction, arrival) < kSmoothJoinBelowDeg * kRadians;
+  Result<Stroke> one = bent(target, is_along ? std::optional(arrival) : std::nullopt);
+  Result<Stroke> other = prolonged(part_, tip_, bridge(part_, tip_, target, arrival));
+  if (!other) return whole(one);
+  const bool bends = one && is_along && bending_energy(*one) < bending_energy(*other);
+  return whole(bends ? one : other);
 }
 
-Result<Stroke> TipLead::whole(const Stroke& part) const {
-  if (rest_.points.empty()) return part;
+Result<Stroke> TipLead::bent(Point target, std::optional<Vec> arrival) const {
+  const Point from = tip_point(part_, tip_);
+  const Vec direction = tip_direction(part_, tip_);
+  const double gap = distance(from, target);
+  double ahead = dot(target - from, direction);
+  Result<Stroke> stroke = part_;
+  if (ahead >= kMinPieceMm) {
+    stroke = prolonged(part_, tip_, straight(from, from + ahead * direction));
+    if (!stroke) return stroke;
+  } else {
+    ahead = 0.0;
+  }
+  const Vec shift = target - tip_point(*stroke, tip_);
+  const double far = norm(shift), half = 0.5 * length_mm_;
+  const double reach =
+      std::max(std::min(std::max(kMinFadeMm, kFadePerShift * far), ahead + half),
+               std::min(kMinFadePerShift * far, ahead + std::min(1.9 * half, kMaxFadeMm)));
+  // The turn that leaves the end uncurved, which comes in gradually above the small gap.
+  const double x = std::clamp(gap / small_gap_mm_ - 1.0, 0.0, 1.0);
+  const Vec turn =
+      arrival ? direction - *arrival : (-1.5 * x * x * (3.0 - 2.0 * x) / reach) * shift;
+  Result<Stroke> bent = with_tip_bent(*stroke, tip_, target, reach, turn);
+  return bent ? bent : prolonged(part_, tip_, bridge(part_, tip_, target, arrival));
+}
+
+Result<Stroke> TipLead::whole(const Result<Stroke>& part) const {
+  if (!part || rest_.points.empty()) return part;
   const bool start = tip_ == StrokeTip::kStart;
-  StrokeData data = start ? part.data() : rest_;
-  append(data, start ? rest_ : part.data(), joint_);
+  StrokeData data = start ? part->data() : rest_;
+  append(data, start ? rest_ : part->data(), joint_);
   return Stroke::create(std::move(data));
 }
 

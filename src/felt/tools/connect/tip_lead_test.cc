@@ -31,6 +31,35 @@ Stroke long_stroke(int segments, double length) {
   return Stroke::create(d).value();
 }
 
+constexpr double kRadians = std::numbers::pi / 180.0;
+
+/// How far the tangent of the whole stroke turns, joints included.
+double total_turn_deg(const Stroke& stroke) {
+  double turn = 0.0;
+  Vec last = tangent(stroke.segment(0), 0.0);
+  for (int i = 0; i < stroke.segment_count(); ++i) {
+    for (int k = 0; k <= 200; ++k) {
+      const Vec t = tangent(stroke.segment(i), k / 200.0);
+      turn += angle_between(last, t);
+      last = t;
+    }
+  }
+  return turn / kRadians;
+}
+
+double added_turn_deg(const Stroke& before, const Stroke& after) {
+  return total_turn_deg(after) - total_turn_deg(before);
+}
+
+double largest_joint_deg(const Stroke& stroke) {
+  double largest = 0.0;
+  for (int j = 1; j < stroke.segment_count(); ++j) {
+    largest = std::max(largest, angle_between(tangent(stroke.segment(j - 1), 1.0),
+                                              tangent(stroke.segment(j), 0.0)));
+  }
+  return largest / kRadians;
+}
+
 TEST(TipLead, PutsTheEndExactlyThereAndTheOtherEndStays) {
   for (std::uint64_t seed = 1; seed <= 500; ++seed) {
     RandomStroke random(seed);
@@ -66,21 +95,67 @@ TEST(TipLead, ComingBackGivesTheStrokeAgain) {
   }
 }
 
-TEST(TipLead, BendsAQuarterAndGrowsTheRest) {
+TEST(TipLead, GoesOnAheadAndBendsSideways) {
   const Stroke stroke = straight_stroke({0, 0}, {80, 0}, 1, 2);
   const TipLead lead(stroke, StrokeTip::kEnd);
-  const auto bent = lead.at({80, 20});
+  const auto ahead = lead.at({140, 0});
+  ASSERT_TRUE(ahead);
+  EXPECT_EQ(ahead->segment(0), stroke.segment(0));
+  EXPECT_EQ(ahead->segment(1), straight({80, 0}, {140, 0}));
+  const auto bent = lead.at({80, 14});
   ASSERT_TRUE(bent);
   EXPECT_NEAR(bent->position(1).x, 40.0, 0.01);  // cut half-way, that half as it was
   EXPECT_EQ(bent->position(0.7).y, 0.0);
   EXPECT_GT(bent->position(1.3).y, 0.0);
-  const auto grown = lead.at({80, 45});
-  ASSERT_TRUE(grown);
-  EXPECT_EQ(grown->segment_count(), bent->segment_count() + 1);
-  const Cubic piece = grown->segment(grown->segment_count() - 1);
-  EXPECT_NEAR(distance(piece.p[0], {80, 20}), 0.0, 1e-12);
-  EXPECT_EQ(piece.p[3], (Point{80, 45}));
-  EXPECT_EQ(grown->width_mm(grown->segment_count() - 1), 2.0);
+  // Small gaps keep the tangent of the end.
+  EXPECT_EQ(tip_direction(*lead.at({80, 5}), StrokeTip::kEnd), (Vec{1, 0}));
+}
+
+TEST(TipLead, R45_TheEndGoesThereOnOneFairCurveWithoutCorners) {
+  const double h = 60 * 0.5522847498;  // a quarter of a circle
+  StrokeData quarter = straight_stroke({0, 0}, {60, 60}, 1, 2).data();
+  quarter.points = {{0, 0}, {h, 0}, {60, 60 - h}, {60, 60}};
+  for (const Stroke& stroke :
+       {straight_stroke({0, 0}, {80, 0}, 1, 2), Stroke::create(quarter).value()}) {
+    for (const StrokeTip tip : kTips) {
+      const TipLead lead(stroke, tip);
+      const Point from = tip_point(stroke, tip);
+      const Vec ahead = tip_direction(stroke, tip);
+      for (const double way : {2.0, 20.0, 60.0, 200.0}) {
+        for (double a = -120; a <= 120; a += 7.5) {
+          const double c = std::cos(a * kRadians), s = std::sin(a * kRadians);
+          const Vec shift = way * Vec{c * ahead.x - s * ahead.y, s * ahead.x + c * ahead.y};
+          const auto led = lead.at(from + shift);
+          ASSERT_TRUE(led) << way << " " << a;
+          EXPECT_EQ(tip_point(*led, tip), from + shift);
+          // No more than to the target and half as much again; there and back if it is sideways
+          // and near, where the end keeps its tangent.
+          EXPECT_LE(added_turn_deg(stroke, *led), 1.5 * std::fabs(a) + 40.0) << way << " " << a;
+          EXPECT_LE(largest_joint_deg(*led), 1e-6) << way << " " << a;
+        }
+      }
+    }
+  }
+}
+
+TEST(TipLead, R45_ArrivesInTheDirectionOfTheTarget) {
+  const Stroke stroke = straight_stroke({0, 0}, {80, 0}, 1, 2);
+  const TipLead lead(stroke, StrokeTip::kEnd);
+  for (double a = -90; a <= 90; a += 15) {
+    for (double b = -180; b < 180; b += 15) {
+      const Point target = Point{80, 0} + 60 * Vec{std::cos(a * kRadians), std::sin(a * kRadians)};
+      const Vec arrival{std::cos(b * kRadians), std::sin(b * kRadians)};
+      const auto led = lead.at(target, arrival);
+      ASSERT_TRUE(led) << a << " " << b;
+      EXPECT_EQ(tip_point(*led, StrokeTip::kEnd), target);
+      EXPECT_LT(angle_between(tip_direction(*led, StrokeTip::kEnd), arrival), 1e-6)
+          << a << " " << b;
+      EXPECT_LE(largest_joint_deg(*led), 1e-6) << a << " " << b;
+      // Any curve turns towards the target and from there to the arrival; a fair one a little more.
+      const double needed = std::fabs(a) + std::fabs(std::remainder(b - a, 360.0));
+      EXPECT_LE(added_turn_deg(stroke, *led), 1.5 * needed + 20.0) << a << " " << b;
+    }
+  }
 }
 
 TEST(TipLead, OfALongStrokeOnlyTheEndChanges) {

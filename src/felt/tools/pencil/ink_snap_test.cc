@@ -182,6 +182,33 @@ TEST(InkSnap, R43_ALineMayMeetTheMiddleOfAnother) {
   EXPECT_EQ(across.attracted, 0);
 }
 
+TEST(InkSnap, R43_ALineMayMeetAClosedCurve) {
+  Desk desk;
+  StrokeData ring = straight_stroke({40, 50}, {60, 50}, 1, 1).data();
+  const double h = 40.0 / 3;  // two arches, joined where the line is about to meet them
+  ring.points = {{40, 50},     {40, 50 - h}, {60, 50 - h}, {60, 50},
+                 {60, 50 + h}, {40, 50 + h}, {40, 50}};
+  ring.joints = {JointKind::kSmooth, JointKind::kSmooth};
+  ring.closed = true;
+  ring.widths = {{0, 1}, {2, 1}};
+  const Stroke closed = Stroke::create(ring).value();
+  const StrokeId id = desk.add(closed);
+  for (const double u : {0.0, 0.3, 1.5, 1.9}) {
+    const Point at = closed.position(u);
+    const Vec out = normalized(at - Point{50, 50});
+    Line line{desk};
+    line.draw(way(at + 30.0 * out, at + 0.4 * out));
+    ASSERT_TRUE(line.snap.target()) << u;
+    EXPECT_TRUE(line.snap.target()->on_curve) << u;
+    EXPECT_EQ(line.snap.target()->tip.stroke, id);
+    EXPECT_LE(distance(line.snap.target()->point, at), 0.2) << u;
+    Line from{desk};
+    from.draw(way(at + 0.4 * out, at + 30.0 * out));
+    ASSERT_TRUE(from.snap.start_target()) << u;
+    EXPECT_LE(distance(from.snap.start_target()->point, at), 0.2) << u;
+  }
+}
+
 TEST(InkSnap, R44_ATremblingPenAtRestDoesNotTravel) {
   Desk desk;
   Line line{desk};

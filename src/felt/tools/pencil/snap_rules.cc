@@ -13,6 +13,8 @@ namespace {
 constexpr double kDegrees = 180.0 / std::numbers::pi;
 /// Ends looked at around one; more are a crowd anyway.
 constexpr std::size_t kMaxNeighbours = 8;
+/// Meetings of one stroke this near are one, where two of its segments join.
+constexpr double kJointMm = 0.01;
 
 /// Calls visit(StrokeId, segment, Crossing) for each place where the chord meets a stroke.
 template <class Visit>
@@ -89,8 +91,10 @@ std::optional<RayHit> first_hit(const Scene& scene, Point from, Vec direction, d
   int hits = 0;
   for_each_meeting(scene, from, from + length_mm * direction,
                    [&](StrokeId id, const Cubic& curve, const Crossing& crossing) {
-                     ++hits;
                      const Point at = evaluate(curve, crossing.t2);
+                     if (first && first->stroke == id && distance(first->point, at) < kJointMm)
+                       return;
+                     ++hits;
                      const double away = distance(from, at);
                      if (first && away >= first->distance_mm) return;
                      const double deg =
