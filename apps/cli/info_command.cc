@@ -6,6 +6,7 @@
 #include "commands.h"
 #include "felt/formats/format_traits.h"
 #include "felt/io/ndjson_parser.h"
+#include "felt/io/quickdraw_line.h"
 #include "felt/stroke/mend_joints.h"
 #include "file_summary.h"
 #include "input.h"
@@ -28,6 +29,7 @@ class Summarizer {
   explicit Summarizer(FileSummary& summary) : summary_(summary) {}
 
   Result<void> add(const NdjsonLine& line) {
+    if (looks_like_quickdraw(line.text())) return fail(ErrorCode::kUnsupported, kUnknownQuickdraw);
     if (!is_sketch_) is_sketch_ = line.text().find("\"segments\"") != std::string_view::npos;
     const Result<NdjsonKind> kind =
         *is_sketch_ ? parser_.sketch_stroke(line, record_) : parser_.raw_stroke(line, raw_);

@@ -42,4 +42,19 @@ run 0 "$feltline" fit in.ndjson -o link.ndjson
 [ -L link.ndjson ] || fail "the link was replaced"
 same kept/real.ndjson sketch.ndjson
 [ "$(stat -c %a kept/real.ndjson)" = 640 ] || fail "permissions changed"
+
+# Other names of the file (hard links) keep the old content, and that is said.
+cp old linked.ndjson
+run 0 "$feltline" fit in.ndjson -o linked.ndjson
+is_empty err
+cp old linked.ndjson
+ln linked.ndjson second.ndjson
+run 0 "$feltline" fit in.ndjson -o linked.ndjson
+has err "feltline: linked.ndjson: has 1 more name (hard links), which keeps the old content"
+same linked.ndjson sketch.ndjson
+same second.ndjson old
+ln second.ndjson third.ndjson
+ln second.ndjson fourth.ndjson
+run 0 "$feltline" convert sketch.ndjson -o third.ndjson
+has err "feltline: third.ndjson: has 2 more names (hard links), which keep the old content"
 finish

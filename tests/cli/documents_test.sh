@@ -67,6 +67,39 @@ run 0 "$feltline" replay script.ndjson --on a.ndjson -o on2.ndjson
 same on.ndjson on2.ndjson
 lines on.ndjson 21
 
+# Hidden layers: a format that cannot hide them says what becomes of their strokes.
+printf '%s\n' '{"t_ms":0,"event":"layer","do":"add"}' '{"t_ms":0,"event":"layer","do":"hide","id":1}' \
+  '{"t_ms":0,"event":"pen","x":10,"y":10,"z":1}' '{"t_ms":1,"event":"pen","x":10,"y":10,"z":-0.5}' \
+  '{"t_ms":50,"event":"pen","x":40,"y":20,"z":-0.5}' '{"t_ms":51,"event":"pen","x":40,"y":20,"z":1}' \
+  >hide.ndjson
+run 0 "$feltline" replay hide.ndjson --on a.felt -o hidden.felt
+run 0 "$feltline" convert hidden.felt -o seen.ndjson
+has err "seen.ndjson: 20 strokes of hidden layers were left out; --layers all writes them"
+lines err 1
+lines seen.ndjson 1
+run 0 "$feltline" convert hidden.felt -o seen.xopp
+has err "seen.xopp: 20 strokes of hidden layers show, because .xopp has no hidden layers"
+lines err 1
+for command in "hidden.felt -o all.ndjson --layers all" "hidden.felt -o hidden.svg" "a.felt -o a.xopp"; do
+  # shellcheck disable=SC2086  # words on purpose
+  run 0 "$feltline" convert $command
+  is_empty err
+done
+lines all.ndjson 21
+
+# Ink farther away than a line of .ndjson may say is refused, not written and then not read.
+echo '{"id":"far","closed":false,"segments":[[9999999990,0,9999999993,0,9999999996,0,9999999999,0]],"joints":[],"widths":[[0,1],[1,1]]}' >edge.ndjson
+run 0 "$feltline" convert edge.ndjson -o edge.felt
+run 0 "$feltline" convert edge.felt -o edge2.ndjson
+run 0 "$feltline" info edge2.ndjson
+printf '%s\n' '{"t_ms":0,"event":"select","what":"all"}' '{"t_ms":1,"event":"duplicate"}' >beyond.ndjson
+run 0 "$feltline" replay beyond.ndjson --on edge.felt -o beyond.felt
+run 1 "$feltline" convert beyond.felt -o far.ndjson
+has err "far.ndjson: stroke s2: reaches farther than 1e10 mm, which .ndjson cannot hold"
+run 1 "$feltline" replay beyond.ndjson --on edge.felt -o far.ndjson
+has err "reaches farther than 1e10 mm"
+[ ! -e far.ndjson ] || fail "written, but it cannot be read"
+
 # Damage is an error that names the file; nothing is written.
 head -c 3000 a.felt >cut.felt
 run 1 "$feltline" convert cut.felt -o f.ndjson

@@ -52,6 +52,23 @@ for command in "fit script.ndjson -o x.ndjson" "info script.ndjson" "convert scr
 done
 [ ! -e x.svg ] || fail "a drawing of nothing"
 
+# A drawing of Quick, Draw! that is not known by the front of its line is called by its name.
+{
+  printf '{"word":"'
+  head -c 1000000 /dev/zero | tr '\0' a
+  echo '","drawing":[[[1,2],[3,4]]]}'
+} >word.ndjson
+for command in "info word.ndjson" "convert word.ndjson -o x.svg"; do
+  # shellcheck disable=SC2086  # words on purpose
+  run 1 "$feltline" $command
+  lines err 1
+  has err "feltline: word.ndjson:1: is a drawing of Quick, Draw!"
+done
+run 1 "$feltline" fit word.ndjson -o x.svg
+lines err 1
+has err "feltline: word.ndjson:1: word: longer than 4096 bytes"
+[ ! -e x.svg ] || fail "a drawing of nothing"
+
 # Records without a name get their number.
 printf '{"points":[[0,0],[5,5]]}\n{"id":"b","points":[[0,0],[5,5]]}\n{"points":[[0,0],[5,5]]}\n' >n.ndjson
 run 0 "$feltline" fit n.ndjson -o -

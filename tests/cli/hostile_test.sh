@@ -77,6 +77,14 @@ printf 'SQLite format 3\0' >large.felt
 truncate -s 2200M large.felt
 run 1 limit_memory 1000000 "$feltline" info large.felt
 has err "large.felt: is larger than 2147483648 bytes"
+truncate -s 1500M large.felt
+if [ -z "${FELT_SANITIZE:-}" ]; then
+  for command in "info large.felt" "convert large.felt -o x.svg"; do
+    # shellcheck disable=SC2086  # words on purpose
+    run 1 limit_memory 1000000 "$feltline" $command
+    has err "feltline: large.felt: not enough memory to read it"
+  done
+fi
 rm large.felt
 run 1 bash -c "ulimit -f 1; '$feltline' fit - -o big.felt" < <(strokes 50)
 has err "cannot write: File too large"

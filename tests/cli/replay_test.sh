@@ -131,6 +131,10 @@ bad '{"event":"option","id":"pencil.snap","value":"maybe","t_ms":0}' "bad.ndjson
 bad '{"event":"import","path":"nowhere.ndjson","t_ms":0}' "nowhere.ndjson"
 bad 'no JSON' "bad.ndjson:1: "
 bad '{"points":[[1,"a"]]}' "bad.ndjson:1: points[0]"
+printf '{"t_ms":%s,"event":"hand","x":0,"y":0,"z":5}\n' 0 86400001 >days.ndjson
+run 1 "$feltline" replay days.ndjson -o x.ndjson
+lines err 1
+has err "feltline: days.ndjson: event 2, at 86400001 ms: the script is longer than 86400000 ms"
 run 1 "$feltline" replay nowhere.ndjson -o x.ndjson
 has err "feltline: nowhere.ndjson: No such file"
 run 1 "$feltline" replay events.ndjson --on nowhere.ndjson -o x.ndjson

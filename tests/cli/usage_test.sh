@@ -47,6 +47,22 @@ done
 run 2 "$feltline" render in.ndjson -o x.png --paper reddish
 run 2 "$feltline" render in.ndjson -o x.png --surface velvet
 run 2 "$feltline" render in.ndjson -o x.png --dpi 0
+for seed in -1 99999999999999999999999 18446744073709551616 1.5 ''; do
+  for command in "replay in.ndjson -o x.ndjson" "device-test"; do
+    # shellcheck disable=SC2086  # words on purpose
+    run 2 "$feltline" $command --seed "$seed"
+    has err "--seed: '$seed' is not a whole number"
+  done
+done
+for command in render convert fit; do
+  run 2 "$feltline" $command in.ndjson -o x.png --surface ""
+  has err "--surface: it is empty"
+done
+for command in render convert; do
+  run 2 "$feltline" $command in.ndjson -o x.png --layers ""
+  has err "--layers: it is empty"
+done
 is_empty out
+[ ! -e x.png ] || fail "a wrong command line made a picture"
 [ ! -e x.ndjson ] || fail "a wrong command line made a file"
 finish

@@ -93,6 +93,16 @@ TEST_F(AtomicFileTest, KeepsPermissionsAndFollowsLinks) {
   EXPECT_EQ(static_cast<unsigned>(fs::status(path("a")).permissions()), 0640u);
 }
 
+TEST_F(AtomicFileTest, OtherContentDoesNotRunAsSomebodyElse) {
+  for (const bool is_saved : {false, true}) {
+    ASSERT_TRUE(write_file(path("a"), "old"));
+    ASSERT_EQ(::chmod(path("a").c_str(), 06750), 0);
+    ASSERT_TRUE(is_saved ? save_file(path("a"), "new") : write_file(path("a"), "new"));
+    EXPECT_EQ(read(path("a")), "new");
+    EXPECT_EQ(static_cast<unsigned>(fs::status(path("a")).permissions()), 0750u);
+  }
+}
+
 TEST_F(AtomicFileTest, PipesGetTheBytes) {
   ASSERT_EQ(::mkfifo(path("pipe").c_str(), 0600), 0);
   const int end = ::open(path("pipe").c_str(), O_RDONLY | O_NONBLOCK);

@@ -22,10 +22,7 @@ Result<std::optional<SketchStroke>> named(std::string id, Result<Stroke> stroke)
 Result<std::optional<SketchStroke>> LineStrokes::read(const NdjsonLine& line) {
   was_mended_ = false;
   const std::string_view text = line.text();
-  if (looks_like_quickdraw(text)) {
-    return fail(ErrorCode::kUnsupported,
-                "holds a drawing of Quick, Draw! whose other keys are too long to know it by");
-  }
+  if (looks_like_quickdraw(text)) return fail(ErrorCode::kUnsupported, kUnknownQuickdraw);
   const bool is_raw = text.find("\"points\"") != std::string_view::npos &&
                       text.find("\"segments\"") == std::string_view::npos;
   return is_raw ? read_raw(line) : read_fitted(line);

@@ -25,6 +25,14 @@ SketchRecord read_sketch(std::string_view text) {
   return record;
 }
 
+bool can_read_sketch(std::string_view text) {
+  LineReader reader(read_text(text));
+  LineBatch batch;
+  NdjsonParser parser;
+  SketchRecord record;
+  return reader.fill(batch, 1).value_or(false) && parser.sketch_stroke(batch.line(0), record);
+}
+
 RawStroke read_raw(std::string_view text) {
   LineReader reader(read_text(text));
   LineBatch batch;
@@ -50,6 +58,20 @@ TEST(NdjsonWriter, WritesKeysInAFixedOrder) {
             R"({"id":"s1","closed":false,"segments":[[0,0,1,0.1,2,-0.25,3,1e-07]],"joints":[],)"
             R"("widths":[[0,0.5],[1,1.25]]})"
             "\n");
+}
+
+TEST(NdjsonWriter, NumbersThatCouldNotBeReadBackAreRefused) {
+  const double above = std::nextafter(1e10, 1e11);
+  for (const double number : {1e10, -1e10, above, -above, 1e300}) {
+    StrokeData far_x = one_segment(), far_y = one_segment(), wide = one_segment();
+    far_x.points[2].x = far_y.points[3].y = wide.widths[1].width_mm = number;
+    for (const StrokeData& data : {far_x, far_y, wide}) {
+      std::string line;
+      append_sketch_line(line, "s1", data);
+      EXPECT_EQ(check_sketch_numbers(data).has_value(), can_read_sketch(line)) << line;
+      EXPECT_EQ(can_read_sketch(line), std::fabs(number) <= 1e10) << line;
+    }
+  }
 }
 
 TEST(NdjsonWriter, WritesTonesOnlyWhereTheyAreNotThoseOfTheWidths) {

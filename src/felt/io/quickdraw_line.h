@@ -25,6 +25,10 @@ struct QuickdrawRecord {
 /// nor "segments". Cheap; QuickdrawParser decides.
 bool looks_like_quickdraw(std::string_view line) noexcept;
 
+/// The error for such a line in a file whose start did not show that it holds them.
+inline constexpr const char* kUnknownQuickdraw =
+    "is a drawing of Quick, Draw!, but the first 4096 bytes of the file do not show it";
+
 /// Puts back what the simplified variant left out of a stroke: only the points that its lines need
 /// were kept. Points on these lines, dense near their ends, show the fit the lines instead of a few
 /// points far apart. Strokes with times, outside of 0..255 or of more than kMaxSimplifiedPoints are

@@ -91,6 +91,18 @@ TEST(SvgImport, DrawingsComeBackEqual) {
   }
 }
 
+TEST(SvgImport, AsManyLayersComeBackAsADrawingMayHave) {
+  LayeredSketch drawing;
+  for (int i = 0; i < 10'000; ++i) {
+    drawing.layers.push_back({"Layer " + std::to_string(i + 1), i % 2 == 0, i % 3 == 0, {}});
+  }
+  drawing.layers.back().strokes = random_sketch(1, 1);
+  const ImportedDrawing back = imported(svg_text(drawing, {}).value());
+  EXPECT_TRUE(back.report.empty()) << notices(back);
+  EXPECT_EQ(back.drawing.layers.size(), drawing.layers.size());
+  EXPECT_TRUE(back.drawing == drawing);
+}
+
 TEST(SvgImport, PlainSketchesComeBackEqual) {
   for (std::uint64_t seed = 0; seed < 100; ++seed) {
     const Sketch sketch = random_sketch(seed, 1 + static_cast<int>(seed % 7));

@@ -126,6 +126,25 @@ TEST(FeltExtras, RowsOfStrokesThatAreGoneGoWithThem) {
   EXPECT_FALSE(parse_felt(written).value() == parse_felt(of_a_newer_one()).value());
 }
 
+TEST(FeltExtras, PlacesOfLayersHaveNoGapsAndAreNotTakenTwice) {
+  StoredDrawing drawing = three_strokes();
+  Edit edit;
+  edit.layers.push_back({{2}, std::nullopt, LayerState{"upper", true, false}, 0, 1});
+  ASSERT_TRUE(drawing.document.apply(edit));
+  const std::string plain = felt_bytes(drawing).value();
+  const auto read = [&](const std::string& place) {
+    Sqlite db(plain);
+    db.run("UPDATE layer SET place = " + place + " WHERE id = 2");
+    return parse_felt(db.bytes());
+  };
+  EXPECT_TRUE(read("1").value() == drawing);
+  for (const char* place : {"0", "2", "5", "4294967297", "1.5", "'one'"}) {
+    const Result<StoredDrawing> refused = read(place);
+    ASSERT_FALSE(refused) << place;
+    EXPECT_THAT(refused.error().message, HasSubstr("layer 2 holds an impossible value")) << place;
+  }
+}
+
 TEST(FeltExtras, NothingThatCouldActIsTaken) {
   const std::string plain = felt_bytes(three_strokes()).value();
   const auto message = [&](const std::string& sql) {
