@@ -72,6 +72,20 @@ has err "more than 250000 segments and became several strokes"
 run 0 "$feltline" info long.felt
 rm -f long.*
 
+# Variables that are replaced by nothing, 30^7 times.
+{
+  echo '<svg xmlns="http://www.w3.org/2000/svg"><path d="M0 0L9 9" fill="none" stroke="var(--a)" style="'
+  for pair in a:b b:c c:d d:e e:f f:g g:z,; do
+    printf -- '--%s:' "${pair%:*}"
+    for _ in {1..30}; do printf 'var(--%s)' "${pair#*:}"; done
+    printf ';'
+  done
+  echo '"/></svg>'
+} >variables.svg
+run 0 timeout 20 "$feltline" convert variables.svg -o variables.felt
+has err "has a stroke that is not read, and became black"
+rm variables.*
+
 # A file larger than any drawing is refused by its size, not read first.
 printf 'SQLite format 3\0' >large.felt
 truncate -s 2200M large.felt

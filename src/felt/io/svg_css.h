@@ -54,6 +54,8 @@ class SvgStyleSheet {
   /// The custom properties of the root, which hold wherever no others do.
   [[nodiscard]] const SvgVariables& root_variables() const noexcept { return root_variables_; }
   void set_root_variables(SvgVariables variables) { root_variables_ = std::move(variables); }
+  /// Bytes of variables that may still be read for this file.
+  [[nodiscard]] std::size_t& variable_bytes_left() noexcept { return variable_bytes_left_; }
   /// Rules and @-rules that were left out.
   [[nodiscard]] std::int64_t left_out() const noexcept { return left_out_; }
 
@@ -87,6 +89,7 @@ class SvgStyleSheet {
   SvgVariables root_variables_;
   std::set<std::string, std::less<>> kept_;
   std::size_t kept_bytes_ = 0;
+  std::size_t variable_bytes_left_ = std::size_t{256} << 20;
   std::int64_t left_out_ = 0;
   std::int64_t steps_left_ = 20'000'000;
 };

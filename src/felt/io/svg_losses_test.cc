@@ -6,6 +6,7 @@
 
 #include "felt/io/svg_import.h"
 #include "felt/io/svg_limits.h"
+#include "felt/io/svg_variables.h"
 
 namespace felt {
 namespace {
@@ -106,6 +107,35 @@ TEST(SvgLosses, Variables) {
   EXPECT_THAT(unknown.notices, HasSubstr("has a stroke that is not read, and became black"));
   const Read loop("<style>:root{--a:var(--b);--b:var(--a)}</style>" + line("stroke='var(--a)'"));
   EXPECT_EQ(loop.strokes.size(), 1U);
+}
+
+// 30 variables in each of seven values: 30^7 replacements, of nothing, without a bound of the work.
+TEST(SvgLosses, VariablesThatMultiplyAreLeftOutInBoundedWork) {
+  const std::string names = "abcdefg";
+  std::string style;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    const std::string next = i + 1 < names.size() ? std::string(1, names[i + 1]) : "z,";
+    style += std::string("--") + names[i] + ":";
+    for (int n = 0; n < 30; ++n) style += "var(--" + next + ")";
+    style += ";";
+  }
+  const Read read(line("style='" + style + "' stroke='var(--a)'"));
+  ASSERT_EQ(read.strokes.size(), 1U);
+  EXPECT_THAT(read.notices, HasSubstr("has a stroke that is not read, and became black"));
+
+  // What one value may read is less than what it needs here; a file has so much for all together.
+  const SvgVariables variables{{"--a", "var(--none,)"}};
+  std::size_t left = 1000;
+  EXPECT_EQ(svg_with_variables("x var(--a)", variables, left), "x ");
+  EXPECT_EQ(left, 1000U - (10 + 12 + 0 + 3 * 16));
+  std::string many;
+  for (int i = 0; i < 4096; ++i) many += "var(--a)";
+  left = 10'000'000;
+  EXPECT_EQ(svg_with_variables(many, variables, left), std::nullopt);
+  EXPECT_EQ(left, 10'000'000U - 64 * 1024);
+  left = 40;
+  EXPECT_EQ(svg_with_variables("x var(--a)", variables, left), std::nullopt);
+  EXPECT_EQ(left, 0U);
 }
 
 TEST(SvgLosses, WidthsThatAreCalculatedOrNotRead) {

@@ -323,7 +323,8 @@ class Declarations {
   }
 
   void replace_variables(SvgProperty p, SvgStyleSheet& sheet) {
-    const auto value = svg_with_variables(declared_[p], inherited(sheet));
+    const auto value =
+        svg_with_variables(declared_[p], inherited(sheet), sheet.variable_bytes_left());
     const std::string_view kept = value ? sheet.keep(svg_trimmed(*value)) : std::string_view();
     declared_.set(p, kept.empty() || !is_readable(p, kept) ? std::string_view() : kept);
     unread_[static_cast<std::size_t>(p)] = declared_[p].empty();

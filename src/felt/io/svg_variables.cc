@@ -1,5 +1,6 @@
 #include "felt/io/svg_variables.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "felt/io/svg_scan.h"
@@ -9,7 +10,16 @@ namespace {
 
 constexpr int kMaxNesting = 8;
 constexpr std::size_t kMaxBytes = 4096;
+/// Of one value; each replacement counts as kReplacementBytes more than the text that it reads.
+constexpr std::size_t kMaxReadBytes = std::size_t{64} << 10, kReplacementBytes = 16;
 constexpr std::string_view kVar = "var(";
+
+/// Takes `bytes` from what is left. False if that is less.
+bool spend(std::size_t bytes, std::size_t& left) noexcept {
+  const bool enough = bytes <= left;
+  left -= std::min(bytes, left);
+  return enough;
+}
 
 /// The place of the parenthesis that closes one that is open already, or npos.
 std::size_t closing(std::string_view text) noexcept {
@@ -21,9 +31,13 @@ std::size_t closing(std::string_view text) noexcept {
   return std::string_view::npos;
 }
 
+/// Nesting and the length of the result do not bound the work: with fallbacks that are empty, a few
+/// values of 30 variables each are 10^10 replacements of nothing. `bytes_left` does.
 std::optional<std::string> replaced(std::string_view value, const SvgVariables& variables,
-                                    int nesting) {
-  if (nesting > kMaxNesting) return std::nullopt;
+                                    int nesting, std::size_t& bytes_left) {
+  if (nesting > kMaxNesting || !spend(kReplacementBytes + value.size(), bytes_left)) {
+    return std::nullopt;
+  }
   std::string text;
   while (true) {
     const std::size_t at = value.find(kVar);
@@ -40,7 +54,7 @@ std::optional<std::string> replaced(std::string_view value, const SvgVariables& 
     if (known == variables.end() && comma == std::string_view::npos) return std::nullopt;
     const auto part = replaced(
         known != variables.end() ? std::string_view(known->second) : inside.substr(comma + 1),
-        variables, nesting + 1);
+        variables, nesting + 1, bytes_left);
     if (!part) return std::nullopt;
     text += *part;
   }
@@ -107,9 +121,13 @@ class Calculation {
 
 }  // namespace
 
-std::optional<std::string> svg_with_variables(std::string_view value,
-                                              const SvgVariables& variables) {
-  return replaced(value, variables, 0);
+std::optional<std::string> svg_with_variables(std::string_view value, const SvgVariables& variables,
+                                              std::size_t& bytes_left) {
+  const std::size_t at_most = std::min(kMaxReadBytes, bytes_left);
+  std::size_t left = at_most;
+  std::optional<std::string> text = replaced(value, variables, 0, left);
+  bytes_left -= at_most - left;
+  return text;
 }
 
 std::optional<double> svg_calc(
