@@ -18,6 +18,8 @@ using snap_test::SnapHand;
 using snap_test::SnapScene;
 
 constexpr double kMaxUnwantedShare = 1.0 / 500.0;
+/// Of all strokes: ends that share a point with another line although they were not drawn to it.
+constexpr double kMaxMetShare = 1.0 / 300.0;
 constexpr double kMaxErrorRatio = 1.1;
 constexpr double kMinClosedShare = 0.95;
 
@@ -28,7 +30,7 @@ struct Lines {
 };
 
 struct Totals {
-  int strokes = 0, unwanted = 0, shapes = 0, closed = 0;
+  int strokes = 0, unwanted = 0, met = 0, shapes = 0, closed = 0;
   double worst_ratio = 0.0;
 };
 
@@ -51,6 +53,7 @@ class Bars {
     if (!off || !now) return false;
     const std::vector<std::vector<Point>> meant = snap_test::paths_of(lines.text);
     const double ratio = off->mean_mm > 0.0 ? now->mean_mm / off->mean_mm : 1.0;
+    const int met = ends_met_unasked(*now, meant);
     int unwanted = 0;
     int shapes = 0, closed = 0;
     if (lines.lines_per_shape > 0) {
@@ -64,9 +67,10 @@ class Bars {
                  std::max(0, now->closed - snap_test::shapes_meant(meant));
       totals_.strokes += now->meant;
       totals_.unwanted += unwanted;
+      totals_.met += met;
       totals_.worst_ratio = std::max(totals_.worst_ratio, ratio);
     }
-    table.add_row({title_of(hand_), lines.name, std::to_string(now->meant),
+    table.add_row({title_of(hand_), lines.name, std::to_string(now->meant), std::to_string(met),
                    std::to_string(now->joined()), std::to_string(now->closed),
                    lines.lines_per_shape > 0 ? fmt::format("{} of {}", closed, shapes) : "",
                    fmt::format("{:.3f}", off->mean_mm), fmt::format("{:.3f}", now->mean_mm),
@@ -76,15 +80,16 @@ class Bars {
 
   [[nodiscard]] bool hold() const {
     return totals_.unwanted <= kMaxUnwantedShare * totals_.strokes &&
-           totals_.worst_ratio <= kMaxErrorRatio &&
+           totals_.met <= kMaxMetShare * totals_.strokes && totals_.worst_ratio <= kMaxErrorRatio &&
            totals_.closed >= kMinClosedShare * totals_.shapes;
   }
   void print() const {
     fmt::print(
-        "{:<24} {} of {} strokes joined or closed unasked, path error at most {:.2f} times, "
+        "{:<24} {} of {} strokes joined or closed unasked, {} ends met, path error at most {:.2f} "
+        "times, "
         "{} of {} shapes closed{}\n",
-        title_of(hand_), totals_.unwanted, totals_.strokes, totals_.worst_ratio, totals_.closed,
-        totals_.shapes, hold() ? "" : ": MISSED");
+        title_of(hand_), totals_.unwanted, totals_.strokes, totals_.met, totals_.worst_ratio,
+        totals_.closed, totals_.shapes, hold() ? "" : ": MISSED");
   }
 
  private:
@@ -124,6 +129,7 @@ bool check_snap_bars(const std::vector<std::string>& files, const std::string& o
   cli::TextTable table({{"hand", Align::kLeft},
                         {"scene", Align::kLeft},
                         {"strokes", Align::kRight},
+                        {"met", Align::kRight},
                         {"joined", Align::kRight},
                         {"closed", Align::kRight},
                         {"meant", Align::kRight},

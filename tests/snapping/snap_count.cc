@@ -7,6 +7,8 @@
 #include <utility>
 
 #include "felt/devices/simulated/sample_sets.h"
+#include "felt/geometry/nearest.h"
+#include "felt/geometry/polyline.h"
 #include "felt/io/ndjson_lines.h"
 #include "felt/stroke/stroke_tip.h"
 #include "replay_run.h"
@@ -57,6 +59,15 @@ std::pair<double, double> gaps(const std::vector<Stroke>& ink, std::size_t i, st
     if (k + 1 < n) between = std::max(between, last);
   }
   return {between, last};
+}
+
+/// Whether `p` is a point of the stroke, to a millionth of a millimetre.
+bool is_on(const Stroke& stroke, Point p) {
+  constexpr double kSameMm = 1e-6;
+  for (int i = 0; i < stroke.segment_count(); ++i) {
+    if (nearest(stroke.segment(i), p).distance_squared < kSameMm * kSameMm) return true;
+  }
+  return false;
 }
 
 double extent_of(const Rect& box) {
@@ -120,6 +131,26 @@ int shapes_closed(const SnapCount& count, int lines_per_shape) {
     closed += gaps(count.ink, i, n) == std::pair(0.0, 0.0) ? 1 : 0;
   }
   return closed;
+}
+
+int ends_met_unasked(const SnapCount& count, const std::vector<std::vector<Point>>& meant) {
+  if (meant.size() != count.ink.size()) return 0;  // joined() says so
+  int ends = 0;
+  for (std::size_t i = 0; i < count.ink.size(); ++i) {
+    for (const StrokeTip tip : {StrokeTip::kStart, StrokeTip::kEnd}) {
+      const Point end = tip_point(count.ink[i], tip);
+      const Point aim = tip == StrokeTip::kStart ? meant[i].front() : meant[i].back();
+      for (std::size_t k = 0; k < count.ink.size(); ++k) {
+        if (k == i || !is_on(count.ink[k], end)) continue;
+        ends +=
+            nearest_on_polyline(meant[k], aim).distance_squared > kContinuedToMm * kContinuedToMm
+                ? 1
+                : 0;
+        break;
+      }
+    }
+  }
+  return ends;
 }
 
 std::string lines_of(const SnapScene& scene, std::uint64_t seed) {

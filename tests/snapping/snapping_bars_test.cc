@@ -10,14 +10,18 @@ const SnapHand kHands[] = {{.name = "typical"}, {.name = "firm", .forces = false
 
 TEST(SnappingBars, R43_LinesThatAreNotMeantToMeetComeOutOneByOne) {
   for (const SnapHand& hand : kHands) {
+    int strokes = 0, met = 0;
     for (const SnapScene& scene : scenes_to_leave_alone()) {
       const std::string lines = lines_of(scene);
       const auto off = draw_lines(lines, hand, "off"), count = draw_lines(lines, hand);
       ASSERT_TRUE(off && count);
       EXPECT_EQ(count->joined(), 0) << scene.name;
       EXPECT_EQ(count->closed, 0) << scene.name;
+      strokes += count->meant;
+      met += ends_met_unasked(*count, paths_of(lines));
       EXPECT_LE(count->mean_mm, 1.1 * off->mean_mm) << scene.name;
     }
+    EXPECT_LE(300 * met, strokes) << hand.name;
   }
 }
 
