@@ -53,7 +53,7 @@ class Bars {
     if (!off || !now) return false;
     const std::vector<std::vector<Point>> meant = snap_test::paths_of(lines.text);
     const double ratio = off->mean_mm > 0.0 ? now->mean_mm / off->mean_mm : 1.0;
-    const int met = ends_met_unasked(*now, meant);
+    const int met = ends_met_unasked(*now, *off);
     int unwanted = 0;
     int shapes = 0, closed = 0;
     if (lines.lines_per_shape > 0) {

@@ -17,7 +17,7 @@ std::string name_of(StrokeId id) {
   return "stroke " + std::to_string(id.value);
 }
 
-bool is_editable(const Document& document, StrokeId id) {
+bool may_be_edited(const Document& document, StrokeId id) {
   const Layer* layer = document.layer(document.layer_of(id));
   return layer->visible && !layer->locked;
 }
@@ -29,7 +29,7 @@ Broken check_change(const Document& before, const StrokeChange& change) {
   }
   if (!change.before) return std::nullopt;
   if (before.find(change.id) != change.before) return name_of(change.id) + " is not what it was";
-  if (!is_editable(before, change.id)) return name_of(change.id) + " is hidden or locked";
+  if (!may_be_edited(before, change.id)) return name_of(change.id) + " is hidden or locked";
   return std::nullopt;
 }
 

@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <limits>
 #include <sstream>
 #include <utility>
 
 #include "felt/devices/simulated/sample_sets.h"
 #include "felt/geometry/nearest.h"
-#include "felt/geometry/polyline.h"
 #include "felt/io/ndjson_lines.h"
 #include "felt/stroke/stroke_tip.h"
 #include "replay_run.h"
@@ -48,6 +48,7 @@ namespace {
 constexpr double kDrawnToMm = 1.5;
 constexpr double kContinuedToMm = 0.8;
 constexpr double kMeetMm = 0.5;
+constexpr double kSameMm = 1e-6;
 
 /// Of the `n` lines from `i` on, the largest gap from one to the next, and from the last to the
 /// first.
@@ -61,13 +62,13 @@ std::pair<double, double> gaps(const std::vector<Stroke>& ink, std::size_t i, st
   return {between, last};
 }
 
-/// Whether `p` is a point of the stroke, to a millionth of a millimetre.
-bool is_on(const Stroke& stroke, Point p) {
-  constexpr double kSameMm = 1e-6;
+/// Distance from a point to the centre line.
+double gap_to(const Stroke& stroke, Point p) {
+  double squared = std::numeric_limits<double>::infinity();
   for (int i = 0; i < stroke.segment_count(); ++i) {
-    if (nearest(stroke.segment(i), p).distance_squared < kSameMm * kSameMm) return true;
+    squared = std::min(squared, nearest(stroke.segment(i), p).distance_squared);
   }
-  return false;
+  return std::sqrt(squared);
 }
 
 double extent_of(const Rect& box) {
@@ -133,19 +134,15 @@ int shapes_closed(const SnapCount& count, int lines_per_shape) {
   return closed;
 }
 
-int ends_met_unasked(const SnapCount& count, const std::vector<std::vector<Point>>& meant) {
-  if (meant.size() != count.ink.size()) return 0;  // joined() says so
+int ends_met_unasked(const SnapCount& count, const SnapCount& off) {
+  if (off.ink.size() != count.ink.size()) return 0;  // joined() says so
   int ends = 0;
   for (std::size_t i = 0; i < count.ink.size(); ++i) {
     for (const StrokeTip tip : {StrokeTip::kStart, StrokeTip::kEnd}) {
-      const Point end = tip_point(count.ink[i], tip);
-      const Point aim = tip == StrokeTip::kStart ? meant[i].front() : meant[i].back();
+      const Point end = tip_point(count.ink[i], tip), drawn = tip_point(off.ink[i], tip);
       for (std::size_t k = 0; k < count.ink.size(); ++k) {
-        if (k == i || !is_on(count.ink[k], end)) continue;
-        ends +=
-            nearest_on_polyline(meant[k], aim).distance_squared > kContinuedToMm * kContinuedToMm
-                ? 1
-                : 0;
+        if (k == i || gap_to(count.ink[k], end) > kSameMm) continue;
+        ends += gap_to(off.ink[k], drawn) > kContinuedToMm ? 1 : 0;
         break;
       }
     }

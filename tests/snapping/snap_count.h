@@ -47,10 +47,10 @@ int shapes_meant(const std::vector<std::vector<Point>>& meant);
 /// Number of shapes that closed: a closed stroke, or four lines that share their ends.
 int shapes_closed(const SnapCount& count, int lines_per_shape);
 
-/// Number of ends that lie exactly on another stroke, which only snapping does, although the path
-/// that the hand meant ended more than 0.8 mm from the path of that stroke. Requires that no
-/// strokes were joined, so that ink and paths agree by number.
-int ends_met_unasked(const SnapCount& count, const std::vector<std::vector<Point>>& meant);
+/// Number of ends that lie exactly on another stroke, which only snapping does, although without
+/// snapping, in `off`, they were more than 0.8 mm from it. Requires that no strokes were joined, so
+/// that the strokes of both agree by number.
+int ends_met_unasked(const SnapCount& count, const SnapCount& off);
 
 /// The strokes as the simulated writing hand draws them.
 std::string lines_of(const SnapScene& scene, std::uint64_t seed = 1);

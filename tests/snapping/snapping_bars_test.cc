@@ -18,7 +18,7 @@ TEST(SnappingBars, R43_LinesThatAreNotMeantToMeetComeOutOneByOne) {
       EXPECT_EQ(count->joined(), 0) << scene.name;
       EXPECT_EQ(count->closed, 0) << scene.name;
       strokes += count->meant;
-      met += ends_met_unasked(*count, paths_of(lines));
+      met += ends_met_unasked(*count, *off);
       EXPECT_LE(count->mean_mm, 1.1 * off->mean_mm) << scene.name;
     }
     EXPECT_LE(300 * met, strokes) << hand.name;
