@@ -28,11 +28,31 @@ double handle_reach_mm(const Stroke& stroke) {
   return farthest;
 }
 
+double half_width_mm(const Stroke& stroke) {
+  double widest = 0.0;
+  for (const WidthKnot& k : stroke.widths()) widest = std::max(widest, 0.5 * k.width_mm);
+  return widest;
+}
+
 bool is_editable(const Layer& layer) {
   return layer.visible && !layer.locked;
 }
 
 }  // namespace
+
+void StrokeIndex::LayerSegments::update(std::span<const SegmentForest::Change> changes) {
+  segments.update(changes);
+  for (const SegmentForest::Change& c : changes) {
+    const double half_mm = c.after ? half_width_mm(*c.after) : 0.0;
+    if (half_mm > 0.5 * kBroadMm) {
+      Rect box;
+      for (int i = 0; i < c.after->segment_count(); ++i) box.extend(bounds(c.after->segment(i)));
+      broad[c.id] = {c.after, box, half_mm};
+    } else if (!broad.empty()) {
+      broad.erase(c.id);
+    }
+  }
+}
 
 StrokeIndex::StrokeIndex(const Document& document, double cell_mm) : cell_mm_(cell_mm) {
   for (const Layer& layer : document.layers()) {
@@ -43,7 +63,7 @@ StrokeIndex::StrokeIndex(const Document& document, double cell_mm) : cell_mm_(ce
     }
     LayerSegments& here = layers_[layer.id];
     here.editable = is_editable(layer);
-    here.segments.update(strokes);
+    here.update(strokes);
   }
 }
 
@@ -68,7 +88,7 @@ void StrokeIndex::update_segments(const Edit& edit, const Document& document) {
     if (const Layer* known = document.layer(id); is_new && known) {
       layer->second.editable = is_editable(*known);
     }
-    layer->second.segments.update(strokes);
+    layer->second.update(strokes);
   }
   for (const LayerChange& c : edit.layers) {
     if (c.after) {
@@ -84,9 +104,9 @@ std::int64_t StrokeIndex::line_of(double mm) const noexcept {
 }
 
 void StrokeIndex::add(StrokeId id, const Stroke& stroke) {
-  for (const WidthKnot& k : stroke.widths()) {
-    widest_half_mm_ = std::max(widest_half_mm_, 0.5 * k.width_mm);
-  }
+  const double half_mm = half_width_mm(stroke);
+  widest_half_mm_ = std::max(widest_half_mm_, half_mm);
+  if (half_mm <= 0.5 * kBroadMm) usual_half_mm_ = std::max(usual_half_mm_, half_mm);
   farthest_handle_mm_ = std::max(farthest_handle_mm_, handle_reach_mm(stroke));
   if (stroke.closed()) return;
   for (StrokeTip tip : kTips) {

@@ -47,6 +47,9 @@ struct StrokeHit {
 /// thread.
 class StrokeIndex {
  public:
+  /// Strokes of a larger width are few: they are kept in a list beside the others.
+  static constexpr double kBroadMm = 50.0;
+
   /// Of an empty document. Cells are about as large as the usual radius (specification 5g, M).
   explicit StrokeIndex(double cell_mm = 8.0) : cell_mm_(cell_mm) {}
   explicit StrokeIndex(const Document& document, double cell_mm = 8.0);
@@ -64,6 +67,26 @@ class StrokeIndex {
   void for_each_segment_in(const Rect& area, Visit visit) const {
     for (const auto& [id, layer] : layers_) {
       if (layer.editable) layer.segments.for_each_in(area, visit);
+    }
+  }
+  /// Calls visit(StrokeId, int segment) once for every segment of a stroke that may be edited whose
+  /// ink could meet the area, and for some around; in no particular order. Strokes broader than
+  /// kBroadMm do not widen the search for all others: each of them is compared with the area.
+  template <class Visit>
+  void for_each_ink_in(const Rect& area, Visit visit) const {
+    const Rect reach = area.inflated(usual_half_mm_);
+    for (const auto& [id, layer] : layers_) {
+      if (!layer.editable) continue;
+      layer.segments.for_each_in(reach, [&](StrokeId stroke, int segment) {
+        if (layer.broad.empty() || !layer.broad.contains(stroke)) visit(stroke, segment);
+      });
+      for (const auto& [stroke, broad] : layer.broad) {
+        const Rect around = area.inflated(broad.half_mm);
+        if (!broad.box.intersects(around)) continue;
+        for (int i = 0; i < broad.stroke->segment_count(); ++i) {
+          if (bounds(broad.stroke->segment(i)).intersects(around)) visit(stroke, i);
+        }
+      }
     }
   }
   /// The strokes that may be edited with a segment there, ascending.
@@ -96,8 +119,7 @@ class StrokeIndex {
       ++cell;
     }
   }
-  /// Half of the largest width of any stroke that was ever indexed: how far ink reaches beyond the
-  /// boxes of for_each_segment_in(), at most.
+  /// Half of the largest width of any stroke that was ever indexed.
   [[nodiscard]] double widest_half_mm() const noexcept { return widest_half_mm_; }
   /// How far a handle of any stroke that was ever indexed lies beyond the box around the two ends
   /// of its segment, hence beyond that of for_each_segment_in(), at most.
@@ -119,9 +141,17 @@ class StrokeIndex {
   [[nodiscard]] std::optional<StrokeHit> nearest_within_reach(Point place, double radius_mm) const;
   void update_segments(const Edit& edit, const Document& document);
 
+  struct Broad {
+    StrokePtr stroke;
+    Rect box;  ///< around the curve
+    double half_mm = 0.0;
+  };
   struct LayerSegments {
     bool editable = true;  ///< visible and not locked
     SegmentForest segments;
+    std::map<StrokeId, Broad> broad;  ///< the strokes broader than kBroadMm
+
+    void update(std::span<const SegmentForest::Change> changes);
   };
 
   std::map<LayerId, LayerSegments> layers_;
@@ -129,6 +159,7 @@ class StrokeIndex {
   std::map<Cell, std::vector<Entry>> cells_;
   std::size_t tips_ = 0;
   double widest_half_mm_ = 0.0;
+  double usual_half_mm_ = 0.0;  // the same of strokes that are not broad
   double farthest_handle_mm_ = 0.0;
 };
 

@@ -216,5 +216,79 @@ TEST(StrokeIndex, TheHundredThousandthStrokeCostsNoMoreThanTheFirst) {
   EXPECT_GT(hits, 90000);
 }
 
+StrokePtr line_of(Point a, Point b, double width) {
+  return std::make_shared<const Stroke>(testing::straight_stroke(a, b, width, width));
+}
+
+TEST(StrokeIndex, OneVeryBroadStrokeDoesNotWidenTheSearchForAllOthers) {
+  Document d;
+  StrokeIndex index;
+  const auto apply = [&](EditBuilder edit) {
+    const Edit done = std::move(edit).build("Edit");
+    ASSERT_TRUE(d.apply(done));
+    index.update(done, d);
+  };
+  const auto met = [&](const Rect& area) {
+    std::multiset<StrokeId> ids;
+    index.for_each_ink_in(area, [&](StrokeId id, int) { ids.insert(id); });
+    return ids;
+  };
+  EditBuilder many(d);
+  for (int y = 0; y < 50; ++y) {
+    for (int x = 0; x < 50; ++x) {
+      many.add(d.layers()[0].id, line_of({4.0 * x, 4.0 * y}, {4.0 * x + 3, 4.0 * y}, 1.0));
+    }
+  }
+  apply(std::move(many));
+  const Rect area{100, 100, 104, 104};
+  const auto before = met(area);
+  EditBuilder one(d);
+  const StrokeId broad = one.add(d.layers()[0].id, line_of({0, -500}, {200, -500}, 1300.0));
+  apply(std::move(one));
+  auto after = met(area);
+  EXPECT_EQ(after.count(broad), 1u) << "its ink is there";
+  after.erase(broad);
+  EXPECT_EQ(after, before) << "and no more of the others is visited";
+  EXPECT_EQ(met({0, 300, 9, 309}).count(broad), 0u);
+  EditBuilder narrow(d);
+  narrow.replace(broad, line_of({0, -500}, {200, -500}, 1.0));
+  apply(std::move(narrow));
+  EXPECT_EQ(met(area), before);
+  EXPECT_EQ(met({0, -500, 9, -499}).count(broad), 1u);
+  EditBuilder gone(d);
+  gone.remove(broad);
+  apply(std::move(gone));
+  EXPECT_TRUE(met({0, -500, 9, -499}).empty());
+}
+
+TEST(StrokeIndex, FindsAllInkAfterAnyEdits) {
+  for (std::uint64_t seed = 0; seed < 20; ++seed) {
+    testing::RandomEdits edits(seed);
+    testing::RandomStroke random(seed + 1);
+    Document d;
+    StrokeIndex index;
+    for (int k = 0; k < 30; ++k) {
+      const Edit edit = edits.next(d);
+      ASSERT_TRUE(d.apply(edit));
+      index.update(edit, d);
+      const Point p{random.uniform(-50, 70), random.uniform(-50, 70)};
+      std::set<StrokeId> met;
+      index.for_each_ink_in({p.x, p.y, p.x + 1, p.y + 1},
+                            [&](StrokeId id, int) { met.insert(id); });
+      for (const Layer& layer : d.layers()) {
+        for (const StrokeId id : layer.strokes) {
+          if (!layer.visible || layer.locked) continue;
+          const Stroke& s = *d.find(id);
+          for (double u = 0.0; u <= s.segment_count(); u += 0.25) {
+            if (distance(s.position(u), p) < 0.5 * s.width_mm(u)) {
+              EXPECT_TRUE(met.contains(id));
+            }
+          }
+        }
+      }
+    }
+  }
+}
+
 }  // namespace
 }  // namespace felt

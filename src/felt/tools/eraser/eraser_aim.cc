@@ -60,16 +60,19 @@ void EraserAim::aim_at_part(Point pen, const EraserSettings& settings, const Sce
 
 void EraserAim::aim_at_strokes(Point pen, const EraserSettings& settings, const Scene& scene) {
   const Capsule ring{pen, pen, settings.radius_mm, settings.include_width};
-  const Rect area =
-      ring.bounds().inflated(ring.adds_half_width ? scene.index.widest_half_mm() : 0.0);
   std::vector<StrokeId> met;
   ParameterSet covered;
-  scene.index.for_each_segment_in(area, [&](StrokeId id, int segment) {
+  const auto visit = [&](StrokeId id, int segment) {
     if (met.size() >= kMostMarked || std::find(met.begin(), met.end(), id) != met.end()) return;
     const StrokePtr stroke = scene.document.find(id);
     if (stroke && add_swept(*stroke, segment, ring, covered)) met.push_back(id);
     covered = {};
-  });
+  };
+  if (ring.adds_half_width) {
+    scene.index.for_each_ink_in(ring.bounds(), visit);
+  } else {
+    scene.index.for_each_segment_in(ring.bounds(), visit);
+  }
   std::sort(met.begin(), met.end());
   for (const StrokeId id : met) {
     const StrokePtr stroke = scene.document.find(id);

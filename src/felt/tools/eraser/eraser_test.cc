@@ -238,6 +238,22 @@ TEST(Eraser, R39_ALineThatLosesItsRimBecomesNarrowerThere) {
   EXPECT_EQ(line.width_mm(0.8), 6.0);
 }
 
+TEST(Eraser, R39_ALineThatLosesItsRimKeepsItsTone) {
+  StrokeData data = straight_stroke({0, 0}, {60, 0}, 6, 6).data();
+  data.widths.clear();
+  for (int i = 0; i <= 30; ++i) data.widths.push_back({i / 30.0, 6.0, i % 2 == 0 ? 0.2 : 0.9});
+  const Stroke before = Stroke::create(std::move(data)).value();
+  Eraser e;
+  e.desk.add(before);
+  e.pen.line(way({10, 4}, {50, 4}));
+  ASSERT_EQ(e.desk.strokes().size(), 1u);
+  const Stroke& line = *e.desk.strokes()[0];
+  EXPECT_NEAR(line.width_mm(0.5), 4.0, 0.02);
+  for (double u = 0.0; u <= 1.0; u += 0.001) {
+    ASSERT_NEAR(line.tone(u), before.tone(u), 0.06) << u;
+  }
+}
+
 TEST(Eraser, R39_AClosedLineIsNarrowedAndCutThroughItsSeam) {
   const Stroke ring =
       Stroke::create({.points = {{0, 0}, {0, 27}, {40, 27}, {40, 0}, {40, -27}, {0, -27}, {0, 0}},

@@ -27,7 +27,7 @@ bool Erasing::begin(Point pen, std::int64_t time_ns, const Scene& scene) {
     sweep(pen, pen, scene);
   }
   search(kCrossingBudget, scene);
-  cut(kMostCuts, scene);
+  cut(kMostCuts, time_ns, scene);
   return std::exchange(changed_, false);
 }
 
@@ -38,7 +38,8 @@ bool Erasing::move(Point pen, std::int64_t time_ns, const Scene& scene) {
   // In double: the difference of two hostile times does not fit into 64 bits.
   const double ms = 1e-6 * (static_cast<double>(time_ns) - static_cast<double>(time_ns_));
   time_ns_ = time_ns;
-  cut(static_cast<int>(std::clamp(kCutsPerMs * ms, 1.0 * kCutsPerMs, 1.0 * kMostCuts)), scene);
+  cut(static_cast<int>(std::clamp(kCutsPerMs * ms, 1.0 * kCutsPerMs, 1.0 * kMostCuts)), time_ns,
+      scene);
   return shows(time_ns);
 }
 
@@ -56,19 +57,21 @@ bool Erasing::shows(std::int64_t time_ns) {
 
 void Erasing::finish(const Scene& scene) {
   search(std::numeric_limits<int>::max(), scene);
-  cut(std::numeric_limits<int>::max(), scene);
+  while (!to_cut_.empty()) cut_next(time_ns_, scene);
 }
 
 void Erasing::sweep(Point from, Point to, const Scene& scene) {
   const bool crossing = mode_ == EraserMode::kCrossing;
   const Capsule capsule{from, to, crossing ? kPointMm : settings_.radius_mm,
                         settings_.include_width && !crossing, from != to && !crossing};
-  const Rect area =
-      capsule.bounds().inflated(capsule.adds_half_width ? scene.index.widest_half_mm() : 0.0);
   looked_at_ = nullptr;
   const std::size_t before = pending_.size();
-  scene.index.for_each_segment_in(
-      area, [&](StrokeId id, int segment) { meet(id, segment, capsule, scene); });
+  const auto visit = [&](StrokeId id, int segment) { meet(id, segment, capsule, scene); };
+  if (capsule.adds_half_width) {
+    scene.index.for_each_ink_in(capsule.bounds(), visit);
+  } else {
+    scene.index.for_each_segment_in(capsule.bounds(), visit);
+  }
   // In an order that does not depend on the index.
   std::sort(pending_.begin() + static_cast<std::ptrdiff_t>(before), pending_.end(),
             [](const Pending& a, const Pending& b) {
@@ -157,25 +160,49 @@ void Erasing::search(int budget, const Scene& scene) {
   }
 }
 
-void Erasing::cut(int most, const Scene& scene) {
-  for (; most > 0 && !to_cut_.empty(); --most) {
-    const StrokeId id = to_cut_.front();
-    to_cut_.pop_front();
-    Line& line = lines_.at(id);
-    line.waits = false;
-    if (line.ink) {
-      InkClearance::Result left = line.ink->result();
-      line.remains.cut(left.holes, std::move(left.widths));
+bool Erasing::Line::is_due(std::int64_t time_ns) const noexcept {
+  if (!cut_ns) return true;
+  // In double: see move().
+  const double since = static_cast<double>(time_ns) - static_cast<double>(*cut_ns);
+  return since < 0.0 ||
+         since >= static_cast<double>(kCutPauseNs) +
+                      static_cast<double>(kCutPauseNsPerPlace) * static_cast<double>(cut_places);
+}
+
+void Erasing::cut(int most, std::int64_t time_ns, const Scene& scene) {
+  const auto waiting = std::min<std::size_t>(to_cut_.size(), kMostWaiting);
+  for (std::size_t k = 0; k < waiting && most > 0; ++k) {
+    if (lines_.at(to_cut_.front()).is_due(time_ns)) {
+      cut_next(time_ns, scene);
+      --most;
     } else {
-      line.remains.cut(line.erased);
+      to_cut_.push_back(to_cut_.front());
+      to_cut_.pop_front();
     }
-    if (line.remains.is_whole()) {
-      divisions_.unset(id);
-    } else {
-      divisions_.set(scene.document, id, line.remains.pieces());
-    }
-    changed_ = true;
   }
+}
+
+void Erasing::cut_next(std::int64_t time_ns, const Scene& scene) {
+  const StrokeId id = to_cut_.front();
+  to_cut_.pop_front();
+  Line& line = lines_.at(id);
+  line.waits = false;
+  line.cut_ns = time_ns;
+  if (line.ink) {
+    line.cut_places = line.ink->place_count();
+    InkClearance::Result left = line.ink->result();
+    line.remains.cut(left.holes, std::move(left.widths));
+  } else {
+    line.cut_places = line.erased.intervals().size();
+    line.remains.cut(line.erased);
+  }
+  cut_places_ += line.cut_places;
+  if (line.remains.is_whole()) {
+    divisions_.unset(id);
+  } else {
+    divisions_.set(scene.document, id, line.remains.pieces());
+  }
+  changed_ = true;
 }
 
 }  // namespace felt

@@ -13,7 +13,8 @@ namespace {
 constexpr int kMaxSteps = 1 << 24;
 
 /// Appends the breakpoints that follow the narrowed widths of places[first..last] to
-/// kWidthErrorMm. Each takes the longest step from its predecessor that stays within that.
+/// kWidthErrorMm and their tones to kToneError. Each takes the longest step from its predecessor
+/// that stays within that.
 template <class Place>
 void append_profile(const std::vector<Place>& places, std::size_t first, std::size_t last,
                     const Stroke& stroke, std::vector<WidthKnot>& knots) {
@@ -25,12 +26,14 @@ void append_profile(const std::vector<Place>& places, std::size_t first, std::si
       const double share = (places[k].u - places[a].u) / span;
       const double width = 2.0 * std::lerp(places[a].clear_mm, places[b].clear_mm, share);
       if (std::fabs(width - 2.0 * places[k].clear_mm) > InkClearance::kWidthErrorMm) return false;
+      const double tone = std::lerp(places[a].tone, places[b].tone, share);
+      if (std::fabs(tone - places[k].tone) > InkClearance::kToneError) return false;
     }
     return true;
   };
   const auto append = [&](std::size_t k) {
     const double u = places[k].u > n ? places[k].u - n : places[k].u;
-    knots.push_back({u, std::max(2.0 * places[k].clear_mm, kMinWidthMm), stroke.tone(u)});
+    knots.push_back({u, std::max(2.0 * places[k].clear_mm, kMinWidthMm), places[k].tone});
     if (u == n && stroke.closed()) knots.push_back({0.0, knots.back().width_mm, stroke.tone(0.0)});
   };
   append(first);
@@ -109,8 +112,9 @@ bool InkClearance::add(int segment, const ParameterSet& covered, const Capsule& 
 InkClearance::Place InkClearance::place_at(double u, double clear_mm) const noexcept {
   const double n = stroke_->segment_count();
   const double within = u > n ? u - n : u;
-  const double half = 0.5 * stroke_->width_mm(within);
-  return {u, stroke_->position(within), half, std::min(half, clear_mm)};
+  const WidthKnot ink = knot_at(stroke_->widths(), within);
+  const double half = 0.5 * ink.width_mm;
+  return {u, stroke_->position(within), half, std::min(half, clear_mm), ink.tone};
 }
 
 void InkClearance::append_samples(double from, double to, double add_u,

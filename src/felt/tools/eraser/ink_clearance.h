@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <map>
 #include <memory>
 #include <utility>
@@ -32,6 +33,8 @@ class InkClearance {
   static constexpr double kLostTipMm = 0.1;
   /// Largest difference between the narrowed width and what its breakpoints say.
   static constexpr double kWidthErrorMm = 0.01;
+  /// The same of the tone.
+  static constexpr double kToneError = 0.05;
 
   /// All capsules must have this radius.
   InkClearance(std::shared_ptr<const Stroke> stroke, double radius_mm);
@@ -45,6 +48,8 @@ class InkClearance {
     std::vector<WidthKnot> widths;  ///< the new profile of the whole stroke; empty: unchanged
   };
   [[nodiscard]] Result result() const;
+  /// The number of places that result() goes through, at most.
+  [[nodiscard]] std::size_t place_count() const noexcept { return clear_.size(); }
 
  private:
   /// A place where the ink was touched. On a closed stroke u may exceed n: through the seam.
@@ -53,6 +58,7 @@ class InkClearance {
     Point point;
     double half_mm = 0.0;   // of the ink
     double clear_mm = 0.0;  // what may stay, at most half_mm
+    double tone = 0.0;
   };
   /// A part of the stroke that was touched; a free end has nothing beyond it to hold on to.
   struct Part {

@@ -25,5 +25,6 @@ tool_room(eraser
   TESTS
     crossing_span_test.cc
     eraser_test.cc
+    erasing_test.cc
     remains_test.cc
     swept_test.cc)

@@ -6,84 +6,167 @@
 #include <utility>
 
 #include "felt/geometry/nearest.h"
-#include "felt/stroke/arc_map.h"
-#include "felt/tools/pull/brush_pull.h"
 
 namespace felt {
 namespace {
 
-struct Found {
-  double u = 0.0;
-  double distance_squared = 0.0;
-};
-
-Found nearest_on(const Stroke& stroke, Point p) {
-  Found best{0.0, distance_squared(stroke.position(0.0), p)};
+/// The u of the point of a stroke nearest to p.
+double nearest_u(const Stroke& stroke, Point p) {
+  double best = 0.0, least = distance_squared(stroke.position(0.0), p);
   for (int i = 0; i < stroke.segment_count(); ++i) {
-    const auto near = nearest_within(stroke.segment(i), p, best.distance_squared);
-    if (near) best = {i + near->t, near->distance_squared};
+    const auto near = nearest_within(stroke.segment(i), p, least);
+    if (!near) continue;
+    best = i + near->t;
+    least = near->distance_squared;
   }
   return best;
 }
 
-/// Length from the start (or the end) over which two strokes are the same, in 64ths of the first.
-double same_length_mm(const Stroke& a, const ArcMap& along_a, const Stroke& b,
-                      const ArcMap& along_b, bool from_end) {
-  constexpr int kSteps = 64;
-  double same = 0.0;
-  for (int k = 0; k <= kSteps; ++k) {
-    const double s = along_a.length_mm() * k / kSteps;
-    if (s > along_b.length_mm()) break;
-    const double ua = along_a.u_at(from_end ? along_a.length_mm() - s : s);
-    const double ub = along_b.u_at(from_end ? along_b.length_mm() - s : s);
-    if (distance(a.position(ua), b.position(ub)) > kSharedPointMm) break;
-    same = s;
+bool lies_on(const Stroke& stroke, Point p) {
+  for (int i = 0; i < stroke.segment_count(); ++i) {
+    if (nearest_within(stroke.segment(i), p, kSharedPointMm * kSharedPointMm)) return true;
   }
-  return same;
+  return false;
 }
+
+/// Where places of a stroke go when a part of it between its ends changes: each keeps its share of
+/// the length of that part.
+class Slide {
+ public:
+  Slide(const Stroke& before, const ArcMap& before_arc, const Stroke& after)
+      : before_arc_(before_arc), after_(after), after_arc_(after, 1e-3) {
+    first_mm_ = same_length_mm(before, false);
+    last_mm_ = same_length_mm(before, true);
+  }
+
+  [[nodiscard]] Point place_of(double u, Point before) const {
+    const double changed = before_arc_.length_mm() - first_mm_ - last_mm_;
+    const double now = after_arc_.length_mm() - first_mm_ - last_mm_;
+    if (changed <= 0.0 || now <= 0.0) return before;
+    const double share = std::clamp((before_arc_.length_at(u) - first_mm_) / changed, 0.0, 1.0);
+    return after_.position(after_arc_.u_at(first_mm_ + share * now));
+  }
+
+ private:
+  /// Length from the start (or the end) over which the strokes are the same, in 64ths.
+  [[nodiscard]] double same_length_mm(const Stroke& before, bool from_end) const {
+    constexpr int kSteps = 64;
+    const double length = before_arc_.length_mm(), after_length = after_arc_.length_mm();
+    double same = 0.0;
+    for (int k = 0; k <= kSteps; ++k) {
+      const double s = length * k / kSteps;
+      if (s > after_length) break;
+      const Point a = before.position(before_arc_.u_at(from_end ? length - s : s));
+      const Point b = after_.position(after_arc_.u_at(from_end ? after_length - s : s));
+      if (distance(a, b) > kSharedPointMm) break;
+      same = s;
+    }
+    return same;
+  }
+
+  const ArcMap& before_arc_;
+  const Stroke& after_;
+  ArcMap after_arc_;
+  double first_mm_ = 0.0, last_mm_ = 0.0;
+};
 
 }  // namespace
 
-Point carried_along(const Stroke& before, const Stroke& after, double u) {
-  const double n = before.segment_count();
-  if (!before.closed() && u <= 0.0) return after.position(0.0);
-  if (!before.closed() && u >= n) return after.position(after.segment_count());
-  const Point p = before.position(u);
-  if (nearest_on(after, p).distance_squared <= kSharedPointMm * kSharedPointMm) return p;
-  const ArcMap old_arc(before, 1e-3), new_arc(after, 1e-3);
-  const double first = same_length_mm(before, old_arc, after, new_arc, false);
-  const double last = same_length_mm(before, old_arc, after, new_arc, true);
-  const double changed = old_arc.length_mm() - first - last;
-  const double now = new_arc.length_mm() - first - last;
-  if (changed <= 0.0 || now <= 0.0) return p;
-  const double share = std::clamp((old_arc.length_at(u) - first) / changed, 0.0, 1.0);
-  return after.position(new_arc.u_at(first + share * now));
-}
-
-const std::vector<Junction>& ConnectedPull::junctions(const StrokeChange& change,
-                                                      const Scene& scene) {
-  const auto known = junctions_.find(change.id);
-  if (known != junctions_.end()) return known->second;
-  return junctions_
-      .emplace(change.id, junctions_of(scene.document, scene.index, change.id, *change.before))
-      .first->second;
-}
-
-StrokePtr ConnectedPull::pulled(StrokePtr stroke, double u, Point to) const {
-  const Vec way = to - stroke->position(u);
-  if (norm(way) < 1e-9) return stroke;
-  auto result = BrushPull(stroke, u, brush_).at(way);
+StrokePtr ConnectedPull::pulled(const BrushPull& brush, StrokePtr stroke, Vec displacement) {
+  if (norm(displacement) < 1e-9) return stroke;
+  auto result = brush.at(displacement);
   return result ? std::make_shared<const Stroke>(*std::move(result)) : stroke;
 }
 
+StrokePtr ConnectedPull::pulled(StrokePtr stroke, double u, Point to) {
+  ++work_.brushes;
+  return pulled(BrushPull(stroke, u, brush_), stroke, to - stroke->position(u));
+}
+
 /// Brings ends that lie on strokes of locked layers back to where they were.
-void ConnectedPull::hold(StrokeChange& change, const Scene& scene) {
-  const double n = change.before->segment_count();
-  for (const Junction& j : junctions(change, scene)) {
-    if (j.editable || change.before->closed() || (j.u > 0.0 && j.u < n)) continue;
-    const double u = j.u <= 0.0 ? 0.0 : change.after->segment_count();
-    change.after = pulled(change.after, u, change.before->position(j.u));
+StrokePtr ConnectedPull::held(const Leader& leader, StrokePtr after) {
+  const Stroke& before = *leader.before;
+  const double n = before.segment_count();
+  for (const Junction& j : leader.junctions) {
+    if (j.editable || before.closed() || (j.u > 0.0 && j.u < n)) continue;
+    const double u = j.u <= 0.0 ? 0.0 : after->segment_count();
+    after = pulled(after, u, before.position(j.u));
   }
+  return after;
+}
+
+/// Where the shared points of a stroke have gone: ends go with the ends, a place that still lies on
+/// the curve stays, and another one slides along.
+std::vector<Point> ConnectedPull::carried(Leader& leader) {
+  const Stroke &before = *leader.before, &after = *leader.after;
+  const double n = before.segment_count();
+  std::optional<Slide> slide;
+  std::vector<Point> places;
+  for (const Junction& j : leader.junctions) {
+    const Point p = before.position(j.u);
+    if (!before.closed() && (j.u <= 0.0 || j.u >= n)) {
+      places.push_back(after.position(j.u <= 0.0 ? 0.0 : after.segment_count()));
+    } else if (lies_on(after, p)) {
+      places.push_back(p);
+    } else {
+      if (!leader.arc) {
+        leader.arc.emplace(before, 1e-3);
+        ++work_.maps;
+      }
+      if (!slide) {
+        slide.emplace(before, *leader.arc, after);
+        ++work_.maps;
+      }
+      places.push_back(slide->place_of(j.u, p));
+    }
+  }
+  return places;
+}
+
+const ConnectedPull::Leader& ConnectedPull::lead(const StrokeChange& change, const Scene& scene) {
+  const auto [entry, is_new] = leaders_.try_emplace(change.id);
+  Leader& leader = entry->second;
+  if (is_new) {
+    leader.before = change.before;
+    leader.junctions = junctions_of(scene.document, scene.index, change.id, *change.before);
+  }
+  if (leader.given != change.after) {
+    leader.given = change.after;
+    leader.after = held(leader, change.after);
+    leader.places = carried(leader);
+  }
+  return leader;
+}
+
+ConnectedPull::Follower* ConnectedPull::follower(StrokeId id, const Scene& scene) {
+  const auto known = followers_.find(id);
+  if (known != followers_.end()) return &known->second;
+  if (followers_.size() >= kMaxFollowers) return nullptr;
+  return &followers_.try_emplace(id, StrokeReplacement(scene.document, id)).first->second;
+}
+
+void ConnectedPull::follow(Follower& follower, std::vector<Pull> pulls) {
+  if (follower.pulls == pulls) return;
+  follower.pulls = std::move(pulls);
+  const StrokePtr& before = follower.place.before();
+  const double n = before->segment_count();
+  StrokePtr after = before;
+  for (const Pull& pull : follower.pulls) {
+    if (after == before) {
+      if (!follower.brush || follower.brush_u != pull.u) {
+        follower.brush.emplace(before, pull.u, brush_);
+        follower.brush_u = pull.u;
+        ++work_.brushes;
+      }
+      after = pulled(*follower.brush, before, pull.to - before->position(pull.u));
+      continue;
+    }
+    const double u = pull.u <= 0.0 ? 0.0
+                     : pull.u >= n ? after->segment_count()
+                                   : nearest_u(*after, before->position(pull.u));
+    after = pulled(after, u, pull.to);
+  }
+  follower.after = std::move(after);
 }
 
 void ConnectedPull::complete(Edit& edit, const Scene& scene) {
@@ -96,31 +179,21 @@ void ConnectedPull::complete(Edit& edit, const Scene& scene) {
     for (; begin < end; ++begin) {
       StrokeChange& change = edit.changes[begin];
       if (!change.before || !change.after || change.before == change.after) continue;
-      hold(change, scene);
-      for (const Junction& j : junctions(change, scene)) {
+      const Leader& leader = lead(change, scene);
+      change.after = leader.after;
+      for (std::size_t k = 0; k < leader.junctions.size(); ++k) {
+        const Junction& j = leader.junctions[k];
         if (!j.editable || known.contains(j.other)) continue;
-        const Point to = carried_along(*change.before, *change.after, j.u);
-        if (distance(to, change.before->position(j.u)) < 1e-9) continue;
-        pulls[j.other].push_back({j.other_u, to});
+        if (distance(leader.places[k], change.before->position(j.u)) < 1e-9) continue;
+        pulls[j.other].push_back({j.other_u, leader.places[k]});
       }
     }
-    for (const auto& [id, places] : pulls) {
-      if (known.size() > kMaxFollowers) return;
+    for (auto& [id, places] : pulls) {
+      Follower* next = follower(id, scene);
+      if (!next) continue;
       known.insert(id);
-      const StrokeReplacement& follower =
-          followers_.try_emplace(id, scene.document, id).first->second;
-      StrokePtr after = follower.before();
-      const double n = after->segment_count();
-      for (const Pull& pull : places) {
-        const bool at_start = pull.u <= 0.0, at_end = pull.u >= n;
-        const Point from = follower.before()->position(pull.u);
-        const double u = after == follower.before() ? pull.u
-                         : at_start                 ? 0.0
-                         : at_end                   ? after->segment_count()
-                                                    : nearest_on(*after, from).u;
-        after = pulled(after, u, pull.to);
-      }
-      edit.changes.push_back(follower.with(std::move(after), edit.label).changes.front());
+      follow(*next, std::move(places));
+      edit.changes.push_back(next->place.with(next->after, edit.label).changes.front());
     }
   }
 }

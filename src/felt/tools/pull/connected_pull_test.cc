@@ -2,6 +2,13 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <memory>
+#include <set>
+#include <utility>
+#include <vector>
+
+#include "felt/document/edit_builder.h"
 #include "felt/tools/desk.h"
 #include "felt/tools/pull/pull_tool.h"
 
@@ -97,6 +104,91 @@ TEST(ConnectedPull, R33_AnEndOnALockedLineIsHeld) {
   p.pen.line(way({80, 0}, {100, -9}));
   EXPECT_EQ(p.at(red), before);
   EXPECT_LE(distance(p.at(line).position(p.at(line).segment_count()), {80, 0}), 1e-9);
+}
+
+/// Lines side by side, and on the middle of each a post.
+struct Posts {
+  Desk desk;
+  std::vector<StrokeId> lines;
+  std::set<StrokeId> posts;
+
+  explicit Posts(int count) {
+    for (int i = 0; i < count; ++i) {
+      const double x = 100.0 * i;
+      lines.push_back(desk.add(straight_stroke({x, 0}, {x + 80, 0}, 1, 1)));
+      posts.insert(desk.add(straight_stroke({x + 40, 70}, {x + 40, 0}, 1, 1)));
+    }
+  }
+  /// What a gesture has made of the lines from `first` on: each is bent by so much.
+  [[nodiscard]] Edit bent(std::size_t first, double mm) const {
+    EditBuilder edit(desk.document);
+    for (std::size_t i = first; i < lines.size(); ++i) {
+      auto stroke = BrushPull(desk.document.find(lines[i]), 0.5).at({0, -mm}).value();
+      edit.replace(lines[i], std::make_shared<const Stroke>(std::move(stroke)));
+    }
+    return std::move(edit).build("Push");
+  }
+  [[nodiscard]] std::set<StrokeId> followers(const Edit& edit) const {
+    std::set<StrokeId> found;
+    for (const StrokeChange& c : edit.changes) {
+      if (posts.contains(c.id)) found.insert(c.id);
+    }
+    return found;
+  }
+};
+
+TEST(ConnectedPull, R33_ManyPushedLinesTakeTheirPostsAlong) {
+  Posts p(200);
+  ConnectedPull connected{BrushOptions{}};
+  Edit edit = p.bent(0, 5.0);
+  connected.complete(edit, p.desk.scene());
+  EXPECT_EQ(p.followers(edit), p.posts) << "the lines themselves do not count";
+}
+
+TEST(ConnectedPull, WhoeverFollowsGoesOnFollowingWhenOthersCome) {
+  Posts p(300);
+  ConnectedPull connected{BrushOptions{}};
+  Edit last = p.bent(200, 5.0);
+  connected.complete(last, p.desk.scene());
+  const auto first_ones = p.followers(last);
+  EXPECT_EQ(first_ones.size(), 100u);
+  Edit all = p.bent(0, 6.0);
+  connected.complete(all, p.desk.scene());
+  const auto now = p.followers(all);
+  EXPECT_EQ(now.size(), ConnectedPull::kMaxFollowers);
+  EXPECT_TRUE(std::ranges::includes(now, first_ones));
+}
+
+TEST(ConnectedPull, ASampleMakesOneMapOfTheLineHoweverManyStandOnIt) {
+  Desk desk;
+  const StrokeId line = desk.add(straight_stroke({0, 0}, {80, 0}, 1, 1));
+  for (int i = 0; i < 40; ++i) {
+    desk.add(straight_stroke({25.0 + 0.7 * i, 70}, {25.0 + 0.7 * i, 0}, 1, 1));
+  }
+  const BrushPull pull(desk.document.find(line), 0.5, {});
+  ConnectedPull connected{BrushOptions{}};
+  constexpr int kSamples = 30;
+  for (int k = 1; k <= kSamples; ++k) {
+    EditBuilder edit(desk.document);
+    edit.replace(line, std::make_shared<const Stroke>(pull.at({0, -0.5 * k}).value()));
+    Edit whole = std::move(edit).build("Pull");
+    connected.complete(whole, desk.scene());
+    EXPECT_EQ(whole.changes.size(), 41u);
+  }
+  EXPECT_LE(connected.work().maps, kSamples + 1);
+  EXPECT_LE(connected.work().brushes, 40) << "one for each follower";
+}
+
+TEST(ConnectedPull, WhatDoesNotChangeIsNotMadeAgain) {
+  Posts p(50);
+  ConnectedPull connected{BrushOptions{}};
+  const Edit edit = p.bent(0, 5.0);
+  Edit first = edit, second = edit;
+  connected.complete(first, p.desk.scene());
+  const int maps = connected.work().maps;
+  connected.complete(second, p.desk.scene());
+  EXPECT_EQ(first, second);
+  EXPECT_EQ(connected.work().maps, maps);
 }
 
 TEST(ConnectedPull, ThePreviewShowsTheFollowersToo) {

@@ -80,6 +80,10 @@ std::optional<MovedLine> line_of(const Document& document, StrokeId id, Demand d
   return line;
 }
 
+bool is_whole(const Selection::Marks& marks) {
+  return std::find(marks.begin(), marks.end(), 0) == marks.end();
+}
+
 /// An end that lies on a locked stroke stays, and its handle with it.
 void hold_end(MovedLine& line, double u) {
   const auto end = end_at(*line.stroke, u);
@@ -100,8 +104,11 @@ std::vector<MovedLine> connected_lines(const Document& document, const StrokeInd
     for (; done < lines.size(); ++done) {
       MovedLine& line = lines[done];
       const auto junctions = junctions_of(document, index, line.id, *line.stroke);
-      for (const Junction& j : junctions) {
-        if (!j.editable) hold_end(line, j.u);
+      // What moves as a whole keeps its shape, also if it leaves a locked line.
+      if (!is_whole(line.marks)) {
+        for (const Junction& j : junctions) {
+          if (!j.editable) hold_end(line, j.u);
+        }
       }
       for (const Junction& j : junctions) {
         if (!j.editable || known.contains(j.other)) continue;

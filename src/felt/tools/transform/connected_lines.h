@@ -30,8 +30,9 @@ struct MovedLine {
 ///   - an end that lies on a mapped place is marked, and one on a part that bends gets a leader;
 ///   - a stroke on which a mapped end stands gets a joint there, which is marked;
 ///   - and so on from there.
-/// Strokes of the selection keep their marks, but for an end that shares a point with a stroke of a
-/// locked layer: it is no longer marked, so that it stays and holds.
+/// Strokes of the selection keep their marks. There is one exception: if a stroke moves only in
+/// part, its end that shares a point with a stroke of a locked layer is unmarked, so that it stays
+/// and holds. A stroke that moves as a whole leaves the locked one.
 std::vector<MovedLine> connected_lines(const Document& document, const StrokeIndex& index,
                                        std::vector<MovedLine> selected);
 

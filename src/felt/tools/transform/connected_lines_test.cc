@@ -74,18 +74,55 @@ TEST(ConnectedLines, R33_ALineOnWhichAMovedEndStandsBendsThere) {
   EXPECT_EQ(anchors.size(), 2u);
 }
 
-TEST(ConnectedLines, R33_ALockedLineHoldsItsEndAndStaysAsItIs) {
-  Moved m;
+/// A line of a locked layer with an end on the end of `line`.
+StrokeId add_locked(Moved& m) {
   m.apply({"Layer", {}, {{{2}, std::nullopt, LayerState{"Other"}, 0, 1}}});
   m.layer = LayerId{2};
   const StrokeId red = m.add(of_color(straight_stroke({40, 0}, {40, 50}, 1, 1), kRed));
   m.apply({"State", {}, {{{2}, LayerState{"Other"}, LayerState{"Other", true, true}, 1, 1}}});
+  m.layer = LayerId{1};
+  return red;
+}
+
+TEST(ConnectedLines, R33_ALockedLineHoldsItsEndAndStaysAsItIs) {
+  Moved m;
+  const StrokeId red = add_locked(m);
   const Stroke before = m.at(red);
-  const auto anchors = m.move(translation({12, 7}));
+  // The post is connected, so its end moves; its other end lies on the locked line.
+  const StrokeId post = m.add(straight_stroke({0, 0}, {40, 50}, 1, 1));
+  const auto anchors = m.move(translation({12, 7}), {1, 1, 0, 0});
   EXPECT_EQ(m.at(red), before);
   EXPECT_EQ(m.at(m.line).position(0), (Point{12, 7}));
-  EXPECT_EQ(m.at(m.line).position(1), (Point{40, 0})) << "held";
-  EXPECT_EQ(anchors, (std::vector<Point>{{40, 0}}));
+  EXPECT_EQ(m.at(m.line).position(1), (Point{40, 0}));
+  EXPECT_EQ(m.at(post).position(0), (Point{12, 7}));
+  EXPECT_EQ(m.at(post).position(1), (Point{40, 50})) << "held";
+  EXPECT_EQ(anchors.size(), 2u);
+}
+
+TEST(ConnectedLines, R33_AnEndOnALockedLineIsHeldIfTheLineMovesInPart) {
+  Moved m;
+  add_locked(m);
+  const StrokeId two = m.add(
+      Stroke::create({.points = {{40, 0}, {44, 0}, {48, 0}, {52, 0}, {56, 0}, {60, 0}, {64, 0}},
+                      .joints = {JointKind::kSmooth},
+                      .closed = false,
+                      .widths = {{0, 1}, {2, 1}}})
+          .value());
+  m.selection.set(two, {1, 1, 1, 1, 1, 0, 0});
+  const MovedStrokes moved(m.document, m.index, m.selection, false);
+  m.apply(moved.finished(translation({0, 9}), 1.0, "Move"));
+  EXPECT_EQ(m.at(two).position(0), (Point{40, 0})) << "held";
+  EXPECT_EQ(m.at(two).position(1), (Point{52, 9}));
+  EXPECT_EQ(m.at(two).position(2), (Point{64, 0}));
+}
+
+TEST(ConnectedLines, R33_AWholeLineMovesInItsShapeAlsoIfItTouchesALockedLine) {
+  Moved m;
+  const StrokeId red = add_locked(m);
+  const Stroke before = m.at(red);
+  EXPECT_TRUE(m.move(translation({12, 7})).empty());
+  EXPECT_EQ(m.at(m.line), straight_stroke({12, 7}, {52, 7}, 1, 1));
+  EXPECT_EQ(m.at(red), before);
 }
 
 TEST(ConnectedLines, WhatIsSelectedKeepsItsOwnMarks) {

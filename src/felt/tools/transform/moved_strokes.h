@@ -25,7 +25,8 @@ class MovedStrokes {
  public:
   static constexpr std::size_t kPointsPerStep = 1'200;
   static constexpr std::size_t kMostPreviewPoints = 100'000;
-  /// Of a selection of more strokes than that, connections to others are not looked for.
+  /// In a selection of more strokes, connections to other strokes are not looked for: they stay
+  /// where they are, and nothing holds the selection there.
   static constexpr std::size_t kMaxConnected = 5'000;
 
   MovedStrokes() = default;
@@ -35,8 +36,8 @@ class MovedStrokes {
   ///
   /// Strokes that are not selected but share a point (junctions.h) with what moves go along there:
   /// an end moves with the point, a line that an end stands on gets a joint there, and what is left
-  /// of them holds like the rest of a line that is selected in part. A shared point on a locked
-  /// layer stays: the end that lies on it is held as if it were not selected.
+  /// of them holds like the rest of a line that is selected in part. Strokes of locked layers stay,
+  /// and so does the end of a line that lies on one, unless that line is selected as a whole.
   MovedStrokes(const Document& document, const StrokeIndex& index, const Selection& selection,
                bool duplicates);
 

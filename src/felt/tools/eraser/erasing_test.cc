@@ -1,0 +1,65 @@
+#include "felt/tools/eraser/erasing.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "felt/tools/desk.h"
+
+namespace felt {
+namespace {
+
+using testing::Desk;
+
+/// A shading of one line: legs of 50 mm, 0.5 mm apart.
+Stroke zigzag(int legs) {
+  StrokeData data{.points = {{0, 0}}, .joints = {}, .closed = false, .widths = {}};
+  for (int i = 0; i < legs; ++i) {
+    const Point from = data.points.back(), to{i % 2 == 0 ? 50.0 : 0.0, 0.5 * (i + 1)};
+    for (const double t : {1.0 / 3, 2.0 / 3, 1.0}) data.points.push_back(lerp(from, to, t));
+    if (i > 0) data.joints.push_back(JointKind::kCorner);
+  }
+  data.widths = {{0, 0.4}, {static_cast<double>(legs), 0.4}};
+  return Stroke::create(std::move(data)).value();
+}
+
+TEST(Erasing, R39_RubbingOutOneLongLineCostsNoMoreASampleAsItGoesOn) {
+  Desk desk;
+  const StrokeId line = desk.add(zigzag(100));
+  Erasing erasing({}, EraserMode::kTouched);
+  std::int64_t now = 0;
+  erasing.begin({25, -3}, now, desk.scene());
+  // Three times to and fro on each strip of 3 mm, 250 mm/s.
+  int shown = 0;
+  std::size_t at_half = 0;
+  constexpr int kSamples = 6000;
+  for (int i = 1; i <= kSamples; ++i) {
+    const double x = 25.0 + 30.0 * std::sin(0.0083 * i), y = -3.0 + 56.0 * i / kSamples;
+    shown += erasing.move({x, y}, now += 1'000'000, desk.scene()) ? 1 : 0;
+    if (2 * i == kSamples) at_half = erasing.cut_places();
+  }
+  const std::size_t places = erasing.cut_places();
+  erasing.finish(desk.scene());
+  EXPECT_LE(places, 1e-4 * static_cast<double>(now)) << "a pause for each place";
+  EXPECT_LE(places, 3 * at_half) << "the second half costs as the first";
+  EXPECT_GT(shown, 20) << "and what is left is seen meanwhile";
+  Document after = desk.document;
+  ASSERT_TRUE(after.apply(erasing.edit(desk.scene())));
+  EXPECT_FALSE(after.find(line));
+}
+
+TEST(Erasing, AShortLineIsCutAsOftenAsItIsShown) {
+  Desk desk;
+  desk.add(testing::straight_stroke({0, 0}, {60, 0}, 1, 1));
+  Erasing erasing({}, EraserMode::kTouched);
+  erasing.begin({10, 0}, 0, desk.scene());
+  int shown = 0;
+  for (int i = 1; i <= 400; ++i) {
+    shown += erasing.move({10.0 + 0.1 * i, 0}, 1'000'000 * i, desk.scene()) ? 1 : 0;
+  }
+  EXPECT_GE(shown, 35) << "of 50 frames";
+}
+
+}  // namespace
+}  // namespace felt
