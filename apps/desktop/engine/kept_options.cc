@@ -3,6 +3,7 @@
 #include <cmath>
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "desktop/engine/first_options.h"
 #include "desktop/engine/settings.h"
@@ -17,6 +18,11 @@ constexpr auto kColor = "sheet.color";
 
 QString key_of(const std::string& id) {
   return QLatin1String(kPrefix) + QString::fromStdString(id);
+}
+
+/// Choices for the next few gestures: the next start does not begin with them.
+bool is_of_the_moment(std::string_view id) {
+  return id == "transform.constrain" || id == "transform.duplicate" || id == "lasso.combine";
 }
 
 /// Nothing if the stored value is of another kind or out of range: of another version, or edited.
@@ -54,6 +60,7 @@ void KeptOptions::restore() {
     const std::string owner(tool->info().id);
     for (const OptionSpec& row : tool->info().options) {
       const std::string id = owner + "." + std::string(row.id);
+      if (is_of_the_moment(id)) continue;
       const auto value = value_of(settings.value(key_of(id)), row, studio_.materials());
       if (value && studio_.session().option(id) != *value) studio_.apply(SetOption{id, *value});
     }
@@ -64,6 +71,7 @@ void KeptOptions::restore() {
 
 void KeptOptions::store(const QString& id) {
   const std::string name = id.toStdString();
+  if (is_of_the_moment(name)) return;
   const Result<OptionValue> now = studio_.session().option(name);
   if (!now) return;
   Settings& settings = Settings::the();

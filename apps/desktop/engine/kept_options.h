@@ -9,7 +9,8 @@ namespace felt::desktop {
 /// Keeps the options of all tools (medium, widths, snapping, stabiliser, eraser mode, ...) and the
 /// colour of new ink in the settings, so that the next window and the next start begin with them.
 /// What is as it was at first is not stored, so that it follows a later version's defaults. Stored
-/// values that no longer fit are ignored.
+/// values that no longer fit are ignored. Not kept: the colour that an opened drawing brings
+/// (Studio::open), and choices for a few gestures (transform.duplicate, lasso.combine, ...).
 ///
 ///   new KeptOptions(studio, window);   // sets what was kept, then stores what changes
 class KeptOptions : public QObject {

@@ -205,6 +205,7 @@ void Studio::follow(const DeviceProfile& profile) {
 void Studio::begin_with_device() {
   told_faults_ = 0;
   told_fault_.reset();
+  told_notice_ = device_->status().notice;  // whoever opened it has shown this one
   static_cast<void>(
       session_->apply({event_time_ns(), UseDevice{device_->device().capabilities()}}));
   pen_ = {};
@@ -234,14 +235,16 @@ void Studio::look_at_device() {
   if (now - looked_at_device_ns_ < kStatusNs && now >= looked_at_device_ns_) return;
   looked_at_device_ns_ = now;
   const DeviceStatus status = device_status();
-  const bool is_other = status.faults != told_faults_ || status.fault != told_fault_;
+  const bool is_other = status.faults != told_faults_ || status.fault != told_fault_ ||
+                        !(status.notice == told_notice_);
   told_faults_ = status.faults;
   told_fault_ = status.fault;
+  told_notice_ = status.notice;
   if (is_other) Q_EMIT device_status_changed(status);
 }
 
-void Studio::open(Document document, const SheetPage& page,
-                  std::span<const std::string> materials) {
+void Studio::open(Document document, const SheetPage& page, std::span<const std::string> materials,
+                  std::optional<Rgba> ink) {
   wake();
   drain();
   static_cast<void>(session_->finish());
@@ -249,6 +252,10 @@ void Studio::open(Document document, const SheetPage& page,
   const SurfaceMaterial sheet = session_->sheet().material();
   make_session(std::move(document), materials);
   take_page(page);
+  if (ink) {
+    static_cast<void>(
+        session_->apply({event_time_ns(), SetOption{"sheet.color", color_to_text(*ink)}}));
+  }
   const bool has_other_sheet = session_->sheet().material() != sheet;
   publish();
   set_modified(false);
@@ -262,8 +269,19 @@ void Studio::open(Document document, const SheetPage& page,
 
 void Studio::set_modified(bool modified) {
   has_other_changes_ = modified;
+  if (modified) ++other_changes_;
   if (!modified) saved_position_ = session_->history().position();
   tell_modified(modified);
+}
+
+ChangeMark Studio::change_mark() const noexcept {
+  return {session_->history().position(), other_changes_};
+}
+
+void Studio::set_saved(const ChangeMark& mark) {
+  saved_position_ = mark.position;
+  if (mark.other_changes == other_changes_) has_other_changes_ = false;
+  follow_history();
 }
 
 /// Undoing everything since the last save, or doing it again, is no change any more.
@@ -404,8 +422,17 @@ std::int64_t Studio::event_time_ns() {
   return told_ns_ = std::max(told_ns_, now_ns() - kOnTheWayNs);
 }
 
+/// The first touch of the pencil ends the selection (what was pasted is selected, too), so that a
+/// colour chosen for the next line does not change those. As an event: a recording has it.
+void Studio::deselect_for_drawing(const PenSample& sample) {
+  const bool begins = !std::exchange(was_in_contact_, in_contact(sample)) && in_contact(sample);
+  if (!begins || session_->selection().empty() || session_->tool().info().id != "pencil") return;
+  static_cast<void>(session_->apply({sample.time_ns, SelectStrokes{SelectStrokes::What::kNone}}));
+}
+
 void Studio::take(PenSample& sample) {
   sample.time_ns = told_ns_ = std::max(told_ns_, sample.time_ns + clock_start_ns_);
+  deselect_for_drawing(sample);
   if (const Result<void> taken = session_->sample(sample); !taken) {
     Q_EMIT refused(text_of(taken.error()));
   }

@@ -57,6 +57,12 @@ struct StudioListener {
   std::function<void(Servo*, std::int64_t)> loop = {};
 };
 
+/// What a file that is being written holds: Studio::change_mark(), Studio::set_saved().
+struct ChangeMark {
+  std::uint64_t position = 0;       ///< of the history
+  std::uint64_t other_changes = 0;  ///< that are not steps of the history, so far
+};
+
 /// Where the pen is and what it feels, for the eye.
 struct PenState {
   bool is_known = false;  ///< there has been a sample
@@ -107,11 +113,17 @@ class Studio : public QObject {
   /// tool and options stay, and the surface where the page says none that is known.
   /// `materials`: texts of those that it brings along; one that cannot be read is left out, and
   /// `refused` says why. They hold here, also where a person's own of that name have other figures:
-  /// `refused` names those.
-  void open(Document document, const SheetPage& page, std::span<const std::string> materials = {});
+  /// `refused` names those. `ink` becomes the colour of new lines, before `opened` is emitted and
+  /// without option_changed, because the drawing brings it and the user did not choose it.
+  void open(Document document, const SheetPage& page, std::span<const std::string> materials = {},
+            std::optional<Rgba> ink = {});
   /// There is something that a file has not got.
   [[nodiscard]] bool is_modified() const noexcept { return is_modified_; }
   void set_modified(bool modified);
+  /// Identifies the present state, for a file that is written while the user may go on.
+  [[nodiscard]] ChangeMark change_mark() const noexcept;
+  /// A file has the state of `mark` now. Changes and undo since then are unsaved changes.
+  void set_saved(const ChangeMark& mark);
 
   // --- What happens
   /// Does what an event does, now, after every sample that came before it. False: the session
@@ -205,8 +217,8 @@ class Studio : public QObject {
   void page_changed();
   void modified_changed(bool modified);
   void device_changed();
-  /// The device's faults are not what they were: a new one, or an old one is over. The device in
-  /// use is still the same.
+  /// The device's faults or its notice have changed: a new one, or an old one is over. The device
+  /// in use is still the same.
   void device_status_changed(const felt::DeviceStatus& status);
   void forces_changed(bool on);
   void strength_changed(double share);
@@ -236,6 +248,7 @@ class Studio : public QObject {
   [[nodiscard]] std::int64_t event_time_ns();
   bool drain();
   void take(PenSample& sample);
+  void deselect_for_drawing(const PenSample& sample);
   void publish();
   void tell();
   void set_pace(bool has_samples);
@@ -272,6 +285,7 @@ class Studio : public QObject {
   int borrowed_ = 0;
   bool is_modified_ = false;
   bool has_other_changes_ = false;    // than steps of the history: page, materials, a rescue
+  std::uint64_t other_changes_ = 0;   // how many there were
   std::uint64_t saved_position_ = 0;  // of the history, when there were no changes
   bool forces_on_ = false;
   double strength_ = 1.0;
@@ -285,6 +299,8 @@ class Studio : public QObject {
   std::uint64_t told_selection_ = 0;
   std::uint64_t told_faults_ = 0;
   std::optional<DeviceFault> told_fault_;
+  ShortText told_notice_;
+  bool was_in_contact_ = false;
   std::string start_error_;  // why the loop does not run
   std::int64_t looked_at_device_ns_ = 0;
 };

@@ -528,6 +528,40 @@ TEST(Studio, WithoutMotorsTheLoopSleepsUntilTheNextEvent) {
   EXPECT_FALSE(studio.loop()->is_paused()) << "a body moves by itself";
 }
 
+TEST(Studio, DrawingEndsTheSelectionThatAPasteMade) {
+  Desk desk;
+  desk.draw({20, 20}, {60, 20});
+  desk.studio.apply(SelectStrokes{});
+  desk.studio.apply(DuplicateEvent{});  // the copy is selected, as what is pasted or imported is
+  ASSERT_FALSE(desk.studio.session().selection().empty());
+  desk.studio.apply(SelectTool{"lasso"});
+  desk.studio.apply(SelectTool{"pencil"});
+  ASSERT_FALSE(desk.studio.session().selection().empty()) << "a tool alone changes nothing";
+  desk.draw({20, 80}, {60, 80});
+  EXPECT_TRUE(desk.studio.session().selection().empty());
+  const std::string before = desk.drawing();
+  desk.studio.apply(RestyleEvent{.color = "#b02020"});
+  EXPECT_EQ(desk.drawing(), before) << "a colour for the next line is only that";
+  EXPECT_EQ(as_recorded(desk.events), desk.drawing());
+}
+
+TEST(KeptOptions, ChoicesForAFewGesturesAreNotKept) {
+  Settings& settings = Settings::the();
+  Studio studio({.live = false});
+  const KeptOptions kept(studio);
+  studio.apply(SetOption{"transform.duplicate", true});
+  studio.apply(SetOption{"transform.constrain", true});
+  studio.apply(SetOption{"lasso.combine", std::string("subtract")});
+  for (const char* id : {"transform.duplicate", "transform.constrain", "lasso.combine"}) {
+    EXPECT_FALSE(settings.value(QStringLiteral("options/") + QString::fromLatin1(id)).isValid());
+  }
+  settings.set(QStringLiteral("options/transform.duplicate"), true);  // of an earlier version
+  Studio next({.live = false});
+  const KeptOptions again(next);
+  EXPECT_EQ(next.session().option("transform.duplicate").value(), OptionValue(false));
+  settings.reset(QStringLiteral("options/transform.duplicate"));
+}
+
 TEST(KeptOptions, AnotherStartBeginsWithThem) {
   Settings& settings = Settings::the();
   {

@@ -14,7 +14,7 @@ const char* words_of(ErrorCode code) {
           "ErrorWords",
           "The file cannot be read or written: it may be protected, or the disk may be full.");
     case ErrorCode::kLimitExceeded:
-      return QT_TRANSLATE_NOOP("ErrorWords", "It holds more than Feltline can take.");
+      return QT_TRANSLATE_NOOP("ErrorWords", "The drawing is too large for Feltline.");
     case ErrorCode::kUnsupported:
       return QT_TRANSLATE_NOOP("ErrorWords", "Feltline cannot read this kind of file.");
     case ErrorCode::kInvalidData:

@@ -22,7 +22,6 @@
 #include "desktop/files/settings_keys.h"
 #include "felt/document/visible_strokes.h"
 #include "felt/formats/own_materials.h"
-#include "felt/stroke/color_text.h"
 
 namespace felt::desktop {
 namespace {
@@ -81,14 +80,7 @@ FileActions::FileActions(Studio& studio, Actions& actions, QWidget* window,
   new OutputActions(*this, studio, actions, window);
   connect(recent_menu_, &QMenu::aboutToShow, this, &FileActions::fill_recent_menu);
   fill_recent_menu();
-  connect(&studio, &Studio::edited, this, [this] { ++revision_; });
   connect(&studio, &Studio::opened, this, &FileActions::hear_opened);
-  connect(&studio, &Studio::page_changed, this, [this] { ++revision_; });
-  // The file has the figures of what is drawn with.
-  connect(&studio, &Studio::materials_changed, this, [this] { ++revision_; });
-  connect(&studio, &Studio::option_changed, this, [this](const QString& id) {
-    if (id.startsWith(QLatin1String("sheet."))) ++revision_;  // the file has it
-  });
   if (studio.loop()) {
     keep_journal(recovery_roots());
     offer_once();
@@ -232,7 +224,6 @@ void FileActions::adopt(Drawing drawing, const QString& name) {
 }
 
 void FileActions::show(Drawing drawing, const QString& path, const QString& name) {
-  const Rgba color = drawing.color;
   const LayerId layer = drawing.layer;
   // Before the signals of open(), so that who hears them sees the right name.
   path_ = path;
@@ -241,10 +232,9 @@ void FileActions::show(Drawing drawing, const QString& path, const QString& name
   seen_on_disk_ = changed_at(path);
   extras_ = drawing.extras;
   is_showing_ = true;
-  studio_.open(std::move(drawing.document), drawing.page, drawing.materials);
+  studio_.open(std::move(drawing.document), drawing.page, drawing.materials, drawing.color);
   is_showing_ = false;
   if (looks_.show) looks_.show(drawing);
-  studio_.apply(SetOption{"sheet.color", color_to_text(color)});
   const Layer* in_use = studio_.session().document().layer(layer);
   if (in_use && in_use->visible && !in_use->locked) {
     studio_.apply(LayerEvent{LayerEvent::Do::kUse, layer, {}});
@@ -257,7 +247,6 @@ void FileActions::show(Drawing drawing, const QString& path, const QString& name
 
 /// Somebody else put a drawing here, an example: it has no file.
 void FileActions::hear_opened() {
-  ++revision_;
   if (is_showing_) return;
   extras_ = {};
   name_.clear();
@@ -348,15 +337,15 @@ bool FileActions::save_as() {
 bool FileActions::begin_save(const QString& path) {
   auto copy = std::make_shared<Drawing>(drawing());
   ++saves_in_work_;
-  worker_.start([this, path, revision = revision_, copy]() mutable -> FileWorker::Answer {
+  worker_.start([this, path, mark = studio_.change_mark(), copy]() mutable -> FileWorker::Answer {
     Result<void> done = write_drawing(path, *copy);
     copy.reset();
-    return [this, path, revision, done] { end_save(path, revision, done); };
+    return [this, path, mark, done] { end_save(path, mark, done); };
   });
   return true;
 }
 
-void FileActions::end_save(const QString& path, std::uint64_t revision, const Result<void>& done) {
+void FileActions::end_save(const QString& path, const ChangeMark& mark, const Result<void>& done) {
   --saves_in_work_;
   last_save_failed_ = !done;
   if (!done) {
@@ -371,8 +360,7 @@ void FileActions::end_save(const QString& path, std::uint64_t revision, const Re
   folder_ = QFileInfo(path).path();
   name_.clear();
   set_path(path);
-  // What was drawn or set while the file was being written is not in it.
-  if (revision == revision_) studio_.set_modified(false);
+  studio_.set_saved(mark);
   if (journal_) journal_->saved(display_name(), path_);
   if (!studio_.is_modified()) forget_rescued();
   remember(path);

@@ -116,7 +116,7 @@ class FileActions : public QObject {
   void ask_open();
   void ask_import();
   bool begin_save(const QString& path);
-  void end_save(const QString& path, std::uint64_t revision, const Result<void>& done);
+  void end_save(const QString& path, const ChangeMark& mark, const Result<void>& done);
   Result<OpenedDrawing> read(const QString& path);
   void show(Drawing drawing, const QString& path, const QString& name);
   void hear_opened();
@@ -142,9 +142,8 @@ class FileActions : public QObject {
   QString name_;    // of a drawing without a path; "" is "Untitled"
   QString folder_;  // where it came from
   DrawingLooks looks_;
-  FeltExtras extras_;           // what its file holds that is only carried
-  QDateTime seen_on_disk_;      // of path_, when it was read or written here
-  std::uint64_t revision_ = 0;  // of the drawing
+  FeltExtras extras_;       // what its file holds that is only carried
+  QDateTime seen_on_disk_;  // of path_, when it was read or written here
   int saves_in_work_ = 0;
   bool last_save_failed_ = false, is_showing_ = false;
   bool has_page_of_file_ = false;  // it came with a file that was opened

@@ -11,6 +11,7 @@
 #include <QTest>
 #include <QUrl>
 
+#include "desktop/engine/kept_options.h"
 #include "desktop/engine/settings.h"
 #include "desktop/files/settings_keys.h"
 #include "desktop/files/test_desk.h"
@@ -190,6 +191,62 @@ TEST(FileActions, WhatIsDrawnDuringASaveStaysUnsaved) {
   desk.files->finish_writing();
   EXPECT_TRUE(desk.studio.is_modified());
   EXPECT_EQ(read_drawing(desk.at("a.felt")).value().document.stroke_count(), 3u);
+}
+
+// Undo and redo while the file is being written: the file has the state of when the save began.
+TEST(FileActions, UndoDuringASaveIsAnUnsavedChange) {
+  TestDesk desk;
+  desk.draw(1);
+  desk.person->next = desk.at("a.felt");
+  ASSERT_TRUE(desk.files->save());
+  desk.files->finish_writing();
+  ASSERT_FALSE(desk.studio.is_modified());
+  desk.draw(2);
+  ASSERT_TRUE(desk.files->save());
+  desk.studio.apply(UndoEvent{});
+  ASSERT_FALSE(desk.studio.is_modified()) << "until the file is written it is as it was";
+  desk.files->finish_writing();
+  EXPECT_EQ(read_drawing(desk.at("a.felt")).value().document.stroke_count(), 6u);
+  EXPECT_TRUE(desk.studio.is_modified()) << "the file has the lines that were undone";
+  EXPECT_FALSE(desk.files->may_close());
+  EXPECT_EQ(desk.person->asked.size(), 1) << "the person is asked, and stops it";
+  desk.studio.apply(RedoEvent{});
+  EXPECT_FALSE(desk.studio.is_modified());
+  desk.draw(3);
+  ASSERT_TRUE(desk.files->save());
+  desk.studio.apply(UndoEvent{});
+  desk.studio.apply(RedoEvent{});
+  desk.files->finish_writing();
+  EXPECT_FALSE(desk.studio.is_modified()) << "it is what the file has";
+}
+
+TEST(FileActions, TheColourOfAnOpenedDrawingIsNotKeptForTheNextStart) {
+  const QString key = QStringLiteral("options/sheet.color");
+  Settings::the().reset(key);
+  TestDesk desk;
+  const KeptOptions kept(desk.studio);
+  const auto ink = [](const Studio& studio) {
+    return std::get<std::string>(studio.session().option("sheet.color").value());
+  };
+  const std::string first = ink(desk.studio);
+  Drawing board = desk.files->drawing();
+  board.color = {0xF0, 0xF0, 0xEC};
+  ASSERT_TRUE(write_drawing(desk.at("board.felt"), board).has_value());
+  ASSERT_TRUE(desk.files->open(desk.at("board.felt")));
+  EXPECT_EQ(ink(desk.studio), "#f0f0ec") << "the drawing has its colour";
+  EXPECT_FALSE(desk.studio.is_modified());
+  EXPECT_FALSE(Settings::the().value(key).isValid());
+  {
+    Studio next({.live = false});
+    const KeptOptions at_start(next);
+    EXPECT_EQ(ink(next), first);
+  }
+  desk.studio.apply(SetOption{"sheet.color", std::string("#b02020")});
+  ASSERT_TRUE(desk.files->open(desk.at("board.felt")));
+  Studio next({.live = false});
+  const KeptOptions at_start(next);
+  EXPECT_EQ(ink(next), "#b02020") << "what the user chose last";
+  Settings::the().reset(key);
 }
 
 /// The pen goes along a line; on the sheet or above it.

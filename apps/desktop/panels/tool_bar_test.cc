@@ -123,6 +123,21 @@ TEST(ToolActions, TheSizeOfThePencilIsTheLineOfAMouse) {
   EXPECT_EQ(said.count(), 2);
 }
 
+// The options panel and a custom medium allow widths above the range of the keys.
+TEST(ToolActions, AKeyThatMakesItLargerNeverMakesItSmaller) {
+  Desk desk;
+  desk.studio.apply(SetOption{"pencil.max_width_mm", 50.0});
+  desk.studio.apply(SetOption{"pencil.mouse_pressure", 1.0});
+  const double before = tool_size(desk.studio.session())->mm;
+  ASSERT_NEAR(before, 50.0, 1e-9);
+  QSignalSpy said(&desk.studio, &Studio::refused);
+  desk.find("tool.size_up")->trigger();
+  EXPECT_NEAR(tool_size(desk.studio.session())->mm, before, 1e-9);
+  EXPECT_EQ(said.count(), 1);
+  desk.find("tool.size_down")->trigger();
+  EXPECT_LT(tool_size(desk.studio.session())->mm, before);
+}
+
 TEST(ToolActions, SizeIsThatOfTheModeInHand) {
   Desk desk;
   desk.studio.apply(SelectTool{"pull"});

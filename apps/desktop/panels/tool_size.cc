@@ -66,8 +66,9 @@ std::optional<ToolSize> tool_size(const Session& session) {
     const OptionSpec* most = spec_of(session, "max_width_mm");
     if (!most) return {};
     const double share = share_of_mouse(session);
-    // Half of the range, so that the broadest line can still follow.
-    return ToolSize{thin + (broad - thin) * share, most->min, 0.5 * most->max};
+    const double mm = thin + (broad - thin) * share;
+    // Half of the range, so that the broadest line can still follow. Options may be set beyond it.
+    return ToolSize{mm, std::min(most->min, mm), std::max(0.5 * most->max, mm)};
   }
   const std::string option = size_option(session).toStdString();
   const OptionSpec* spec = option.empty() ? nullptr : spec_of(session, option);

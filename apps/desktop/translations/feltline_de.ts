@@ -270,16 +270,16 @@
         <translation>Die Datei kann nicht gelesen oder geschrieben werden: vielleicht ist sie geschützt oder der Datenträger voll.</translation>
     </message>
     <message>
-        <source>It holds more than Feltline can take.</source>
-        <translation>Sie enthält mehr, als Feltline aufnehmen kann.</translation>
-    </message>
-    <message>
         <source>Feltline cannot read this kind of file.</source>
         <translation>Feltline kann Dateien dieser Art nicht lesen.</translation>
     </message>
     <message>
         <source>It is damaged, or not a drawing that Feltline can read.</source>
         <translation>Sie ist beschädigt oder keine Zeichnung, die Feltline lesen kann.</translation>
+    </message>
+    <message>
+        <source>The drawing is too large for Feltline.</source>
+        <translation>Die Zeichnung ist zu groß für Feltline.</translation>
     </message>
 </context>
 <context>
@@ -1996,6 +1996,10 @@
     <message>
         <source>Switch &amp;forces on</source>
         <translation>Kräfte &amp;einschalten</translation>
+    </message>
+    <message>
+        <source>Message from %1: %2</source>
+        <translation>Meldung von %1: %2</translation>
     </message>
 </context>
 <context>
@@ -4310,12 +4314,12 @@ Doppelklick benennt um, Ziehen verschiebt</translation>
         <translation>Größe</translation>
     </message>
     <message>
-        <source>Width of the line that a mouse draws, or size of the tool in hand; [ and ] change it</source>
-        <translation>Breite der Linie, die eine Maus zeichnet, oder Größe des Werkzeugs; [ und ] ändern sie</translation>
-    </message>
-    <message>
         <source> mm</source>
         <translation> mm</translation>
+    </message>
+    <message>
+        <source>Width of a line drawn with the mouse, or size of the current tool. Press [ or ] to change it.</source>
+        <translation>Breite einer mit der Maus gezeichneten Linie oder Größe des aktuellen Werkzeugs. [ und ] ändern sie.</translation>
     </message>
 </context>
 <context>

@@ -270,16 +270,16 @@
         <translation>Het bestand kan niet worden gelezen of geschreven: misschien is het beveiligd of de schijf vol.</translation>
     </message>
     <message>
-        <source>It holds more than Feltline can take.</source>
-        <translation>Het bevat meer dan Feltline aankan.</translation>
-    </message>
-    <message>
         <source>Feltline cannot read this kind of file.</source>
         <translation>Feltline kan dit soort bestand niet lezen.</translation>
     </message>
     <message>
         <source>It is damaged, or not a drawing that Feltline can read.</source>
         <translation>Het is beschadigd, of geen tekening die Feltline kan lezen.</translation>
+    </message>
+    <message>
+        <source>The drawing is too large for Feltline.</source>
+        <translation>De tekening is te groot voor Feltline.</translation>
     </message>
 </context>
 <context>
@@ -1996,6 +1996,10 @@
     <message>
         <source>Switch &amp;forces on</source>
         <translation>Krachten &amp;aanzetten</translation>
+    </message>
+    <message>
+        <source>Message from %1: %2</source>
+        <translation>Melding van %1: %2</translation>
     </message>
 </context>
 <context>
@@ -4310,12 +4314,12 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen</translation>
         <translation>Grootte</translation>
     </message>
     <message>
-        <source>Width of the line that a mouse draws, or size of the tool in hand; [ and ] change it</source>
-        <translation>Breedte van de lijn die een muis tekent, of grootte van het gereedschap; [ en ] veranderen die</translation>
-    </message>
-    <message>
         <source> mm</source>
         <translation> mm</translation>
+    </message>
+    <message>
+        <source>Width of a line drawn with the mouse, or size of the current tool. Press [ or ] to change it.</source>
+        <translation>Breedte van een lijn die met de muis wordt getekend, of grootte van het huidige gereedschap. [ en ] wijzigen die.</translation>
     </message>
 </context>
 <context>

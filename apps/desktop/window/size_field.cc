@@ -11,7 +11,8 @@ SizeField::SizeField(Studio& studio, QWidget* parent) : QDoubleSpinBox(parent), 
   setObjectName(QStringLiteral("top_size"));
   setAccessibleName(tr("Size"));
   setToolTip(
-      tr("Width of the line that a mouse draws, or size of the tool in hand; [ and ] change it"));
+      tr("Width of a line drawn with the mouse, or size of the current tool. Press [ or ] to "
+         "change it."));
   setDecimals(2);
   setSuffix(tr(" mm"));
   setKeyboardTracking(false);

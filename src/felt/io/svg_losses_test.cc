@@ -257,7 +257,7 @@ TEST(SvgLosses, WhatFollowsTheFirstRootIsTold) {
   const Read two(line("stroke='red'"), "",
                  "<svg xmlns='http://www.w3.org/2000/svg'><path d='M0 0h9' stroke='red'/></svg>");
   EXPECT_EQ(two.strokes.size(), 1U);
-  EXPECT_THAT(two.notices, HasSubstr("svg was left out: it is behind the end"));
+  EXPECT_THAT(two.notices, HasSubstr("svg was skipped: it follows the end of the drawing"));
 }
 
 TEST(SvgLosses, APathThatIsTooLongForAStrokeBecomesSeveral) {

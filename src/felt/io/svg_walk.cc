@@ -88,7 +88,8 @@ void SvgWalker::notice(const pugi::xml_node& node, std::string what) {
 Result<void> SvgWalker::walk() {
   if (auto ok = begin(); !ok) return ok;
   for (pugi::xml_node next = document_.root().next_sibling(); next; next = next.next_sibling()) {
-    if (next.type() == pugi::node_element) notice(next, "was left out: it is behind the end");
+    if (next.type() == pugi::node_element)
+      notice(next, "was skipped: it follows the end of the drawing");
   }
   while (!stack_.empty()) {
     Frame& top = stack_.back();
