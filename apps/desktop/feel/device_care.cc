@@ -18,6 +18,10 @@ QString text_of(const Error& error) {
   return QString::fromStdString(error.message);
 }
 
+QString text_of(const ShortText& text) {
+  return QString::fromUtf8(text.view().data(), qsizetype(text.view().size()));
+}
+
 /// The pen cannot be read then, or is nowhere.
 bool ends_reading(DeviceFault fault) {
   return fault == DeviceFault::kDisconnected || fault == DeviceFault::kNotCalibrated;
@@ -86,6 +90,17 @@ void DeviceCare::hear() {
   if (status.last_fault && takes_no_force(*status.last_fault)) {
     say_no_force(*status.last_fault, status);
   }
+  if (!status.fault) say_notice(status);
+}
+
+/// Each notice once: a flat battery, a service whose events have stopped.
+void DeviceCare::say_notice(const DeviceStatus& status) {
+  if (std::exchange(said_notice_, status.notice) == status.notice || status.notice.empty()) return;
+  const PenDeviceInfo info = studio_.device().info();
+  std::vector<DeviceMessage::Button> buttons;
+  if (info.moves_hand && !studio_.forces_are_on()) buttons.push_back(forces_button());
+  say(tr("Message from %1: %2").arg(info.label, text_of(status.notice)), {}, std::move(buttons),
+      false);
 }
 
 void DeviceCare::let_go(DeviceFault fault, const DeviceStatus& status) {
@@ -180,12 +195,16 @@ bool DeviceCare::open(const QString& id, QWidget* parent, bool may_ask) {
   }
   if (!HomingDialog::bring_home(**device, parent ? parent : window_.data())) return false;
   const bool moves_hand = (*device)->info().moves_hand;
+  const DeviceStatus status = (*device)->status();
   studio_.use_device(*std::move(device));
   stop_waiting();
+  said_notice_ = {};
   if (moves_hand) {
-    say(tr("%1 is in use. Its forces are off until you switch them on.").arg(name), {},
-        {forces_button()}, false);
+    said_notice_ = status.notice;
+    say(tr("%1 is in use. Its forces are off until you switch them on.").arg(name),
+        text_of(status.notice), {forces_button()}, false);
   }
+  say_notice(status);
   return true;
 }
 

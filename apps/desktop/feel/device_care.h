@@ -49,6 +49,7 @@ class DeviceCare : public QObject {
   void hear();
   void let_go(DeviceFault fault, const DeviceStatus& status);
   void say_no_force(DeviceFault fault, const DeviceStatus& status);
+  void say_notice(const DeviceStatus& status);
   void wait_for(const QString& id);
   void stop_waiting();
   void look();
@@ -70,6 +71,7 @@ class DeviceCare : public QObject {
   QTimer calm_;
   QTimer patience_;
   std::optional<DeviceFault> said_;
+  ShortText said_notice_;
   std::uint64_t reads_ = 0;  // when the fault came
 };
 

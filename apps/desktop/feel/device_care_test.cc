@@ -255,6 +255,26 @@ TEST(DeviceCare, ForcesThatTheDeviceSwitchesOffDoNotEndTheDrawing) {
   }
 }
 
+TEST(DeviceCare, ShowsTheNoticesOfTheDevice) {
+  Desk desk;
+  desk.arm->notice = "It has no watchdog.";
+  desk.pen_at(30, 30, 20);
+  ASSERT_TRUE(desk.care->use(kArm, nullptr));
+  EXPECT_NE(desk.said().find("is in use"), std::string::npos) << desk.said();
+  EXPECT_EQ(desk.notice->message().details.toStdString(), desk.arm->notice);
+  desk.go_on(100);
+  EXPECT_NE(desk.said().find("is in use"), std::string::npos) << "shown already: " << desk.said();
+  desk.arm->notice = "The service's events have stopped.";
+  desk.go_on(100);
+  EXPECT_NE(desk.said().find(desk.arm->notice), std::string::npos) << desk.said();
+  EXPECT_FALSE(desk.notice->message().is_fault);
+  ASSERT_EQ(desk.notice->message().buttons.size(), 1u) << "forces are still off";
+  desk.notice->press(0);
+  EXPECT_TRUE(desk.studio.forces_are_on());
+  desk.go_on(1000);
+  EXPECT_FALSE(desk.notice->isVisibleTo(&desk.window)) << "each notice is shown once";
+}
+
 TEST(DeviceCare, AFaultThatPassesIsWaitedOutAndOneThatStaysLetsGo) {
   Desk desk;
   desk.pen_at(30, 30, 20);

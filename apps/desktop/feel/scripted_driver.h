@@ -24,6 +24,7 @@ struct ScriptedArm {
   std::optional<DeviceFault> read_fault = {};
   std::optional<DeviceFault> write_fault = {};  ///< for forces that are not zero
   std::string vendor_words = {};
+  std::string notice = {};
   int opened = 0, closed = 0, homed = 0;
   OpenOptions options = {};
   Force sent = {};
@@ -96,7 +97,10 @@ class ScriptedDriver final : public Driver {
     [[nodiscard]] const DeviceDescriptor& descriptor() const noexcept override {
       return descriptor_;
     }
-    [[nodiscard]] DeviceStatus status() noexcept override { return status_; }
+    [[nodiscard]] DeviceStatus status() noexcept override {
+      status_.notice = ShortText(arm_->notice);
+      return status_;
+    }
     [[nodiscard]] Homing homing() noexcept override { return arm_->homing; }
     [[nodiscard]] std::string homing_words() override { return "It has a little brass hole."; }
     Result<void> find_home() override {

@@ -50,7 +50,7 @@ void ColorWell::follow() {
   picture.fill(qcolor(studio_.page().paper));
   QPainter painter(&picture);
   painter.fillRect(QRectF(QPointF(), QSizeF(kSizePx)), qcolor(color));
-  painter.setPen(palette().color(QPalette::Mid));
+  painter.setPen(Qt::gray);  // seen beside black ink on a dark bar, and white ink on a light one
   painter.drawRect(QRectF(QPointF(), QSizeF(kSizePx)).adjusted(0.5, 0.5, -0.5, -0.5));
   painter.end();
   setIcon(QIcon(picture));
