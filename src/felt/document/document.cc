@@ -188,9 +188,7 @@ class Document::Plan {
 
   void change_stroke(const StrokeChange& c) {
     if (c.after) {
-      // Strokes of a file come in the order of their ids.
-      document_.strokes_.insert_or_assign(document_.strokes_.end(), c.id,
-                                          Entry{c.after, c.after_place.layer});
+      document_.strokes_[c.id] = {c.after, c.after_place.layer};
     } else {
       document_.strokes_.erase(c.id);
     }
