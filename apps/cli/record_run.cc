@@ -93,6 +93,7 @@ Result<void> RecordRun::begin() {
   if (!loop) return tl::unexpected(loop.error());
   loop_ = *std::move(loop);
   told_faults_ = 0;
+  told_cuts_ = 0;
   told_device_fault_.reset();
   told_notice_.reset();
   offset_ns_ = last_ns_ - loop_->thread().now_ns();
@@ -204,6 +205,12 @@ void RecordRun::tell_faults(const TickReport& report) {
     console_.notice(std::string(status.notice.view()));
   }
   told_notice_ = status.notice;
+  if (report.ink_cuts > told_cuts_) {
+    console_.notice(
+        "The device reported places that the pen cannot have reached. The stroke ended "
+        "there; what you drew until places were steady again is missing.");
+  }
+  told_cuts_ = report.ink_cuts;
   const SafetyReport& safety = report.safety;
   const std::uint32_t faults = safety.soft_faults + safety.hard_faults;
   if (faults == told_faults_) return;

@@ -77,6 +77,7 @@ class RecordRun {
   std::int64_t last_ns_ = 0;    // of the session
   std::int64_t last_forces_ns_ = -1;
   std::uint32_t told_faults_ = 0;  // of this loop
+  std::uint32_t told_cuts_ = 0;    // same
   std::optional<DeviceFault> told_device_fault_;
   std::optional<ShortText> told_notice_;
   bool wants_forces_ = false;

@@ -4,6 +4,8 @@
 #include <set>
 #include <string>
 
+#include "felt/rt/leap_filter.h"
+#include "felt/session/session.h"
 #include "tests/drivers/driver_bench.h"
 #include "tests/drivers/scripted_bench.h"
 
@@ -52,6 +54,43 @@ TEST(DriverBenches, EachHasANameOfItsOwn) {
   const auto names = driver_bench_names();
   EXPECT_EQ(std::set<std::string_view>(names.begin(), names.end()).size(), names.size());
   EXPECT_EQ(make_driver_bench("none of them", {}), nullptr);
+}
+
+// An arm leaps while the pen bounces: what the filter hands on must not be one stroke for a pencil.
+TEST(LeapFilterWithAPencil, R49_ALeapDuringABounceDrawsNoLine) {
+  constexpr std::int64_t kMs = 1'000'000;
+  for (const double before_z : {-1.0, 0.1}) {
+    for (const double after_z : {-1.0, 0.3}) {
+      LeapFilter filter{SafetyLimits{}};
+      Session session(make_tools(), SessionOptions{});
+      ASSERT_TRUE(session.apply({0, SelectTool{"pencil"}}).has_value());
+      std::int64_t now_ns = 0;
+      const auto draw = [&](int ticks, double x, double z) {
+        for (int i = 0; i < ticks; ++i) {
+          PenSample sample;
+          sample.time_ns = now_ns += kMs;
+          sample.position = {x += 0.1, 20, z};
+          if (const auto passed = filter.pass(sample, now_ns)) {
+            ASSERT_TRUE(session.sample(*passed).has_value());
+          }
+        }
+      };
+      draw(100, 20, -1);
+      draw(3, 30, before_z);
+      draw(4, 1000, after_z);
+      draw(300, 1000, -1);
+      draw(50, 1030, 3);
+      int strokes = 0;
+      for (const Layer& layer : session.document().layers()) {
+        for (const StrokeId id : layer.strokes) {
+          const StrokePtr stroke = session.document().find(id);
+          EXPECT_LT(distance(stroke->position(0), stroke->position(stroke->segment_count())), 50.0);
+          ++strokes;
+        }
+      }
+      EXPECT_EQ(strokes, 2) << before_z << ' ' << after_z;
+    }
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(, DriverBenchTest, ::testing::ValuesIn(driver_bench_names()),

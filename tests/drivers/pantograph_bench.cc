@@ -94,6 +94,9 @@ class PantographBench final : public DriverBench {
   [[nodiscard]] std::string_view broken_rule() const noexcept override {
     return board_->broken_rule();
   }
+  [[nodiscard]] std::optional<Force> last_asked() const override {
+    return plane().turn_to_sheet(board_->newest_force());
+  }
   /// Lines drawn, erased, widened and moved: 0.3 mm, since angles are a period old when they are
   /// read and come in counts of 0.02 to 0.04 mm. A line that is pulled (pull_end_and_home): 0.89
   /// mm, for the pull goes by the very point that it takes hold of; with finer encoders it is 0.17

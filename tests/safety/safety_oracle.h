@@ -51,6 +51,8 @@ class SafetyOracle {
 
   bool has_place_ = false;
   Vec3 place_;
+  std::int64_t told_ns_ = 0;  // the last sample's own time
+  double unheard_s_ = 0.0;    // since the last new sample
   bool held_ = false;
   double held_s_ = 0.0;
   Vec3 before_;  // position of the tick before

@@ -142,7 +142,16 @@ bool SafetyChain::admit(const PenSample& sample) noexcept {
     if (is_armed()) hard_fault(SafetyFault::kNotFinite);
     return false;
   }
+  const bool is_repeated = has_seen_ && repeats(seen_, sample);
+  seen_ = sample;
+  has_seen_ = true;
   if (!is_armed()) {
+    call_ = Call::kBelieved;
+    return true;
+  }
+  if (is_repeated && jumps_.may_wait()) {
+    jumps_.wait(time_);
+    speed_.wait(time_);
     call_ = Call::kBelieved;
     return true;
   }

@@ -99,7 +99,8 @@ class SafetyChain {
   void device_failed() noexcept;
   /// True when the sample can be believed. Otherwise the model must not be asked; limit() with any
   /// force gives what is to be sent. While no force can flow, every finite sample is believed: a
-  /// mouse may leap.
+  /// mouse may leap. A sample that repeats the last one (repeats()) is believed and judges nothing:
+  /// jump and speed are measured from the last new sample.
   bool admit(const PenSample& sample) noexcept;
   /// Scales for the bricks such that the slopes keep to the budget: friction gives way first.
   [[nodiscard]] StiffnessScale budget(const Slopes& slopes) noexcept;
@@ -143,6 +144,8 @@ class SafetyChain {
 
   TickTime time_;
   Call call_ = Call::kNone;
+  PenSample seen_;  // the last finite one
+  bool has_seen_ = false;
   double silence_s_ = 0.0;
   Force sent_;             // what the device holds
   int calm_ticks_ = 0;     // in kWaiting

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <vector>
 
 namespace felt {
@@ -23,7 +24,7 @@ class Rig {
     now_ns += step_ns;
     if (is_edit_alive) chain.heartbeat(now_ns);
     chain.begin(now_ns);
-    const PenSample sample{now_ns, position, velocity, {}, 0};
+    const PenSample sample{said_ns.value_or(now_ns), position, velocity, {}, 0};
     admitted = chain.admit(sample);
     sent = chain.limit(asked, sample);
     return sent;
@@ -46,6 +47,7 @@ class Rig {
 
   SafetyChain chain;
   std::int64_t now_ns = 0;
+  std::optional<std::int64_t> said_ns;  ///< the time of the sample, if not now
   bool is_edit_alive = true;
   bool admitted = false;
   Force sent;
@@ -302,6 +304,38 @@ TEST(SafetyChain, APositionThatJumpsHoldsTheForceFor2MillisecondsThenLatches) {
     EXPECT_TRUE(back.admitted);
   }
   EXPECT_EQ(back.state(), SafetyState::kActive);
+}
+
+// A device whose answers are late says the same again: the hand draws on meanwhile.
+TEST(SafetyChain, R49_AHandThatMovesOnDuringASilenceDoesNotJump) {
+  for (const int silent_ms : {3, 5, 10, 16, 20}) {
+    for (const double mm_per_ms : {0.1, 0.2, 0.5}) {
+      Rig rig;
+      rig.engaged();
+      double x = 0.0;
+      for (int i = 0; i < 50; ++i) rig.tick({0, 0, 2}, {x += mm_per_ms, 0, 0});
+      rig.said_ns = rig.now_ns;
+      for (int i = 0; i < silent_ms; ++i) rig.tick({0, 0, 2}, {x, 0, 0});
+      rig.said_ns.reset();
+      x += silent_ms * mm_per_ms;
+      for (int i = 0; i < 50; ++i) {
+        rig.tick({0, 0, 2}, {x += mm_per_ms, 0, 0});
+        EXPECT_TRUE(rig.admitted) << silent_ms << " ms at " << mm_per_ms;
+      }
+      EXPECT_EQ(rig.state(), SafetyState::kActive);
+      EXPECT_EQ(rig.chain.report().soft_faults + rig.chain.report().hard_faults, 0u);
+    }
+  }
+}
+
+TEST(SafetyChain, R49_AJumpThatIsRepeatedIsAFaultAfter2Milliseconds) {
+  Rig rig;
+  rig.engaged();
+  rig.tick({0, 0, 2}, {5, 0, 0});
+  rig.said_ns = rig.now_ns;
+  for (int i = 0; i < 2; ++i) rig.tick({0, 0, 2}, {5, 0, 0});
+  EXPECT_EQ(rig.fault(), SafetyFault::kPositionJump);
+  EXPECT_EQ(rig.sent, Force{});
 }
 
 TEST(SafetyChain, R49_APositionThatLiesInEverySecondSampleLatches) {

@@ -17,12 +17,20 @@ bool is_finite(const PenSample& sample) noexcept {
          std::isfinite(sample.pressure.value_or(0.0));
 }
 
+bool repeats(const PenSample& last, const PenSample& sample) noexcept {
+  return sample.time_ns == last.time_ns && sample.position == last.position;
+}
+
 JumpGuard::JumpGuard(const SafetyLimits& limits) noexcept
     : jump_mm_per_s_(limits.jump_mm_per_ms * kMillisecondsPerSecond), hold_s_(limits.jump_hold_s) {}
 
 PositionVerdict JumpGuard::judge(const Vec3& position_mm, const TickTime& time) noexcept {
+  const double span_s = time.lateness == Lateness::kVeryLate
+                            ? kMaxReachS
+                            : std::min(waited_s_ + time.model_s, kMaxReachS);
+  waited_s_ = 0.0;
   // Squares of huge distances are infinite, which is far enough.
-  if (!has_last_ || norm(position_mm - last_mm_) <= jump_mm_per_s_ * time.model_s) {
+  if (!has_last_ || norm(position_mm - last_mm_) <= jump_mm_per_s_ * span_s) {
     last_mm_ = position_mm;
     has_last_ = true;
     is_holding_ = false;

@@ -12,6 +12,10 @@ namespace felt {
 /// True when every number of the sample is finite.
 bool is_finite(const PenSample& sample) noexcept;
 
+/// True if a device has nothing newer to say than `last`: the same time and the same position. Such
+/// a sample does not say that the pen stands still.
+bool repeats(const PenSample& last, const PenSample& sample) noexcept;
+
 /// What to make of a position.
 enum class PositionVerdict : std::uint8_t {
   kBelieved,
@@ -21,21 +25,28 @@ enum class PositionVerdict : std::uint8_t {
 
 /// Detects positions that jump by more than 3 mm/ms. A position is believed if it lies within reach
 /// of the last believed one; the reach is that of one tick, so a lasting jump does not become
-/// plausible by waiting. One jump that comes back within jump_hold_s is forgiven. Jumps that come
-/// back again and again are not: held time adds up to kMaxDoubtS, and believed time takes only an
-/// eighth of itself off, so that a position that lies in every second sample is a fault after about
-/// 20 ms, and in one of nine never.
+/// plausible by waiting. Ticks without a new sample (wait()) count as part of the next one, because
+/// the pen moves on while a device's answers are late; the reach is that of kMaxReachS at most,
+/// also after a tick that was very late. One jump that comes back within jump_hold_s is forgiven.
+/// Jumps that come back again and again are not: held time adds up to kMaxDoubtS, and believed time
+/// takes only an eighth of itself off, so that a position that lies in every second sample is a
+/// fault after about 20 ms, and in one of nine never.
 class JumpGuard {
  public:
   static constexpr double kMaxDoubtS = 0.010;
+  static constexpr double kMaxReachS = 0.025;
 
   explicit JumpGuard(const SafetyLimits& limits) noexcept;
 
   /// Forgets the last position, so that the next one is believed, and all doubts.
   void reset() noexcept {
     has_last_ = is_holding_ = false;
-    doubt_s_ = 0.0;
+    doubt_s_ = waited_s_ = 0.0;
   }
+  /// A tick without a new sample.
+  void wait(const TickTime& time) noexcept { waited_s_ += time.model_s; }
+  /// True if there is a believed position, and the last one was not held.
+  [[nodiscard]] bool may_wait() const noexcept { return has_last_ && !is_holding_; }
   PositionVerdict judge(const Vec3& position_mm, const TickTime& time) noexcept;
 
  private:
@@ -45,7 +56,8 @@ class JumpGuard {
   bool has_last_ = false;
   bool is_holding_ = false;
   double held_s_ = 0.0;
-  double doubt_s_ = 0.0;  // of held positions, less an eighth of the believed time
+  double waited_s_ = 0.0;  // since the last judged position
+  double doubt_s_ = 0.0;   // of held positions, less an eighth of the believed time
 };
 
 /// Speed of the pen, by its own account or by its positions, whichever is more: a device that
@@ -57,6 +69,8 @@ class SpeedGuard {
 
   /// Forgets the last position and all speeds.
   void reset() noexcept;
+  /// A tick without a new sample.
+  void wait(const TickTime& time) noexcept { since_anchor_s_ += time.charged_s; }
   /// Takes a believed sample; finite numbers of any size.
   void update(const PenSample& sample, const TickTime& time) noexcept;
 

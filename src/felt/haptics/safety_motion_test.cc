@@ -58,6 +58,30 @@ TEST(JumpGuard, TheReachGrowsWithTheTickUpTo5Milliseconds) {
   EXPECT_EQ(judge(1e308, 0.005), PositionVerdict::kHeld);
 }
 
+TEST(JumpGuard, TicksWithoutANewSampleBelongToTheNextOne) {
+  const auto judge = [](double mm, int waits, Lateness lateness) {
+    JumpGuard guard({});
+    guard.judge({0, 0, 0}, kTick);
+    for (int i = 0; i < waits; ++i) guard.wait(kTick);
+    TickTime time = kTick;
+    time.lateness = lateness;
+    return guard.judge({mm, 0, 0}, time);
+  };
+  EXPECT_EQ(judge(32.9, 10, Lateness::kOnTime), PositionVerdict::kBelieved);
+  EXPECT_EQ(judge(33.1, 10, Lateness::kOnTime), PositionVerdict::kHeld);
+  EXPECT_EQ(judge(75.1, 1000, Lateness::kOnTime), PositionVerdict::kHeld) << "no more than 25 ms";
+  EXPECT_EQ(judge(74.9, 0, Lateness::kVeryLate), PositionVerdict::kBelieved);
+}
+
+TEST(SpeedGuard, TicksWithoutANewSampleBelongToTheNextOne) {
+  SpeedGuard guard({});
+  guard.update(at(0), kTick);
+  for (int i = 0; i < 15; ++i) guard.wait(kTick);
+  guard.update(at(8), kTick);
+  EXPECT_NEAR(guard.speed_m_per_s(), 0.5, 1e-9);
+  EXPECT_FALSE(guard.must_cut());
+}
+
 TEST(SpeedGuard, CutsAfterThreeSamplesAbove1OrOneAbove2MetresPerSecond) {
   SpeedGuard guard({});
   guard.update(at(0), kTick);

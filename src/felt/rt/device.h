@@ -44,7 +44,9 @@ class Device {
   [[nodiscard]] virtual std::string_view name() const noexcept = 0;
   /// Fixed while the device is open. Any thread.
   [[nodiscard]] virtual const Capabilities& capabilities() const noexcept = 0;
-  /// The pen now. `now_ns` is the loop's clock; a simulated device advances to it.
+  /// The pen now. If nothing newer has come since the last read(), the same sample again with the
+  /// same time_ns: whoever measures speeds must not take it for a pen that stands still. `now_ns`
+  /// is the loop's clock; a simulated device advances to it.
   virtual tl::expected<PenSample, DeviceFault> read(std::int64_t now_ns) noexcept = 0;
   /// What the pen was between the last read and the one before it, oldest first, one a call; none
   /// when all of them were told. For pens that are faster than the loop and push back with nothing:

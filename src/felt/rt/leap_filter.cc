@@ -3,13 +3,27 @@
 #include <algorithm>
 
 namespace felt {
+namespace {
+
+/// True if the pen is so far above the surface that no stroke can be in progress.
+bool is_lifted(const PenSample& sample) noexcept {
+  return sample.position.z >= LeapFilter::kLiftMm && !in_contact(sample);
+}
+
+}  // namespace
 
 std::optional<PenSample> LeapFilter::pass(const PenSample& sample, std::int64_t now_ns) noexcept {
   const TickTime time = clock_.tick(now_ns);
+  if (seen_ && repeats(*seen_, sample)) {
+    leaps_.wait(time);
+    steady_.wait(time);
+    return std::nullopt;
+  }
+  seen_ = sample;
   if (is_lost_) {
-    if (!is_back(sample, time)) return std::nullopt;
+    if (!is_steady(sample, time)) return std::nullopt;
     is_lost_ = false;
-    leaps_.reset();
+    return believe(sample, time);
   }
   switch (leaps_.judge(sample.position, time)) {
     case PositionVerdict::kBelieved:
@@ -17,40 +31,48 @@ std::optional<PenSample> LeapFilter::pass(const PenSample& sample, std::int64_t 
       was_held_ = false;
       return sample;
     case PositionVerdict::kHeld:
+      if (time.lateness == Lateness::kVeryLate) {
+        believe(sample, time);
+        return cut(sample.time_ns);
+      }
       was_held_ = true;
       return std::nullopt;
     case PositionVerdict::kFault:
       break;
   }
-  if (was_held_ && !(in_contact(last_) && in_contact(sample))) {
-    leaps_.reset();
-    static_cast<void>(leaps_.judge(sample.position, time));
-    last_ = sample;
-    return sample;
-  }
+  if (was_held_ && is_lifted(last_) && is_lifted(sample)) return believe(sample, time);
   is_lost_ = true;
   steady_s_ = 0.0;
   steady_.reset();
-  return lifted(sample.time_ns);
+  return cut(sample.time_ns);
 }
 
-PenSample LeapFilter::lifted(std::int64_t time_ns) const noexcept {
-  PenSample lifted = last_;
-  lifted.time_ns = std::max(time_ns, last_.time_ns);
-  lifted.position.z = std::max(kLiftMm, last_.position.z);
-  lifted.velocity = {};
-  if (lifted.pressure) lifted.pressure = 0.0;
-  return lifted;
+/// Starts anew at this sample.
+PenSample LeapFilter::believe(const PenSample& sample, const TickTime& time) noexcept {
+  leaps_.reset();
+  static_cast<void>(leaps_.judge(sample.position, time));
+  was_held_ = false;
+  return last_ = sample;
 }
 
-bool LeapFilter::is_back(const PenSample& sample, const TickTime& time) noexcept {
+/// Ends the stroke, if one is in progress, where it was last believed.
+PenSample LeapFilter::cut(std::int64_t time_ns) noexcept {
+  if (!is_lifted(last_)) ++cuts_;
+  last_.time_ns = std::max(time_ns, last_.time_ns);
+  last_.position.z = std::max(kLiftMm, last_.position.z);
+  last_.velocity = {};
+  if (last_.pressure) last_.pressure = 0.0;
+  return last_;
+}
+
+bool LeapFilter::is_steady(const PenSample& sample, const TickTime& time) noexcept {
   if (steady_.judge(sample.position, time) == PositionVerdict::kBelieved) {
     steady_s_ += time.model_s;
   } else {
     steady_s_ = 0.0;
     steady_.reset();
   }
-  return steady_s_ >= 1e-9 * static_cast<double>(kSteadyNs) && !in_contact(sample);
+  return steady_s_ >= 1e-9 * static_cast<double>(kSteadyNs);
 }
 
 }  // namespace felt

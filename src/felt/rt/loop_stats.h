@@ -82,6 +82,10 @@ class LoopStats {
       missed_ += static_cast<std::uint64_t>(late_ns / period_ns);
     }
   }
+  /// A pause between two ticks that was meant. Real-time safe.
+  constexpr void leave_out(std::int64_t ns) noexcept {
+    if (lateness_.count() > 0) first_ns_ += ns;
+  }
   /// CPU time of one tick, from those who measure it. Real-time safe.
   constexpr void add_cpu(std::int64_t ns) noexcept { cpu_.add(ns); }
   /// Of another run or another loop: rates are over the sum of the times.
@@ -97,7 +101,7 @@ class LoopStats {
   [[nodiscard]] constexpr std::uint64_t ticks() const noexcept { return lateness_.count(); }
   /// Periods that went by without a tick.
   [[nodiscard]] constexpr std::uint64_t missed() const noexcept { return missed_; }
-  /// From the first tick to the last.
+  /// From the first tick to the last, without pauses.
   [[nodiscard]] constexpr std::int64_t duration_ns() const noexcept { return last_ns_ - first_ns_; }
   /// Ticks per second; 0 before the second tick.
   [[nodiscard]] constexpr double rate_hz() const noexcept {

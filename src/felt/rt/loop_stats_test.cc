@@ -37,6 +37,22 @@ TEST(TimeHistogram, EmptyNegativeAndEndlessDurations) {
   EXPECT_EQ(histogram.count(), 2U);
 }
 
+TEST(LoopStats, PausesAreNotPartOfTheRate) {
+  constexpr std::int64_t kMs = 1'000'000;
+  LoopStats stats;
+  std::int64_t now_ns = 0;
+  for (int i = 0; i < 101; ++i) {
+    if (i % 10 == 5) {
+      stats.leave_out(700 * kMs);
+      now_ns += 700 * kMs;
+    }
+    stats.tick(now_ns, 0, kMs);
+    now_ns += kMs;
+  }
+  EXPECT_EQ(stats.duration_ns(), 100 * kMs);
+  EXPECT_NEAR(stats.rate_hz(), 1000.0, 1e-6);
+}
+
 TEST(LoopStats, CountsTicksRateAndMissedPeriods) {
   constexpr std::int64_t kMs = 1'000'000;
   LoopStats stats;

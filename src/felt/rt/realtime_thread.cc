@@ -109,7 +109,8 @@ RealtimeStatus RealtimeThread::status() const noexcept {
   RealtimeStatus status = status_;
   if (!is_running() || is_paused()) return status;
   const std::int64_t ticked_ns = ticked_ns_.load(std::memory_order_relaxed);
-  status.is_silent = now_ns() - std::max(ticked_ns, first_due_ns_) > kSilentNs;
+  const std::int64_t resumed_ns = resumed_ns_.load(std::memory_order_relaxed);
+  status.is_silent = now_ns() - std::max({ticked_ns, first_due_ns_, resumed_ns}) > kSilentNs;
   return status;
 }
 
@@ -125,6 +126,7 @@ Result<void> RealtimeThread::start() {
   is_set_up_.store(false, std::memory_order_relaxed);
   has_ended_.store(false, std::memory_order_relaxed);
   ticked_ns_.store(kNever, std::memory_order_relaxed);
+  resumed_ns_.store(kNever, std::memory_order_relaxed);
   own_stats_ = {};
   next_stats_ns_ = 0;
   if (host_ != nullptr) return start_hosted();
@@ -202,7 +204,9 @@ void RealtimeThread::loop() noexcept {
   std::int64_t deadline_ns = first_due_ns_;
   while (!stop_asked_.load(std::memory_order_relaxed)) {
     if (pause_asked_.load(std::memory_order_acquire)) {
-      deadline_ns = sleep_until_resumed(deadline_ns);
+      const std::int64_t due_ns = deadline_ns;
+      deadline_ns = sleep_until_resumed(due_ns);
+      own_stats_.leave_out(deadline_ns - due_ns);
       continue;
     }
     const std::int64_t woke_ns = wait_for(deadline_ns);
@@ -227,6 +231,7 @@ void RealtimeThread::pause() noexcept {
 }
 
 void RealtimeThread::resume() noexcept {
+  if (is_paused()) resumed_ns_.store(now_ns(), std::memory_order_relaxed);
   pause_asked_.store(false, std::memory_order_release);
   pause_asked_.notify_one();
 }

@@ -147,6 +147,7 @@ class RealtimeThread {
   std::atomic<bool> is_in_tick_{false};  // the host's
   std::atomic<Hosted> hosted_{Hosted::kDone};
   std::atomic<std::int64_t> ticked_ns_{kNever};  // when the last tick began
+  std::atomic<std::int64_t> resumed_ns_{kNever};
   LatestValue<LoopStats> stats_;
   // The loop's own.
   LoopStats own_stats_;

@@ -139,10 +139,34 @@ TEST(RealtimeThread, APausedLoopDoesNotTickAndGoesOnAtOnce) {
   loop.resume();
   PenSample sample;
   wait_until([&] { return servo->for_edit().pop(sample); });
+  EXPECT_FALSE(loop.status().is_silent);
   // Whoever counts periods from the first tick is right as before.
   loop.pause();
   EXPECT_TRUE(loop.stop()) << "a paused loop ends, too";
   EXPECT_FALSE(loop.is_paused());
+}
+
+TEST(RealtimeThread, AfterALongPauseTheLoopIsNotSilent) {
+  ScriptedDevice device;
+  const auto servo = std::make_unique<Servo>(device, ServoOptions{});
+  RealtimeThread loop(*servo, {});
+  ASSERT_TRUE(loop.start().has_value());
+  const auto drained = [&servo] {
+    std::size_t count = 0;
+    for (PenSample sample; servo->for_edit().pop(sample);) ++count;
+    return count;
+  };
+  wait_until([&] { return drained() > 0; });
+  for (int i = 0; i < 3; ++i) {
+    loop.pause();
+    std::this_thread::sleep_for(std::chrono::milliseconds(600));
+    loop.resume();
+    EXPECT_FALSE(loop.status().is_silent);
+    drained();
+    wait_until([&] { return drained() > 0; });
+  }
+  EXPECT_TRUE(loop.stop());
+  EXPECT_LT(loop.stats().duration_ns(), 3 * 600'000'000);
 }
 
 }  // namespace

@@ -88,6 +88,7 @@ void Servo::hand_over_ink(const PenSample& sample, std::int64_t now_ns) noexcept
   if (is_arm_) {
     const std::optional<PenSample> passed = leaps_.pass(sample, now_ns);
     if (passed) hand_over(*passed);
+    report_.ink_cuts = leaps_.cuts();
   } else if (report_.sample_ok || !has_force_) {
     hand_over(sample);
   }

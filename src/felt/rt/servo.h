@@ -26,6 +26,7 @@ struct TickReport {
   ForceTerms terms;       ///< of the current model, before the cross-fade and without the strength
   double strength = 1.0;  ///< master strength on this tick, 0..1 (Servo::set_strength)
   SafetyReport safety;
+  std::uint32_t ink_cuts = 0;  ///< strokes ended by leaps of the arm since the start (LeapFilter)
 };
 
 struct ServoOptions {

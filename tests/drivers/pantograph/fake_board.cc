@@ -233,16 +233,18 @@ void FakeBoard::take_torques(std::span<const std::byte> bytes, std::vector<std::
 }
 
 // The force at the handle that these torques are, where the computer thinks that it is.
+Force FakeBoard::newest_force() const noexcept {
+  const auto bar = FiveBar::at(model_.size, told_rad_);
+  if (!bar) return {};
+  const auto& j = bar->jacobian();
+  const double det = j[0][0] * j[1][1] - j[0][1] * j[1][0];
+  const double t1 = 1e3 * torques_[0], t2 = 1e3 * torques_[1];  // N mm
+  if (!(std::abs(det) > 1e-9)) return {};
+  return {(j[1][1] * t1 - j[1][0] * t2) / det, (j[0][0] * t2 - j[0][1] * t1) / det, 0.0};
+}
+
 void FakeBoard::apply() {
-  Force force;
-  if (const auto bar = FiveBar::at(model_.size, told_rad_)) {
-    const auto& j = bar->jacobian();
-    const double det = j[0][0] * j[1][1] - j[0][1] * j[1][0];
-    const double t1 = 1e3 * torques_[0], t2 = 1e3 * torques_[1];  // N mm
-    if (std::abs(det) > 1e-9) {
-      force = {(j[1][1] * t1 - j[1][0] * t2) / det, (j[0][0] * t2 - j[0][1] * t1) / det, 0.0};
-    }
-  }
+  const Force force = newest_force();
   const bool is_number = std::isfinite(torques_[0]) && std::isfinite(torques_[1]);
   largest_n_ =
       std::max(largest_n_, is_number ? norm(force) : std::numeric_limits<double>::infinity());

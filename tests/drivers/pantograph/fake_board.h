@@ -49,6 +49,9 @@ class FakeBoard {
   [[nodiscard]] double largest_asked_n() const noexcept { return largest_n_; }
   [[nodiscard]] std::string_view broken_rule() const noexcept { return rule_; }
   [[nodiscard]] const std::array<double, 2>& torques_nm() const noexcept { return torques_; }
+  /// The force that the newest frame asked for, with the arms as the computer knows them; in the
+  /// board's axes, N.
+  [[nodiscard]] Force newest_force() const noexcept;
   [[nodiscard]] int resets() const noexcept { return resets_; }
   /// What a guard would send when the program cannot; empty: none was asked for.
   [[nodiscard]] const std::vector<std::byte>& last_words() const noexcept { return last_words_; }

@@ -71,13 +71,16 @@ DeviceStatus HaplyDevice::status() noexcept {
 tl::unexpected<DeviceFault> HaplyDevice::failed(DeviceFault fault,
                                                 const ShortText& words) noexcept {
   // While forces are off because the service is late, states that fail to come are no news.
-  const bool is_known = pace_words_ && status_.fault == DeviceFault::kForcesOff &&
-                        (fault == DeviceFault::kOther || fault == DeviceFault::kForcesOff);
+  const bool is_known =
+      pace_words_ && status_.fault == DeviceFault::kForcesOff && fault == DeviceFault::kOther;
   const bool is_same = status_.fault == fault && status_.vendor_words == words;
   if (is_known || is_same) return tl::unexpected(fault);
   status_.fault = status_.last_fault = fault;
   status_.vendor_words = words;
-  ++status_.faults;
+  // After a brake, say, the service is still late: shown again, but not counted again.
+  const bool is_pace = pace_words_ && fault == DeviceFault::kForcesOff && words == *pace_words_;
+  if (!(is_pace && is_pace_told_)) ++status_.faults;
+  is_pace_told_ = is_pace_told_ || is_pace;
   shown_.publish(status_);
   return tl::unexpected(fault);
 }
@@ -222,7 +225,6 @@ tl::expected<PenSample, DeviceFault> HaplyDevice::nothing_heard() noexcept {
   if (pace_.waited_ns() > kMaxHeldNs || !has_sample_) {
     return failed(DeviceFault::kOther, ShortText("The Inverse Service does not answer."));
   }
-  sample_.time_ns = now_ns_;
   return sample_;
 }
 
@@ -241,6 +243,7 @@ void HaplyDevice::follow_pace(bool has_state) noexcept {
   pace_.tick(tick_ns_, has_state);
   if (!pace_.is_off()) {
     pace_words_.reset();
+    is_pace_told_ = false;
   } else if (!pace_words_) {
     pace_words_ = pace_.waited_ns() > ServicePace::kHoldNs
                       ? ShortText("The Inverse Service does not answer in time.")

@@ -121,6 +121,7 @@ class HaplyDevice final : public DriverDevice {
   std::optional<ShortText> force_stopped_;  // until the next write() has said so
   ShortText brake_words_, gone_words_;
   std::optional<ShortText> pace_words_;  // while the pace is off
+  bool is_pace_told_ = false;
   int deaf_states_ = 0;
   int keys_tried_ = 1;
   std::int64_t now_ns_ = 0;

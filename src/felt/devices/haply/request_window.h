@@ -9,7 +9,8 @@ namespace felt::haply {
 ///
 /// A message goes when all before it are answered. There is one exception: while a message with a
 /// force is unanswered, one without may follow it at once, to let go. So at most one message with a
-/// force is under way, at most kMaxUnanswered in all, and the newest of two never bears a force.
+/// force is under way, at most kMaxUnanswered in all that count, and the newest of two never bears
+/// a force.
 ///
 ///   window.wait(time since the last tick)
 ///   if (window.is_clear()) ...                     any message may go
@@ -19,7 +20,9 @@ namespace felt::haply {
 /// TCP loses nothing, but a service may answer several messages with one state. After kPatienceNs
 /// without an answer one message without force asks again. If an answer has come since the newest
 /// message, what is missing then counts as answered by it. The patience doubles each time, so that
-/// a service that is merely slow is miscounted a few times at most.
+/// a service that is merely slower than the patience is miscounted a few times: up to four messages
+/// can then wait before it. None of them bears a force, because forces are off by then
+/// (ServicePace::kHoldNs is shorter than the patience).
 ///
 /// Haptic thread; real-time safe.
 class RequestWindow {

@@ -45,7 +45,7 @@ TEST(RequestWindow, WhatIsNeverAnsweredIsAskedOnceMoreAndNoMore) {
 }
 
 // A service that takes one message after the other, as slowly as it likes.
-TEST(RequestWindow, NoMoreThanTwoWaitBeforeASlowService) {
+TEST(RequestWindow, OneWaitsBeforeASlowServiceAndFourAtMostBeforeOneThatIsMiscounted) {
   for (const double answer_ms : {0.5, 1.2, 2.0, 2.1, 5.0, 19.0, 30.0, 100.0, 300.0}) {
     RequestWindow window;
     std::deque<double> done_ms;

@@ -38,8 +38,7 @@ void ServicePace::tick(std::int64_t ns, bool has_state) noexcept {
   }
   double change = dt_ns / static_cast<double>(kSlowRampNs);
   if (is_slow_) change = -change;
-  if (waited_ns_ > kHoldNs) change = -dt_ns / static_cast<double>(kRampNs);
-  share_ = std::clamp(share_ + change, 0.0, 1.0);
+  share_ = waited_ns_ > kHoldNs ? 0.0 : std::clamp(share_ + change, 0.0, 1.0);
   is_off_ = share_ == 0.0;
   if (is_off_) timely_ns_ = 0;
 }

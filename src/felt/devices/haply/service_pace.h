@@ -6,16 +6,17 @@ namespace felt::haply {
 
 /// Judges how quickly the service answers, and how much of the force may go while it does not.
 ///
-/// While states are late the last force holds for kHoldNs; then it falls to zero within kRampNs. If
-/// states come regularly but seldom (kSlowPeriods from one to the next, on average), the force
-/// falls within kSlowRampNs: the stiffness was chosen for a state in each tick. Once it is zero the
-/// pace is off, and stays so until states have come in time for kTimelyNs: one fault, however long.
+/// While states are late the last force holds, for kHoldNs at most; then it goes. An answer before
+/// that changes nothing. (A ramp would not reach the device: nothing but a message without force
+/// may follow one that is unanswered, RequestWindow.) If states come regularly but seldom
+/// (kSlowPeriods from one to the next, on average), the force falls within kSlowRampNs: the
+/// stiffness was chosen for a state in each tick. Once it is zero the pace is off, and stays so
+/// until states have come in time for kTimelyNs: one fault, however long.
 ///
 /// Haptic thread; real-time safe.
 class ServicePace {
  public:
-  static constexpr std::int64_t kHoldNs = 8'000'000;
-  static constexpr std::int64_t kRampNs = 8'000'000;
+  static constexpr std::int64_t kHoldNs = 16'000'000;
   static constexpr std::int64_t kSlowRampNs = 100'000'000;
   static constexpr std::int64_t kTimelyNs = 1'000'000'000;
   static constexpr double kSlowPeriods = 1.7;

@@ -144,7 +144,6 @@ tl::expected<PenSample, DeviceFault> PantographDevice::nothing_heard(Heard heard
     return is_half ? failed(DeviceFault::kBadData, "The board's answers are too short.")
                    : failed(DeviceFault::kOther, "The board does not answer.");
   }
-  sample_.time_ns = now_ns_;
   return sample_;
 }
 
@@ -190,7 +189,7 @@ tl::expected<PenSample, DeviceFault> PantographDevice::read(std::int64_t now_ns)
   now_ns_ = now_ns;
   if (is_gone_) return failed(DeviceFault::kDisconnected, gone_words_.view());
   if (!is_home_) return failed(DeviceFault::kNotCalibrated, kNotHome);
-  if (unanswered_ == 0) send({});
+  if (unanswered_ == 0 && send({})) sent_ = {};
   const Heard heard = is_gone_ ? Heard::kClosed : hear(kWaitNs);
   switch (heard) {
     case Heard::kClosed:
@@ -222,14 +221,15 @@ tl::expected<void, DeviceFault> PantographDevice::write(const Force& force) noex
   }
   const ForceGate::Passed passed =
       gate_.pass(is_finite(force) ? Force{force.x, force.y, 0.0} : force, now_ns_);
-  std::array<double, 2> torques{};
+  Force pushes;
   const bool is_guarded = port_->is_guarded();
   if (bar_ && is_home_ && is_guarded && missed_ <= kMostMissed) {
-    torques = bar_->torques((kLess * bar_->authority()) * passed.force);
+    pushes = (kLess * bar_->authority()) * passed.force;
   } else {
     gate_.let_go();
   }
-  const bool went = send(torques);
+  const bool went = send(bar_ ? bar_->torques(pushes) : std::array<double, 2>{});
+  if (went) sent_ = pushes;
   if (is_gone_) return tl::unexpected(DeviceFault::kDisconnected);
   if (!passed.was_finite) {
     return failed(DeviceFault::kBadData, "A force was asked for that is no number.");
@@ -250,6 +250,7 @@ void PantographDevice::let_go(int tries) noexcept {
   for (int i = 0; i < tries; ++i) {
     const auto sent = port_->send(frame, kSendNs);
     if (sent) {
+      sent_ = {};
       if (!is_set_up_) return;  // which is not answered
       unanswered_ = std::min(unanswered_ + 1, kMostUnanswered);
       sent_ns_ = now_ns_;
@@ -280,6 +281,7 @@ Result<void> PantographDevice::set_up() {
   // Below nothing is sent for a while, and a board that begins anew must hear no torques.
   static_cast<void>(port_->keep_guard({}, 0));
   is_set_up_ = false;
+  sent_ = {};
   if (!port_->send(reset_frame(), kSetUpNs)) {
     return fail(ErrorCode::kIo, "The board takes no bytes.");
   }

@@ -59,7 +59,7 @@ class PantographDevice final : public DriverDevice {
   tl::expected<PenSample, DeviceFault> read(std::int64_t now_ns) noexcept override;
   tl::expected<void, DeviceFault> write(const Force& force) noexcept override;
   void stop() noexcept override;
-  [[nodiscard]] std::optional<Force> held_force() const noexcept override { return gate_.held(); }
+  [[nodiscard]] std::optional<Force> held_force() const noexcept override { return sent_; }
   bool set_pen_down(bool is_down) noexcept override {
     is_down_.store(is_down);
     return true;
@@ -93,6 +93,7 @@ class PantographDevice final : public DriverDevice {
   const BoardModel& model_;
   DeviceDescriptor descriptor_;
   ForceGate gate_;
+  Force sent_;  // what the torques of the newest frame push with
   std::atomic<bool> is_down_;
   bool is_home_ = false;
   bool is_set_up_ = false;  // it was told what it drives, since it began anew
