@@ -186,6 +186,26 @@ TEST(PantographDriver, ForcesAreBoundedAndFadeWhereTheArmsComeIntoLine) {
   EXPECT_NEAR(norm(world.held_force()), 1.0, 0.02);
 }
 
+TEST(PantographDriver, R49_WhatIsLoggedIsWhatTheTorquesPushWith) {
+  Table table("v2");
+  ASSERT_TRUE(table.open_at_home());
+  const auto is_true = [&] {
+    return norm(*table.device->held_force() - table.board.newest_force()) < 1e-4;
+  };
+  table.world.stylus().place({0, 125, 0});
+  table.tick();
+  table.push({0, 0.4, 0});
+  EXPECT_TRUE(is_true());
+  EXPECT_NEAR(norm(*table.device->held_force()), 0.4, 1e-4);
+  table.board.refuse_frames(1);
+  table.tick({0, 1, 0});
+  EXPECT_TRUE(is_true()) << "a frame that did not go pushes with nothing";
+  table.push({0.3, 0.8, 0});
+  EXPECT_TRUE(is_true());
+  table.device->stop();
+  EXPECT_EQ(table.device->held_force(), Force{});
+}
+
 TEST(PantographDriver, ShortAnswersWrongIdsAndNoiseAreFaultsAndOver) {
   Table table;
   ASSERT_TRUE(table.open_at_home());
