@@ -99,9 +99,9 @@ Result<void> RecordRun::begin() {
   offset_ns_ = last_ns_ - loop_->thread().now_ns();
   if (last_ns_ == 0) offset_ns_ = 0;
   console_.notice(describe(loop_->thread().status()));
-  if (Result<void> told = session_.apply({last_ns_, UseDevice{loop_->capabilities()}}); !told) {
-    return told;
-  }
+  const UseDevice device{with_force_limit(loop_->capabilities(), options_.force_limit_n)};
+  if (Result<void> told = session_.apply({last_ns_, device}); !told) return told;
+  loop_->servo().set_session_offset(offset_ns_);
   loop_->servo().publish(session_.force());
   if (wants_forces_) loop_->servo().arm();
   return {};

@@ -189,6 +189,21 @@ TEST(RecordRunTest, DrawsGoesOnAfterTheDeviceWasGoneAndKeepsTheInk) {
   EXPECT_EQ(world.largest_n.load(), 0.0) << "nobody asked for forces";
 }
 
+TEST(RecordRunTest, R14_TheSessionKnowsTheForceLimit) {
+  World world;
+  double told_n = 0.0;
+  RecordOptions options;
+  options.force_limit_n = 0.3;
+  draw(
+      world,
+      [&](const Session& session) {
+        told_n = session.device().advised_force_n;
+        return session.document().stroke_count() >= 1;
+      },
+      false, options);
+  EXPECT_EQ(told_n, 0.3);
+}
+
 TEST(RecordRunTest, APortThatIsNotFreeYetIsTriedAgain) {
   World world;
   world.refusals = 2;

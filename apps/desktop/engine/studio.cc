@@ -82,7 +82,7 @@ void Studio::make_session(Document document, std::span<const std::string> materi
   };
   auto session = std::make_unique<Session>(make_tools(), std::move(options));
   // Said as events, so that whoever records them has all that the drawing depends on.
-  static_cast<void>(session->apply({event_time_ns(), UseDevice{device_->device().capabilities()}}));
+  static_cast<void>(session->apply({event_time_ns(), used_device()}));
   const std::unique_ptr<Session> before = std::exchange(session_, std::move(session));
   brought_.clear();
   take_materials(materials);  // before the options, which may name one of them
@@ -121,6 +121,7 @@ void Studio::start_loop() {
   clock_start_ns_ = now_ns();
   servo_ = std::make_unique<Servo>(device, options);
   servo_->set_strength(strength_);
+  servo_->set_session_offset(clock_start_ns_);
   last_event_ns_ = clock_start_ns_;
   hand_.reset();
   if (HandInput* hand = device_->hand()) {
@@ -144,14 +145,15 @@ void Studio::start_loop() {
 /// in; the servo is gone.
 bool Studio::stop_loop() {
   std::unique_ptr<RealtimeThread> hanging;
+  std::optional<std::int64_t> end_ns;
   if (thread_) {
-    const std::int64_t end_ns = now_ns();
+    end_ns = now_ns();
     if (!thread_->stop()) hanging = std::move(thread_);
     thread_.reset();
-    clock_start_ns_ = end_ns;
   }
   if (listener_.loop) listener_.loop(nullptr, 0);
   drain();
+  clock_start_ns_ = end_ns.value_or(clock_start_ns_);  // after the last samples of that loop
   if (!hanging) return true;
   give_up(std::move(hanging));
   return false;
@@ -206,8 +208,7 @@ void Studio::begin_with_device() {
   told_faults_ = 0;
   told_fault_.reset();
   told_notice_ = device_->status().notice;  // whoever opened it has shown this one
-  static_cast<void>(
-      session_->apply({event_time_ns(), UseDevice{device_->device().capabilities()}}));
+  static_cast<void>(session_->apply({event_time_ns(), used_device()}));
   pen_ = {};
   start_loop();
   tell();
@@ -324,7 +325,7 @@ bool Studio::apply(decltype(Event::what) what) {
 void Studio::finish_gesture() {
   turn();
   // Said as an event that ends gestures, so that a recording has it.
-  if (session_->gesture_in_work()) apply(UseDevice{device_->device().capabilities()});
+  if (session_->gesture_in_work()) apply(used_device());
 }
 
 bool Studio::import(const QString& path, std::span<const SketchStroke> strokes) {
@@ -439,6 +440,11 @@ void Studio::take(PenSample& sample) {
   Q_EMIT sampled(sample);
 }
 
+/// The device as the session knows it, within the user's limit.
+UseDevice Studio::used_device() const {
+  return {with_force_limit(device_->device().capabilities(), force_limit_n_)};
+}
+
 void Studio::set_strength(double share) {
   if (std::isnan(share)) return;
   share = std::clamp(share, 0.0, 1.0);
@@ -454,6 +460,7 @@ void Studio::set_force_limit(double newton) {
   // After a fault only a person switches them on again: one that the last samples told, and one
   // that nobody has heard of yet.
   const bool may_be_on = forces_on_ && servo_->latest().safety.state != SafetyState::kLatched;
+  static_cast<void>(session_->apply({event_time_ns(), used_device()}));
   start_loop();
   set_forces(may_be_on);
   tell();

@@ -190,7 +190,8 @@ class Studio : public QObject {
   void set_strength(double share);
   [[nodiscard]] double strength() const noexcept { return strength_; }
   /// The most that a person wants to feel, 0..SafetyLimits::peak_force_n, in N. A new limit ends
-  /// the loop and begins another, from no force.
+  /// the loop and begins another, from no force, and the session gets it as UseDevice: full width
+  /// is a push within the limit (with_force_limit).
   void set_force_limit(double newton);
   [[nodiscard]] double force_limit() const noexcept { return force_limit_n_; }
   /// The newest tick.
@@ -242,6 +243,7 @@ class Studio : public QObject {
   [[nodiscard]] bool is_drawn_with(const AnyMaterial& material) const;
   bool take_page(const SheetPage& page);
   void name_surface();
+  [[nodiscard]] UseDevice used_device() const;
   void start_loop();
   bool stop_loop();
   void give_up(std::unique_ptr<RealtimeThread> loop);

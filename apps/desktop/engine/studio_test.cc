@@ -207,6 +207,47 @@ TEST(Studio, TimeGoesOnWhenTheDeviceChanges) {
   EXPECT_EQ(as_recorded(desk.events), desk.drawing());
 }
 
+// Between two publications force models go on by the age of what tools saw.
+TEST(Studio, R30_TheLoopOfADeviceThatComesLaterKnowsTheSessionsTime) {
+  Desk desk;
+  desk.wait(10'000);
+  ASSERT_TRUE(desk.studio.use_device(QStringLiteral("simulated:touch")));
+  std::int64_t last_ns = 0;
+  QObject::connect(&desk.studio, &Studio::sampled,
+                   [&](const PenSample& sample) { last_ns = sample.time_ns; });
+  desk.wait(50);
+  Servo& servo = desk.studio.servo();
+  EXPECT_GE(servo.session_offset_ns(), 10'000 * kMs);
+  EXPECT_EQ(servo.latest().sample.time_ns + servo.session_offset_ns(), last_ns);
+}
+
+TEST(Studio, R30_TheLastSamplesOfALoopAreNotAheadOfTime) {
+  StudioOptions options;
+  options.device = QStringLiteral("simulated:touch");
+  Studio studio(std::move(options));
+  QTest::qWait(100);
+  std::this_thread::sleep_for(std::chrono::milliseconds(30));  // samples wait in the ring
+  std::int64_t last_ns = 0;
+  QObject::connect(&studio, &Studio::sampled, &studio,
+                   [&](const PenSample& sample) { last_ns = sample.time_ns; });
+  ASSERT_TRUE(studio.use_device(QStringLiteral("tablet")));
+  EXPECT_LE(last_ns, studio.now_ns());
+}
+
+TEST(Studio, R14_TheSessionAndItsRecordingKnowTheForceLimit) {
+  Desk desk(QStringLiteral("simulated:touch"));
+  const Capabilities touch = desk.studio.session().device();
+  desk.studio.set_force_limit(0.3);
+  EXPECT_EQ(desk.studio.session().device(), with_force_limit(touch, 0.3));
+  const auto* told = std::get_if<UseDevice>(&desk.events.back().what);
+  ASSERT_NE(told, nullptr);
+  EXPECT_EQ(told->capabilities.advised_force_n, 0.3);
+  ASSERT_TRUE(desk.studio.use_device(QStringLiteral("simulated:touch")));
+  EXPECT_EQ(desk.studio.session().device().advised_force_n, 0.3) << "kept for the next device";
+  desk.studio.set_force_limit(3.0);
+  EXPECT_EQ(desk.studio.session().device(), touch);
+}
+
 // The loop fills its ring while the window is busy: 16 s of samples wait there.
 TEST(Studio, SixteenSecondsWithoutATurnLoseNothing) {
   Desk desk;

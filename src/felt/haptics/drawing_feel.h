@@ -46,7 +46,10 @@ inline constexpr double kHardestNPerM = 800.0;
 /// force that the device can hold for as long as one likes (sustained_force_n), beside the friction
 /// of a medium that slides with a coefficient up to 0.6. So the width does not depend on how warm
 /// the motors are (R14): what draws less than full width is never limited, and more than F1 is full
-/// width.
+/// width. A user who lowers the force limit lowers F1 too, if the device is the one that
+/// with_force_limit() gives. With a limit below 0.25 N, or forces off, the sheet yields before full
+/// width, and the width follows the depth from there. A master strength s below 1 makes the sheet
+/// softer for the hand: full width then takes s F1.
 double firm_push_n(const Capabilities& device) noexcept;
 
 /// The push that flattens, for the hand, all of a relief that a medium can flatten (relief_left):

@@ -157,10 +157,17 @@ TEST(DrawingFeel, R50_ASlowLoopIsCalmWithinItsBudget) {
   const SurfaceMaterial& paper = surface_materials()[0];
   for (int delay = 0; delay <= 1; ++delay) {
     rig::for_each_grip(0.004, delay, [&](const rig::Setup& setup) {
-      const double hf = worst_hf(setup, [&](const rig::Setup& s) {
-        return Compose(make_sheet_force(paper, media()[0], s.capabilities()), EditSpring({-3, 1}));
-      });
-      EXPECT_LT(hf, 0.03) << setup.name();
+      const auto calm_with = [&](const char* what, const auto& brick) {
+        const double hf = worst_hf(setup, [&](const rig::Setup& s) {
+          return Compose(make_sheet_force(paper, media()[0], s.capabilities()), brick);
+        });
+        EXPECT_LT(hf, 0.03) << setup.name() << ", " << what;
+      };
+      calm_with("edit", EditSpring({-3, 1}));
+      calm_with("well", Wells(Point{1, 1}));
+      calm_with("translation", Tether::translation({1, 1}, 8));
+      calm_with("rotation", Tether::rotation({20, 0}, {1, 1}, 200.0, 1));
+      calm_with("scale", Tether::scale({20, 0}, {1, 1}, 200.0));
     });
   }
 }

@@ -101,4 +101,12 @@ SafetyLimits limits_for(const Capabilities& device, double user_limit_n) noexcep
   return limits;
 }
 
+Capabilities with_force_limit(const Capabilities& device, double user_limit_n) noexcept {
+  Capabilities limited = device;
+  if (user_limit_n > 0.0 && user_limit_n < limits_for(device).peak_force_n) {
+    limited.advised_force_n = user_limit_n;
+  }
+  return limited;
+}
+
 }  // namespace felt

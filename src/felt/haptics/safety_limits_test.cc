@@ -7,6 +7,22 @@
 namespace felt {
 namespace {
 
+TEST(SafetyLimits, R14_R49_ADeviceWithinTheUsersLimitHasTheSameLimits) {
+  const Capabilities touch{.max_force_n = 3.3, .continuous_force_n = 0.88};
+  const Capabilities advised{.max_force_n = 22.0, .advised_force_n = 2.0};
+  for (const Capabilities& device : {touch, advised}) {
+    for (const double limit_n : {0.1, 0.3, 1.0, 1.999, 2.5, 3.0, 9.0}) {
+      EXPECT_EQ(limits_for(with_force_limit(device, limit_n)).peak_force_n,
+                limits_for(device, limit_n).peak_force_n)
+          << limit_n;
+    }
+    for (const double limit_n : {3.0, 0.0, -1.0, std::numeric_limits<double>::quiet_NaN()}) {
+      EXPECT_EQ(with_force_limit(device, limit_n), device) << "as it is said to sessions";
+    }
+  }
+  EXPECT_EQ(with_force_limit({}, 0.5), Capabilities{}) << "a mouse";
+}
+
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 constexpr double kInf = std::numeric_limits<double>::infinity();
 

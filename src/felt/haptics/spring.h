@@ -50,7 +50,8 @@ struct CurveNear {
 ///
 /// The tool publishes the curve every few milliseconds. Between two publications the curve goes on
 /// giving way as the tool will see it, V' = v - V/tau, solved for a pen that moved straight from
-/// there to here; so the force depends on neither rate (R30), and nothing is remembered. A
+/// there to here; so the force depends on neither rate (R30), and nothing is remembered. Samples
+/// must be in session time, as `curve.time_ns` is (Servo::set_session_offset). A
 /// nonlinear Maxwell element: F v = dU/dt + phi(d) d/tau, so the hand gets back less than it gave.
 class SweepSpring {
  public:

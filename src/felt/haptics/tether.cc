@@ -14,8 +14,15 @@ constexpr double kNoArmMm = 1e-9;
 constexpr double kLeastScale = 0.05;
 constexpr double kMostScale = 20.0;
 
-double centre_fade(double radius_mm) noexcept {
-  return std::min(1.0, radius_mm / kCentreMm);
+/// Turning and scaling fade within this of the centre: 5 mm at 300 N/m, and more with a softened
+/// law, so that F/r, the slope of a force of full size that turns with the arm, is 2/3 of Kcap.
+double fade_radius_mm(const ForceLaw& law) noexcept {
+  constexpr double kShareOfCap = 2.0 / 3.0;
+  return std::max(kCentreMm, 1e3 * law.most_n / (kShareOfCap * std::max(law.cap_n_per_m, 1e-3)));
+}
+
+double centre_fade(const ForceLaw& law, double radius_mm) noexcept {
+  return std::min(1.0, radius_mm / fade_radius_mm(law));
 }
 
 }  // namespace
@@ -97,8 +104,8 @@ double Tether::turn_size_n(double turn_rad, double radius_mm) const noexcept {
   // turns with the arm by F/r as the pen goes, which is a slope as well; so both together keep to
   // Kcap, since (1 + th^2)^-3 + th^2/(1 + th^2) <= 1.
   const double way =
-      std::max(radius_mm, kCentreMm) * turn_rad / std::sqrt(1.0 + turn_rad * turn_rad);
-  return centre_fade(radius_mm) * size_n(sum_ * turn_rad, way);
+      std::max(radius_mm, fade_radius_mm(law_)) * turn_rad / std::sqrt(1.0 + turn_rad * turn_rad);
+  return centre_fade(law_, radius_mm) * size_n(sum_ * turn_rad, way);
 }
 
 double Tether::stepped_size_n(double turn_rad, double radius_mm) const noexcept {
@@ -107,9 +114,10 @@ double Tether::stepped_size_n(double turn_rad, double radius_mm) const noexcept 
   const double here = turn_size_n(step * kTurnStepRad, radius_mm);
   const double last = turn_size_n((step - 1.0) * kTurnStepRad, radius_mm);
   // Steeper by no more than what the turning of the force leaves of Kcap, as above.
-  const double slope = 1e-3 * law_.gain * law_.cap_n_per_m * centre_fade(radius_mm) /
+  const double slope = 1e-3 * law_.gain * law_.cap_n_per_m * centre_fade(law_, radius_mm) /
                        std::sqrt(1.0 + turn_rad * turn_rad);
-  const double since_mm = std::max(radius_mm, kCentreMm) * (turn_rad - (step - 0.5) * kTurnStepRad);
+  const double since_mm =
+      std::max(radius_mm, fade_radius_mm(law_)) * (turn_rad - (step - 0.5) * kTurnStepRad);
   return std::min(here, last + slope * since_mm);
 }
 
@@ -134,27 +142,31 @@ Vec Tether::scale_pull(Point pen) const noexcept {
   if (radius < kNoArmMm) return {};
   const double s = std::max(least_scale_, scale_factor(grab_ - centre_, arm));
   const double way = norm(grab_ - centre_) * (1.0 - std::min(s, 1.0 / s));
-  const double size = centre_fade(radius) * size_n(sum_ * std::abs(std::log(s)), way);
+  const double size = centre_fade(law_, radius) * size_n(sum_ * std::abs(std::log(s)), way);
   return (s > 1.0 ? -size : size) / radius * arm;
 }
 
 Force Tether::operator()(const PenSample& sample, ForceMemory& memory) const noexcept {
+  // A share of the budget softens the spring and keeps the level of the law. Squared: many lines
+  // make a spring that reaches far, which a slow loop bears only if it is softer than its share.
+  const double share = memory.scale.lateral;
+  const Tether softened = with_law(law_.softened(share * share));
   const Point pen = on_sheet(sample.position);
   Vec pull{};
   switch (kind_) {
     case Kind::kNone:
       return {};
     case Kind::kTranslation:
-      pull = translation_pull(pen);
+      pull = softened.translation_pull(pen);
       break;
     case Kind::kRotation:
-      pull = rotation_pull(pen, memory);
+      pull = softened.rotation_pull(pen, memory);
       break;
     case Kind::kScale:
-      pull = scale_pull(pen);
+      pull = softened.scale_pull(pen);
       break;
   }
-  pull = memory.scale.lateral * (pull - 1e-3 * kDampingNsPerM * known_velocity(sample));
+  pull -= 1e-3 * share * kDampingNsPerM * known_velocity(sample);
   const Force force{pull.x, pull.y, 0.0};
   memory.terms.add("tether", force);
   return force;

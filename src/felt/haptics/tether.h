@@ -26,6 +26,11 @@ namespace felt {
 /// 1/s (R37). Within 5 mm of the centre turning and scaling have no direction to speak of, and F
 /// fades with r/5 mm. s is kept to 0.05..20. Damping Bed while it acts.
 ///
+/// A share s of the stiffness budget below 1 (R56) lowers Kcap to s^2 Kcap (169 N/m at 250 Hz; with
+/// s Kcap a light hand trembles) and the damping by s, and leaves the level l as it is, so that a
+/// slow loop resists as much as a fast one (R30). The fade is wider then, because F/r, the slope of
+/// a force that turns with the arm, must keep to Kcap too.
+///
 /// A constrained tether holds only what really moves (constrained()): a translation along the axis
 /// of the larger component, a rotation by whole steps of kTurnStepRad. Where the axis or the step
 /// changes the force starts from what it was, by Kcap times the distance from there: no jump, and

@@ -12,8 +12,9 @@ namespace {
 
 constexpr double kTau = 2.0 * std::numbers::pi;
 
-Force pull(const Tether& tether, Point pen) {
+Force pull(const Tether& tether, Point pen, double share = 1.0) {
   ForceMemory memory;
+  memory.scale.lateral = share;
   return tether(rig::pen_at({pen.x, pen.y, -1}), memory);
 }
 
@@ -156,11 +157,16 @@ TEST(Tether, R37_AScaleThatStandsStillPushesNoHarder) {
   EXPECT_NEAR(pull(held, {12, 0}).x, pull(held, {25, 0}).x, 1e-12);
 }
 
-TEST(Tether, R38_IsNeverStifferThan300) {
-  // Along the motion that does the work: any for a translation, across the arm for a rotation,
-  // along it for a scale; and across that a little more is allowed (the arm turns with the pen).
+struct Stiffest {
   double along = 0.0;
   double anywhere = 0.0;
+};
+
+/// N/mm, with a share of the stiffness budget.
+Stiffest stiffest(double share) {
+  // Along the motion that does the work: any for a translation, across the arm for a rotation,
+  // along it for a scale; and across that a little more is allowed (the arm turns with the pen).
+  Stiffest found;
   constexpr double kH = 1e-5;
   for (int anchors = 1; anchors <= 64; anchors *= 2) {
     for (const double grab : {2.0, 8.0, 30.0, 90.0}) {
@@ -180,18 +186,54 @@ TEST(Tether, R38_IsNeverStifferThan300) {
         for (int kind = 0; kind < 5; ++kind) {
           const Vec way = kind % 3 == 0 ? Vec{std::cos(1.3 * i), std::sin(1.3 * i)}
                                         : (kind % 3 == 1 ? perp(arm) : arm);
-          const Force here = pull(tethers[kind], near);
-          along = std::max(along, norm(pull(tethers[kind], near + kH * way) - here) / kH);
-          const Vec other = perp(way);
-          anywhere = std::max(anywhere, norm(pull(tethers[kind], near + kH * other) - here) / kH);
+          const Force here = pull(tethers[kind], near, share);
+          const auto slope = [&](Vec step) {
+            return norm(pull(tethers[kind], near + kH * step, share) - here) / kH;
+          };
+          found.along = std::max(found.along, slope(way));
+          found.anywhere = std::max(found.anywhere, slope(perp(way)));
         }
       }
     }
   }
-  EXPECT_LE(along, 0.300 * 1.001);
-  EXPECT_LE(anywhere, 0.300 * 1.001);
-  RecordProperty("stiffest_n_per_mm", std::to_string(along));
-  RecordProperty("stiffest_across_n_per_mm", std::to_string(anywhere));
+  return found;
+}
+
+TEST(Tether, R38_IsNeverStifferThan300) {
+  const Stiffest found = stiffest(1.0);
+  EXPECT_LE(found.along, 0.300 * 1.001);
+  EXPECT_LE(found.anywhere, 0.300 * 1.001);
+  RecordProperty("stiffest_n_per_mm", std::to_string(found.along));
+  RecordProperty("stiffest_across_n_per_mm", std::to_string(found.anywhere));
+}
+
+TEST(Tether, R38_R56_IsNeverStifferThanItsShareOfTheBudget) {
+  for (const double share : {0.75, 0.5, 0.25}) {
+    const Stiffest found = stiffest(share);
+    EXPECT_LE(found.along, share * 0.300 * 1.001) << share;
+    EXPECT_LE(found.anywhere, share * 0.300 * 1.001) << share;
+  }
+  EXPECT_EQ(norm(pull(Tether::rotation({0, 0}, {20, 0}, 35.0, 1), {0, 20}, 0.0)), 0.0);
+}
+
+// At 250 Hz and a delay of one tick the share is 0.75.
+TEST(Tether, R30_R35_R56_ASmallerShareOfTheBudgetLeavesTheLevelOfTheLaw) {
+  const double radii = 100.0;
+  const Tether tethers[] = {Tether::translation({20, 0}, 4),
+                            Tether::translation({20, 0}, 4).constrained(),
+                            Tether::rotation({0, 0}, {20, 0}, radii, 1),
+                            Tether::rotation({0, 0}, {20, 0}, radii, 1).constrained(),
+                            Tether::scale({0, 0}, {20, 0}, radii)};
+  const Point pens[] = {{35, 2}, {35, 2}, {15, 13}, {15, 13}, {35, 0}};
+  for (std::size_t i = 0; i < std::size(tethers); ++i) {
+    const double whole = norm(pull(tethers[i], pens[i]));
+    EXPECT_GT(whole, 0.3) << i;  // where the law is level
+    EXPECT_NEAR(norm(pull(tethers[i], pens[i], 0.75)), whole, 1e-12) << i;
+  }
+  for (double d = 0.01; d < 60.0; d *= 1.1) {
+    const double n = -pull(Tether::translation({0, 0}, 3), {d, 0}, 0.75).x;
+    EXPECT_NEAR(n, std::min(kTransformLaw.level_n(3 * d), 0.75 * 0.225 * d), 1e-12);
+  }
 }
 
 TEST(Tether, ThePassiveTranslationReturnsWhatItTook) {

@@ -55,24 +55,42 @@ double WellShape::core_slope_n_per_m() const noexcept {
   return core > 0.0 ? 1e3 * force_n / core : 0.0;
 }
 
+WellShape WellShape::softened(double share) const noexcept {
+  const auto [core, rim_start, radius] = lengths(*this);
+  WellShape soft = *this;
+  if (!(core > 0.0)) {
+    soft.force_n *= share;
+    return soft;
+  }
+  soft.core_mm = share * rim_start > core ? core / share : rim_start;
+  soft.force_n *= share * soft.core_mm / core;
+  return soft;
+}
+
 Wells::Wells(std::span<const Point> targets, const WellShape& shape) noexcept
     : shape_(shape), count_(std::min(targets.size(), kMax)) {
   std::copy_n(targets.begin(), count_, targets_.begin());
 }
 
 Force Wells::operator()(const PenSample& sample, ForceMemory& memory) const noexcept {
+  const bool is_alone = count_ == 1;
+  const double share = memory.scale.lateral;
+  // Squared as in Tether: the core is wide.
+  const WellShape shape = is_alone ? shape_.softened(share * share) : shape_;
+  const double scale = is_alone ? 1.0 : share;
   Vec sum{};
   double damped = 0.0;
   for (std::size_t i = 0; i < count_; ++i) {
     const Vec to_target = targets_[i] - on_sheet(sample.position);
     const double distance = norm(to_target);
-    if (distance > 1e-12) sum += (shape_.force_at_n(distance) / distance) * to_target;
-    damped = std::max(damped, shape_.damped_share(distance));
+    if (distance > 1e-12) sum += (shape.force_at_n(distance) / distance) * to_target;
+    damped = std::max(damped, shape.damped_share(distance));
   }
   if (shape_.force_n > 0.0) {
-    sum -= 1e-3 * damped * shape_.damping_n_s_per_m * known_velocity(sample);
+    sum -=
+        1e-3 * (is_alone ? share : 1.0) * damped * shape.damping_n_s_per_m * known_velocity(sample);
   }
-  const Force force = memory.scale.lateral * Force{sum.x, sum.y, 0.0};
+  const Force force = scale * Force{sum.x, sum.y, 0.0};
   memory.terms.add("snap", force);
   return force;
 }

@@ -35,12 +35,20 @@ struct WellShape {
   /// Stiffness at the target, N/m: its steepest pull back. The rim is up to 1.5 Fp/w steep the
   /// other way (it lets go), which no delay turns into an oscillation.
   [[nodiscard]] double core_slope_n_per_m() const noexcept;
+  /// The well with a share (0..1) of its stiffness at the target: the core is wider and Fp stays,
+  /// as far as there is room before the rim; beyond that Fp is less. The damping stays.
+  [[nodiscard]] WellShape softened(double share) const noexcept;
   /// Share of the damping at a distance: 1 up to the rim, 0 from M.
   [[nodiscard]] double damped_share(double distance_mm) const noexcept;
 };
 
 /// Up to four snap targets. Their pulls add, so the force is continuous and has a potential
 /// wherever they lie; a tool that wants the nearest alone gives one (R43). The dampings do not add.
+///
+/// A share s of the stiffness budget below 1 (R56) softens a single well by s^2
+/// (WellShape::softened) and its damping by s, so that it attracts with Fp on slow loops too.
+/// Several wells are scaled as a whole, and attract less there: a wider core does not bound what
+/// overlapping wells add up to.
 class Wells {
  public:
   static constexpr std::size_t kMax = 4;

@@ -114,6 +114,32 @@ RC_GTEST_PROP(Wells, R43_SeveralAreContinuousPassiveAndAsStiffAsTheySay, ()) {
   RC_ASSERT(most <= 0.6 * static_cast<double>(count) + 1e-12);
 }
 
+TEST(Wells, R43_R56_ASmallerShareOfTheBudgetWidensTheCoreOfOneWell) {
+  const WellShape shape;
+  const auto pulls_n = [](const WellShape& given, double mm, double share) {
+    ForceMemory memory;
+    memory.scale.lateral = share;
+    return -Wells(Point{0, 0}, given)(rig::pen_at({mm, 0, -1}), memory).x;
+  };
+  for (const double share : {1.0, 0.75, 0.6}) {
+    const double core_mm = shape.core_mm / (share * share);
+    for (double mm = 0.01; mm < 9.0; mm += 0.03) {
+      const double level_n = mm < shape.core_mm ? shape.force_n : shape.force_at_n(mm);
+      EXPECT_NEAR(pulls_n(shape, mm, share), level_n * std::min(1.0, mm / core_mm), 1e-12);
+    }
+  }
+  // Without room for a wider core the force is less, and the slope keeps to the share all the same.
+  for (const double share : {0.5, 0.1, 0.0}) {
+    const double slope = 1e-3 * share * share * shape.core_slope_n_per_m();
+    for (double mm = 0.01; mm < 6.0; mm += 0.03) {
+      EXPECT_NEAR(pulls_n(shape, mm, share), slope * mm, 1e-12);
+    }
+    EXPECT_EQ(pulls_n(shape, 8.0, share), 0.0);
+  }
+  const WellShape none{.radius_mm = 0.0};
+  EXPECT_EQ(pulls_n(none, 1.0, 0.5), 0.0);
+}
+
 TEST(Wells, TheDampingFadesWithTheRim) {
   ForceMemory memory;
   const Wells wells(Point{0, 0});

@@ -129,7 +129,10 @@ void Servo::take_model() noexcept {
   model_waits_ = false;
 }
 
-Force Servo::evaluate(const PenSample& sample) noexcept {
+Force Servo::evaluate(PenSample sample) noexcept {
+  // The loop's clock begins with the loop. Wraps: a device may say any time.
+  sample.time_ns = static_cast<std::int64_t>(static_cast<std::uint64_t>(sample.time_ns) +
+                                             static_cast<std::uint64_t>(session_offset_ns()));
   if (fade_ < 1.0) fade_ = std::min(1.0, fade_ + report_.dt_s / options_.cross_fade_s);
   take_model();  // after the weight has moved: a fade starts with the old force alone
   const bool fading = fade_ < 1.0;

@@ -79,6 +79,13 @@ class Servo {
   /// NaN is ignored). From the next tick on the loop goes there evenly, kStrengthRampS for all of
   /// the way, so that the force stays continuous. 1 at first. Any thread.
   void set_strength(double share) noexcept;
+  /// Session time minus loop time, ns; 0 at first. Force models are evaluated in session time, the
+  /// time of the samples that tools make them from, so that they know how old they are (R30). Set
+  /// it before publish() if the session began before this loop. Any thread.
+  void set_session_offset(std::int64_t offset_ns) noexcept;
+  [[nodiscard]] std::int64_t session_offset_ns() const noexcept {
+    return session_offset_ns_.load(std::memory_order_relaxed);
+  }
   /// Samples in order, all of them that are believed, for the session and for the saver. A device
   /// without forces is always believed (a mouse may jump), as long as it says finite numbers; an
   /// arm that leaps is not, and its stroke ends (LeapFilter).
@@ -98,7 +105,7 @@ class Servo {
   void take_orders() noexcept FELT_HAPTIC;
   void take_model() noexcept FELT_HAPTIC;
   void follow_strength() noexcept FELT_HAPTIC;
-  Force evaluate(const PenSample& sample) noexcept FELT_HAPTIC;
+  Force evaluate(PenSample sample) noexcept FELT_HAPTIC;
   Force force_of(const ForceModel& model, const PenSample& sample, const StiffnessScale& scale,
                  ForceMemory& memory) const noexcept FELT_HAPTIC;
   void sense_and_act(std::int64_t now_ns) noexcept FELT_HAPTIC;
@@ -118,6 +125,7 @@ class Servo {
   std::atomic<bool> arm_asked_{false};
   std::atomic<bool> disarm_asked_{false};
   std::atomic<double> strength_asked_{1.0};
+  std::atomic<std::int64_t> session_offset_ns_{0};
   static_assert(std::atomic<double>::is_always_lock_free);
 
   // The haptic thread's own.

@@ -48,6 +48,10 @@ void Servo::set_strength(double share) noexcept {
   strength_asked_.store(std::clamp(share, 0.0, 1.0), std::memory_order_relaxed);
 }
 
+void Servo::set_session_offset(std::int64_t offset_ns) noexcept {
+  session_offset_ns_.store(offset_ns, std::memory_order_relaxed);
+}
+
 const TickReport& Servo::latest() noexcept {
   reports_.update();
   return reports_.get();

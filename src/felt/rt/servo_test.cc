@@ -10,6 +10,7 @@
 #include <optional>
 #include <vector>
 
+#include "felt/haptics/spring.h"
 #include "felt/rt/scripted_device.h"
 #include "felt/rt/virtual_clock.h"
 
@@ -51,6 +52,14 @@ struct TellingScale {
     return {memory.scale.friction, memory.scale.lateral, memory.scale.normal};
   }
   [[nodiscard]] Slopes slopes() const noexcept { return claimed; }
+};
+
+/// Writes down, as a force, the time of the sample that a brick gets, s.
+struct TellingTime {
+  Force operator()(const PenSample& sample, ForceMemory&) const noexcept {
+    return {1e-9 * static_cast<double>(sample.time_ns), 0.0, 0.0};
+  }
+  [[nodiscard]] static Slopes slopes() noexcept { return {}; }
 };
 
 template <class F>
@@ -139,6 +148,35 @@ TEST(Servo, R49_ADeviceThatCannotBeWrittenIsStopped) {
   loop.device.write_fault.reset();
   EXPECT_EQ(loop.run(100).safety.state, SafetyState::kLatched);
   EXPECT_EQ(loop.device.force, Force{});
+}
+
+// A device that is opened ten seconds after the session began.
+TEST(Servo, R30_ModelsSeeTheTimeOfTheSession) {
+  Loop loop;
+  loop.servo->set_session_offset(10'000 * kMs);
+  loop.servo->publish(model_of(TellingTime{}));
+  const TickReport& report = loop.run(50);
+  EXPECT_DOUBLE_EQ(report.asked.x, 1e-9 * static_cast<double>(report.sample.time_ns) + 10.0);
+  // Whatever is handed over is in the loop's time.
+  EXPECT_LE(report.sample.time_ns, 50 * kMs);
+}
+
+// The curve goes on giving way between two publications, whenever the session began.
+TEST(Servo, R30_TheForceOfASweepAgesWhenTheLoopBeganLater) {
+  const auto asked_n = [](std::int64_t offset_ns) {
+    Loop loop;
+    loop.servo->set_session_offset(offset_ns);
+    loop.device.sample.position = {0, 5, -1};
+    loop.run(1);
+    const std::int64_t session_ns = loop.servo->latest().sample.time_ns + offset_ns;
+    const CurveNear curve{.pen = {0, 5}, .curve = {0, 0}, .normal = {0, 1}, .time_ns = session_ns};
+    ForceModel model(SweepSpring{curve});
+    loop.servo->publish(model);
+    return norm(loop.run(100).asked);
+  };
+  const double expected_n = kEditLaw.force_n(5.0 * std::exp(-0.100 / 0.050));
+  EXPECT_NEAR(asked_n(0), expected_n, 1e-6);
+  EXPECT_NEAR(asked_n(10'000 * kMs), expected_n, 1e-6);
 }
 
 TEST(Servo, R49_TheReportSaysWhatTheDeviceHolds) {

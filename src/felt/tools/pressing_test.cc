@@ -81,6 +81,21 @@ TEST(Pressing, R14_FullWidthIsWhatTheMotorsHoldForEver) {
   EXPECT_EQ(weak.of_force(1.0), 1.0);
 }
 
+// Harder, the sheet yields and depth says nothing about the push: that is full width already.
+TEST(Pressing, R14_FullWidthIsWithinTheUsersForceLimit) {
+  const Capabilities touch{.max_force_n = 3.3, .continuous_force_n = 0.88};
+  for (const double limit_n : {0.25, 0.3, 0.4}) {
+    const Capabilities limited = with_force_limit(touch, limit_n);
+    const Pressing pressing(paper(), limited);
+    EXPECT_LE(pressing.most_n() * std::hypot(1.0, 0.6), limit_n + 1e-12);
+    EXPECT_EQ(pressing.of_force(limits_for(touch, limit_n).peak_force_n), 1.0);
+    EXPECT_GT(pressing.most_n(), Pressing::kLeastN);
+    EXPECT_EQ(pressing.stiffness_n_per_m(), Pressing(paper(), touch).stiffness_n_per_m());
+  }
+  EXPECT_EQ(Pressing(paper(), with_force_limit(touch, 3.0)).most_n(),
+            Pressing(paper(), touch).most_n());
+}
+
 TEST(Pressing, R18_ADeviceThatSensesPressureSaysIt) {
   const Pressing pressing(paper(), {.senses_pressure = true});
   PenSample s = at_depth(1.7);
