@@ -147,8 +147,9 @@ bool Studio::stop_loop() {
   std::unique_ptr<RealtimeThread> hanging;
   std::optional<std::int64_t> end_ns;
   if (thread_) {
-    end_ns = now_ns();
-    if (!thread_->stop()) hanging = std::move(thread_);
+    const bool has_stopped = thread_->stop();
+    end_ns = now_ns();  // after its last tick
+    if (!has_stopped) hanging = std::move(thread_);
     thread_.reset();
   }
   if (listener_.loop) listener_.loop(nullptr, 0);
