@@ -23,7 +23,7 @@ int in_process_without_streams(Check check) {
 }
 
 TEST(StandardStreams, NoFileGetsTheNumberOfAClosedStream) {
-  EXPECT_EQ(in_process_without_streams([] { return open("/dev/null", O_WRONLY); }), 3);
+  EXPECT_GE(in_process_without_streams([] { return open("/dev/null", O_WRONLY); }), 3);
 }
 
 TEST(StandardStreams, UsingAClosedStreamStillFails) {

@@ -35,7 +35,8 @@ const DeviceModel& any_model() {
 // Asks until the force has risen as far as it may.
 ForceGate::Passed pass_long(ForceGate& gate, const Force& asked, std::int64_t from_ns = 0) {
   ForceGate::Passed passed;
-  for (int i = 0; i < 40; ++i) passed = gate.pass(asked, from_ns + i * kMs);
+  // Long enough to rise to any model's force at 0.3 N/ms.
+  for (int i = 0; i < 100; ++i) passed = gate.pass(asked, from_ns + i * kMs);
   return passed;
 }
 
