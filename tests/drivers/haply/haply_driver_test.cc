@@ -325,7 +325,7 @@ constexpr LateService kLateServices[] = {
 
 /// Messages that may wait at one time.
 std::size_t may_wait(const LateService& late) {
-  if (late.amount > 20.0 && late.fault == InjectedFault::kSlowAnswers) return 4;  // RequestWindow
+  if (late.amount > 50.0 && late.fault == InjectedFault::kSlowAnswers) return 4;  // RequestWindow
   return late.fault == InjectedFault::kBurstAnswers ? 2 : 1;
 }
 
