@@ -1,5 +1,6 @@
 #include "record_copy.h"
 
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -7,8 +8,10 @@
 #include <charconv>
 #include <csignal>
 #include <filesystem>
+#include <fstream>
 #include <optional>
 #include <span>
+#include <sstream>
 #include <string_view>
 #include <system_error>
 #include <utility>
@@ -85,6 +88,35 @@ std::optional<pid_t> writer_of(std::string_view name) {
   return number;
 }
 
+/// When the process began, in seconds since 1970. Nullopt if it is gone or nobody says.
+std::optional<double> start_of(pid_t process) {
+  // The 22nd word, in ticks since the boot; the second is in parentheses and may hold spaces.
+  std::ifstream file("/proc/" + std::to_string(process) + "/stat");
+  std::string word;
+  std::getline(file, word, '\0');
+  std::istringstream words(word.substr(std::min(word.rfind(')'), word.size())));
+  double ticks = -1.0, boot_s = -1.0;
+  for (int i = 2; i < 22; ++i) words >> word;
+  if (!(words >> ticks)) ticks = -1.0;
+  std::ifstream machine("/proc/stat");
+  while (machine >> word) {
+    if (word == "btime" && machine >> boot_s) break;
+  }
+  if (ticks < 0.0 || boot_s < 0.0) return std::nullopt;
+  return boot_s + ticks / static_cast<double>(::sysconf(_SC_CLK_TCK));
+}
+
+/// Whether the process of that number wrote the copy and may still do so. One that began after the
+/// last write has only got the number of a writer that is gone, as after a restart of the machine.
+bool writer_lives(pid_t writer, const std::string& copy) {
+  constexpr double kClocksDifferS = 2.0;
+  if (::kill(writer, 0) != 0 && errno == ESRCH) return false;
+  struct stat info {};
+  const std::optional<double> start_s = start_of(writer);
+  if (!start_s || ::stat(copy.c_str(), &info) != 0) return true;
+  return *start_s < static_cast<double>(info.st_mtime) + kClocksDifferS;
+}
+
 }  // namespace
 
 RecordCopy::RecordCopy(const std::string& output, Clock::duration every)
@@ -130,9 +162,9 @@ std::vector<std::string> find_record_copies(const std::vector<std::string>& fold
     for (std::filesystem::directory_iterator at(folder, error), end; !error && at != end;
          at.increment(error)) {
       const std::optional<pid_t> writer = writer_of(at->path().filename().string());
-      const bool lives = writer && (::kill(*writer, 0) == 0 || errno != ESRCH);
       std::error_code none;
-      if (writer && !lives && at->is_regular_file(none)) copies.push_back(at->path().string());
+      if (!writer || !at->is_regular_file(none)) continue;
+      if (!writer_lives(*writer, at->path().string())) copies.push_back(at->path().string());
     }
   }
   std::sort(copies.begin(), copies.end());

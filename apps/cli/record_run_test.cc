@@ -421,6 +421,11 @@ TEST(RecordCopyTest, CopiesOfDeadProcessesAreFound) {
     std::ofstream(name) << "{}\n";
   }
   EXPECT_EQ(find_record_copies({folder, folder + "/none"}), std::vector<std::string>{dead});
+  // After a restart of the machine another process has the number: it began after the last write.
+  const std::string older = folder + "/b.felt.unsaved-" + std::to_string(getpid()) + ".ndjson";
+  std::filesystem::last_write_time(
+      older, std::filesystem::file_time_type::clock::now() - std::chrono::hours(24 * 365));
+  EXPECT_EQ(find_record_copies({folder}), (std::vector<std::string>{dead, older}));
   std::filesystem::remove_all(folder);
 }
 

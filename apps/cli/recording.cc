@@ -14,7 +14,7 @@ Result<void> tell(const Event& event, const std::string& folder, Session& sessio
   const bool is_absolute = import->path.rfind('/', 0) == 0;
   const Result<Sketch> sketch = read_sketch(is_absolute ? import->path : folder + import->path);
   if (!sketch) return tl::unexpected(sketch.error());
-  return session.import(event.time_ns, import->path, *sketch);
+  return session.import(event.time_ns, *import, *sketch);
 }
 
 /// Tells the newest recording that a drawing holds.

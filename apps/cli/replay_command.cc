@@ -16,6 +16,7 @@
 #include "force_plot.h"
 #include "forces_csv.h"
 #include "given_files.h"
+#include "input.h"
 #include "overlay_picture.h"
 #include "own_materials.h"
 #include "picture.h"
@@ -393,11 +394,17 @@ Result<void> take_up(const StoredDrawing& start, Session& session) {
 
 /// Plays the recording, and leaves the drawing that comes of it. `heard`: what became of its sound.
 Result<void> draw_recorded(const ReplayCommandArguments& args, OpenedDrawing start,
-                           const Result<void>& heard, Session& session, ReplayOutputs& outputs) {
+                           const Result<void>& heard, Session& session, ReplayOutputs& outputs,
+                           Console& console) {
   if (Result<void> begun = take_up(start.drawing, session); !begun) return begun;
   if (outputs.sound) outputs.sound->begin(session);
   Result<OpenedDrawing> frame = tell_recording(args.scripts.front(), session);
   if (!frame) return tl::unexpected(frame.error());
+  if (session.option_defaults() != kOptionDefaults) {
+    console.notice(input_name(args.scripts.front()) +
+                   ": recorded by an earlier version: options had its defaults, but the tools have "
+                   "changed; the drawing may differ");
+  }
   if (!heard) return heard;
   if (args.on.empty()) start = *std::move(frame);
   if (outputs.sound) {
@@ -424,7 +431,8 @@ void run_as_recorded(const ReplayCommandArguments& args, Console& console) {
     };
   }
   Session session(make_tools(), std::move(options));
-  const Result<void> done = draw_recorded(args, *std::move(start), heard, session, *outputs);
+  const Result<void> done =
+      draw_recorded(args, *std::move(start), heard, session, *outputs, console);
   if (!done) console.error(done.error().message);
 }
 

@@ -17,7 +17,8 @@ FeedSink ReplayRun::sink() {
         if (!import || folder_.empty() || import->path.rfind('/', 0) == 0) {
           return machine_.add(event);
         }
-        return machine_.add({event.time_ns, ImportEvent{folder_ + "/" + import->path}});
+        return machine_.add(
+            {event.time_ns, ImportEvent{folder_ + "/" + import->path, import->select}});
       },
       .stroke_begins = [this] { machine_.begin_stroke(); },
       .stroke_drawn = [this](const std::vector<Point>& meant) -> Result<void> {

@@ -1,12 +1,10 @@
 #include "sketch_output.h"
 
-#include <functional>
+#include <utility>
 
-#include "felt/formats/drawing_writer.h"
-#include "felt/formats/file_format.h"
+#include "drawing_output.h"
 #include "felt/formats/layered_drawing.h"
 #include "felt/io/ndjson_writer.h"
-#include "felt/io/pdf_writer.h"
 #include "felt/io/png.h"
 #include "felt/io/svg_text.h"
 #include "felt/io/svg_writer.h"
@@ -68,56 +66,31 @@ class PngOutput final : public SketchOutput {
   Rect bounds_;
 };
 
-/// What is written as a whole, by a function of all strokes.
+/// Formats whose writers need all strokes: they become a drawing of one layer, which is written in
+/// parts as convert writes any drawing.
 class WholeOutput final : public SketchOutput {
  public:
-  using ToBytes = std::function<Result<std::string>(const Sketch&)>;
-
-  WholeOutput(Output output, Format format, ToBytes to_bytes)
-      : output_(std::move(output)), format_(format), to_bytes_(std::move(to_bytes)) {}
+  explicit WholeOutput(DrawingOutput output) : output_(std::move(output)) {}
 
   Result<void> append(const SketchPiece& piece) override { return spool_.add_lines(piece.text); }
 
   Result<void> finish() override {
-    Sketch sketch;
+    LayeredSketch layered;
+    layered.layers.push_back({"Ink", true, false, {}});
     Result<void> read = spool_.for_each([&](const SketchStroke& stroke) -> Result<void> {
-      sketch.push_back(stroke);
+      layered.layers.front().strokes.push_back(stroke);
       return {};
     });
     if (!read) return read;
-    const Result<std::string> bytes = to_bytes_(sketch);
-    if (!bytes) return tl::unexpected(bytes.error());
-    return format_ == Format::kFelt ? output_.save(*bytes) : output_.write_all(*bytes);
+    OpenedDrawing opened;
+    opened.drawing = stored_drawing(std::move(layered));
+    return output_.write(std::move(opened));
   }
 
  private:
-  Output output_;
-  Format format_;
-  ToBytes to_bytes_;
+  DrawingOutput output_;
   SketchSpool spool_;
 };
-
-/// One layer with the strokes, on the sheet that was asked for.
-Result<std::string> bytes_of(const Sketch& sketch, Format format, const PictureOptions& picture) {
-  LayeredSketch layered;
-  layered.layers.push_back({"Ink", true, false, sketch});
-  StoredDrawing drawing = stored_drawing(std::move(layered));
-  const Rgba paper = picture.paper.value_or(drawing.page.paper);
-  drawing.page.paper = paper;
-  if (picture.sheet) {
-    const Result<SheetPage> page = sheet_page(*picture.sheet, paper);
-    if (!page) return tl::unexpected(page.error());
-    drawing.page = *page;
-  }
-  return drawing_bytes(drawing, format, WriteOptions{.no_page = !picture.sheet});
-}
-
-Result<std::string> pdf_of(const Sketch& sketch, const PictureOptions& picture) {
-  PdfOptions options;
-  options.sheet = picture.sheet;
-  options.paper = picture.paper.value_or(options.paper);
-  return pdf_text(sketch, options);
-}
 
 /// The SVG writer mends the head of its file at the end, so strokes go straight to it.
 class SvgOutput final : public SketchOutput {
@@ -168,14 +141,15 @@ Result<std::unique_ptr<SketchOutput>> open_sketch_output(const std::string& path
                 path + ": compressed SVG is written by convert and render; here it is .svg");
   }
   if (format == Format::kSvg) return open_svg_output(path, picture);
+  if (format != Format::kPng && format != Format::kNdjson) {
+    Result<DrawingOutput> whole = DrawingOutput::create(path, format, picture);
+    if (!whole) return tl::unexpected(whole.error());
+    return std::make_unique<WholeOutput>(*std::move(whole));
+  }
   Result<Output> output = Output::create(path);
   if (!output) return tl::unexpected(output.error());
   if (format == Format::kPng) return std::make_unique<PngOutput>(*std::move(output), picture);
-  if (format == Format::kNdjson) return std::make_unique<NdjsonOutput>(*std::move(output));
-  const auto to_bytes = [format, picture](const Sketch& sketch) {
-    return format == Format::kPdf ? pdf_of(sketch, picture) : bytes_of(sketch, format, picture);
-  };
-  return std::make_unique<WholeOutput>(*std::move(output), format, to_bytes);
+  return std::make_unique<NdjsonOutput>(*std::move(output));
 }
 
 Result<void> write_strokes(const Sketch& sketch, Format format, SketchOutput& output) {

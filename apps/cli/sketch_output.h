@@ -24,8 +24,9 @@ struct SketchPiece {
 Result<void> encode(const SketchStroke& stroke, std::int64_t number, Format format,
                     SketchPiece& piece);
 
-/// Writes a sketch in one of the formats, piece by piece, in memory that does not grow with the
-/// number of strokes. Nothing shows under the output's name before `finish`.
+/// Writes a sketch in one of the formats, piece by piece. For .ndjson, .svg and .png, memory does
+/// not grow with the number of strokes; the others hold the strokes once, as a drawing, and write
+/// the file in parts. Nothing shows under the output's name before `finish`.
 class SketchOutput {
  public:
   virtual ~SketchOutput() = default;

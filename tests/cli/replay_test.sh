@@ -216,6 +216,11 @@ cat >recorded.ndjson <<'END'
 END
 run 0 "$feltline" replay recorded.ndjson --as-recorded -o recorded.out.ndjson
 lines recorded.out.ndjson 4
+# It names no version of the defaults, as Feltline 0.1.0 did not.
+has err "recorded.ndjson: recorded by an earlier version"
+sed -i 's/"senses_pressure":true/&,"defaults":2/' recorded.ndjson
+run 0 "$feltline" replay recorded.ndjson --as-recorded -o recorded.out.ndjson
+is_empty err
 mkdir -p elsewhere
 cd elsewhere || exit 1
 run 0 "$feltline" replay ../recorded.ndjson --as-recorded -o here.ndjson

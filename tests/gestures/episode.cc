@@ -291,7 +291,7 @@ void Episode::import() {
   }
   if (sketch.size() > 2) sketch.erase(sketch.begin() + 2, sketch.end());
   ++touches_;  // a step of its own
-  const Result<void> done = session_.import(now_ns_, "random", sketch);
+  const Result<void> done = session_.import(now_ns_, {"random"}, sketch);
   if (!done) break_rule("import: " + done.error().message);
   contact_ = {};
 }

@@ -332,7 +332,7 @@ void Studio::finish_gesture() {
 bool Studio::import(const QString& path, std::span<const SketchStroke> strokes) {
   wake();
   drain();
-  const Result<void> done = session_->import(event_time_ns(), path.toStdString(), strokes);
+  const Result<void> done = session_->import(event_time_ns(), {path.toStdString(), true}, strokes);
   publish();
   tell();
   Q_EMIT shown();

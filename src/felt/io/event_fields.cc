@@ -169,6 +169,26 @@ Result<void> parse_senses_pressure(Value& value, EventFields& out) {
   return {};
 }
 
+Result<void> parse_defaults(Value& value, EventFields& out) {
+  const std::string_view token = token_of(value);
+  std::uint64_t version = 0;
+  if (token.size() > limits::kMaxNumberChars || value.get_uint64().get(version) || version == 0) {
+    return bad("defaults: " + excerpt(token) + " is not a whole number from 1 on");
+  }
+  if (version > kOptionDefaults) {
+    return bad("defaults: " + excerpt(token) + " is of a newer version of Feltline");
+  }
+  out.defaults = static_cast<int>(version);
+  return {};
+}
+
+Result<void> parse_select(Value& value, EventFields& out) {
+  const Result<bool> select = read_bool(value);
+  if (!select) return tl::unexpected(with_context(select.error(), "select"));
+  out.select = *select;
+  return {};
+}
+
 Result<void> parse_index(Value& value, EventFields& out) {
   const std::string_view token = token_of(value);
   std::uint64_t index = 0;
@@ -195,10 +215,11 @@ constexpr std::array kPlainFields = {kEvent, kTime};
 constexpr std::array kToolFields = {kEvent, kTime, kId};
 constexpr std::array kOptionFields = {kEvent, kTime, kId,
                                       EventField{"value", true, parse_option_value}};
-constexpr std::array kImportFields = {kEvent, kTime,
-                                      EventField{"path", true, [](Value& v, EventFields& e) {
-                                                   return parse_text(v, "path", e.path);
-                                                 }}};
+constexpr std::array kImportFields = {
+    kEvent, kTime,
+    EventField{"path", true,
+               [](Value& v, EventFields& e) { return parse_text(v, "path", e.path); }},
+    EventField{"select", false, parse_select}};
 constexpr std::array kSelectFields = {
     kEvent, kTime, EventField{"what", true, [](Value& v, EventFields& e) {
                                 return parse_word(v, "what", kSelectionWords, e.selection);
@@ -284,6 +305,7 @@ constexpr std::array kDeviceFields = {
                  return parse_count<&Capabilities::delay_ticks>(v, "delay_ticks", e);
                }},
     EventField{"senses_pressure", false, parse_senses_pressure},
+    EventField{"defaults", false, parse_defaults},
     EventField{"sheet_scale", false,
                [](Value& v, EventFields& e) {
                  return parse_quantity<&Capabilities::sheet_scale>(v, "sheet_scale", e);

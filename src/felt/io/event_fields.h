@@ -25,6 +25,8 @@ struct EventFields {
   std::uint32_t buttons = 0;
   std::optional<double> lean_deg;
   std::string path;
+  bool select = false;
+  int defaults = 1;  ///< of recordings that do not name them
   SelectStrokes::What selection{};
   LayerEvent::Do action{};
   LayerId layer;

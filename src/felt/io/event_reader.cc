@@ -58,7 +58,7 @@ Event event_of(EventName name, EventFields&& fields) {
       event.what = CancelEvent{};
       break;
     case EventName::kImport:
-      event.what = ImportEvent{std::move(fields.path)};
+      event.what = ImportEvent{std::move(fields.path), fields.select};
       break;
     case EventName::kSelect:
       event.what = SelectStrokes{fields.selection};
@@ -76,7 +76,7 @@ Event event_of(EventName name, EventFields&& fields) {
       event.what = layer_event(std::move(fields));
       break;
     case EventName::kDevice:
-      event.what = UseDevice{fields.device};
+      event.what = UseDevice{fields.device, fields.defaults};
       break;
     case EventName::kMaterial:
       event.what = UseMaterial{std::move(fields.text)};

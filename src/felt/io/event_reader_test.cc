@@ -97,7 +97,11 @@ TEST(EventReader, ReadsWhatIsDoneToLayers) {
 }
 
 TEST(EventReader, ReadsDevices) {
-  EXPECT_EQ(event_of(R"({"event":"device","t_ms":0})"), (Event{0, UseDevice{}}));
+  EXPECT_EQ(event_of(R"({"event":"device","t_ms":0})"), (Event{0, UseDevice{{}, 1}}));
+  EXPECT_EQ(event_of(R"({"event":"device","t_ms":0,"defaults":2})"), (Event{0, UseDevice{{}, 2}}));
+  EXPECT_EQ(error_of(R"({"event":"device","t_ms":0,"defaults":99})"),
+            "defaults: 99 is of a newer version of Feltline");
+  EXPECT_THAT(error_of(R"({"event":"device","t_ms":0,"defaults":0})"), HasSubstr("from 1 on"));
   Capabilities can;
   can.sensed_axes = 2;
   can.max_force_n = 3.3;
@@ -106,7 +110,7 @@ TEST(EventReader, ReadsDevices) {
   EXPECT_EQ(
       event_of(R"({"event":"device","senses_pressure":true,"sensed_axes":2,"max_force_n":3.3,)"
                R"("period_ms":0.25,"t_ms":0})"),
-      (Event{0, UseDevice{can}}));
+      (Event{0, UseDevice{can, 1}}));
   EXPECT_EQ(error_of(R"({"event":"device","max_force_n":-1,"t_ms":0})"),
             "max_force_n: is negative");
   EXPECT_EQ(error_of(R"({"event":"device","period_ms":0,"t_ms":0})"),

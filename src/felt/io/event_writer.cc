@@ -62,6 +62,7 @@ struct AppendWhat {
   void operator()(const ImportEvent& e) const {
     kind("import");
     append_key_string(out, "path", e.path);
+    if (e.select) out += ",\"select\":true";
   }
   void operator()(const SelectStrokes& e) const {
     kind("select");
@@ -97,6 +98,7 @@ struct AppendWhat {
     append_key_number(out, "delay_ticks", can.delay_ticks);
     out += can.senses_pressure ? ",\"senses_pressure\":true" : ",\"senses_pressure\":false";
     if (can.sheet_scale != 1.0) append_key_number(out, "sheet_scale", can.sheet_scale);
+    if (e.defaults != 1) append_key_number(out, "defaults", e.defaults);
   }
   void operator()(const UseMaterial& e) const {
     kind("material");

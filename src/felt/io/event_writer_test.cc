@@ -40,6 +40,8 @@ TEST(EventWriter, WritesKeysInAFixedOrder) {
   EXPECT_EQ(line_of({0, CancelEvent{}}), "{\"t_ms\":0,\"event\":\"cancel\"}\n");
   EXPECT_EQ(line_of({0, ImportEvent{"a.svg"}}),
             "{\"t_ms\":0,\"event\":\"import\",\"path\":\"a.svg\"}\n");
+  EXPECT_EQ(line_of({0, ImportEvent{"a.svg", true}}),
+            "{\"t_ms\":0,\"event\":\"import\",\"path\":\"a.svg\",\"select\":true}\n");
   EXPECT_EQ(line_of({0, SelectStrokes{SelectStrokes::What::kNone}}),
             "{\"t_ms\":0,\"event\":\"select\",\"what\":\"none\"}\n");
   EXPECT_EQ(line_of({0, DeleteEvent{}}), "{\"t_ms\":0,\"event\":\"delete\"}\n");
@@ -53,7 +55,7 @@ TEST(EventWriter, WritesKeysInAFixedOrder) {
       "{\"t_ms\":0,\"event\":\"device\",\"sensed_axes\":3,\"actuated_axes\":3,\"max_force_n\":0,"
       "\"continuous_force_n\":0,\"advised_force_n\":0,\"max_stiffness_n_per_m\":0,"
       "\"max_damping_n_s_per_m\":0,\"position_step_mm\":0,\"period_ms\":1,\"delay_ticks\":1,"
-      "\"senses_pressure\":false}\n");
+      "\"senses_pressure\":false,\"defaults\":2}\n");
   EXPECT_EQ(line_of({0, LayerEvent{LayerEvent::Do::kHide, {12}, ""}}),
             "{\"t_ms\":0,\"event\":\"layer\",\"do\":\"hide\",\"id\":12}\n");
 }
@@ -126,7 +128,7 @@ UseDevice any_device() {
   can.delay_ticks = *rc::gen::inRange(0, 8);
   can.senses_pressure = *rc::gen::arbitrary<bool>();
   if (*rc::gen::arbitrary<bool>()) can.sheet_scale = 1.25;
-  return {can};
+  return {can, *rc::gen::inRange(1, kOptionDefaults + 1)};
 }
 
 Event any_event(std::int64_t time_ns) {
@@ -171,7 +173,7 @@ Event any_event(std::int64_t time_ns) {
       event.what = any_device();
       break;
     default:
-      event.what = ImportEvent{*texts()};
+      event.what = ImportEvent{*texts(), *rc::gen::arbitrary<bool>()};
   }
   return event;
 }

@@ -61,6 +61,7 @@ struct CancelEvent {
 /// reads the file; the session gets it as an edit.
 struct ImportEvent {
   std::string path;
+  bool select = false;  ///< the added strokes become the selection, which stays as it was otherwise
   friend bool operator==(const ImportEvent&, const ImportEvent&) = default;
 };
 
@@ -116,12 +117,19 @@ struct LayerEvent {
   friend bool operator==(const LayerEvent&, const LayerEvent&) = default;
 };
 
+/// The version of the tools' default options, which recordings name because they leave out options
+/// that have their default. 1: Feltline 0.1.0 (old_defaults.h).
+inline constexpr int kOptionDefaults = 2;
+
 /// {"event":"device","max_force_n":3.3,...}: what the samples come from and forces go to, from now
 /// on. The gesture in work is ended as if the pen were lifted. For recordings that are told to a
 /// session as they are; the Player, which has a device of its own, refuses it. The workspace, which
 /// tools do not look at, is no part of the text form.
 struct UseDevice {
   Capabilities capabilities;
+  /// Of the program that recorded it. The first event with other defaults than the session's sets
+  /// the options that still have their default.
+  int defaults = kOptionDefaults;
   friend bool operator==(const UseDevice&, const UseDevice&) = default;
 };
 

@@ -199,7 +199,7 @@ class Player::Run {
     if (!options_.read_import) return session_.apply({time_ns, event});
     const Result<Sketch> strokes = options_.read_import(event);
     if (!strokes) return tl::unexpected(strokes.error());
-    return session_.import(time_ns, event.path, *strokes);
+    return session_.import(time_ns, event, *strokes);
   }
 
   [[nodiscard]] bool is_over(std::int64_t now_ns, std::int64_t last_ns) const noexcept {

@@ -10,6 +10,7 @@
 #include "felt/geometry/lean.h"
 #include "felt/material/material_file.h"
 #include "felt/session/layer_edit.h"
+#include "felt/session/old_defaults.h"
 #include "felt/session/selection_edit.h"
 
 namespace felt {
@@ -78,7 +79,8 @@ struct Session::Apply {
   Result<void> operator()(const UseDevice& e) const {
     Result<void> ended = session.finish();
     session.options_.device = e.capabilities;
-    return ended;
+    if (!ended) return ended;
+    return session.use_defaults(e.defaults);
   }
   Result<void> operator()(const UseMaterial& e) const { return session.use_material(e); }
 };
@@ -136,14 +138,14 @@ Result<void> Session::sample(const PenSample& told) {
   return taken;
 }
 
-Result<void> Session::import(std::int64_t time_ns, const std::string& path,
+Result<void> Session::import(std::int64_t time_ns, const ImportEvent& event,
                              std::span<const SketchStroke> strokes) {
   if (Result<void> ended = finish(); !ended) return ended;
   Edit edit = import_edit(document_, layer_, strokes);
   Selection added = made_by(edit);
   if (Result<void> done = commit(std::move(edit)); !done) return done;
-  set_selection(std::move(added));
-  record({time_ns, ImportEvent{path}});
+  if (event.select) set_selection(std::move(added));
+  record({time_ns, event});
   return {};
 }
 
@@ -193,6 +195,21 @@ Result<void> Session::set_option(std::int64_t time_ns, const std::string& id,
   }
   if (Result<void> done = tool.set_option(name, value); !done) return in_context(done.error());
   tell_material(time_ns, open, value);
+  return {};
+}
+
+Result<void> Session::use_defaults(int version) {
+  if (std::exchange(option_defaults_, version) == version || version != 1) return {};
+  for (const SetOption& old : defaults_of_version_1()) {
+    const auto [owner, name] = split_id(old.id);
+    const Result<std::size_t> found = find_tool(owner);
+    if (!found) continue;
+    Tool& tool = *tools_[*found];
+    for (const OptionSpec& row : tool.info().options) {
+      if (row.id != name || tool.option(name) != default_value(row)) continue;
+      if (Result<void> done = tool.set_option(name, old.value); !done) return done;
+    }
+  }
   return {};
 }
 

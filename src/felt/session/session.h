@@ -80,9 +80,8 @@ class Session {
   Result<void> apply(const Event& event);
   /// What a PenEvent ends in. Error: the tool made an edit that does not fit: a defect.
   Result<void> sample(const PenSample& sample);
-  /// Adds strokes on top of the layer in use as one step and selects them; what an ImportEvent of
-  /// this path ends in.
-  Result<void> import(std::int64_t time_ns, const std::string& path,
+  /// Handles an ImportEvent: adds the strokes of its file on top of the layer in use as one step.
+  Result<void> import(std::int64_t time_ns, const ImportEvent& event,
                       std::span<const SketchStroke> strokes);
   /// No sample follows for now: the device is gone, the script or the program ends.
   Result<void> finish();
@@ -119,6 +118,8 @@ class Session {
   [[nodiscard]] std::uint64_t edit_count() const noexcept { return edits_; }
   /// Grows whenever the selection may have changed.
   [[nodiscard]] std::uint64_t selection_count() const noexcept { return selections_; }
+  /// The version of the defaults that options without an event have (kOptionDefaults).
+  [[nodiscard]] int option_defaults() const noexcept { return option_defaults_; }
   /// Samples that were dropped.
   [[nodiscard]] std::uint64_t dropped_samples() const noexcept { return dropped_; }
 
@@ -129,6 +130,7 @@ class Session {
   [[nodiscard]] Result<std::size_t> find_tool(std::string_view id) const;
   Result<void> select(const std::string& id);
   Result<void> set_option(std::int64_t time_ns, const std::string& id, const OptionValue& value);
+  Result<void> use_defaults(int version);
   Result<void> use_material(const UseMaterial& event);
   /// Before an option names a material that only this program has, which is no part of a recording.
   void tell_material(std::int64_t time_ns, OpenChoice kind, const OptionValue& value);
@@ -171,6 +173,7 @@ class Session {
   bool pen_is_down_ = false;
   bool gesture_is_open_ = false;   // touched the sheet, and nothing came of it yet
   std::vector<std::string> told_;  // kinds and ids of materials that a recording has
+  int option_defaults_ = kOptionDefaults;
   std::uint64_t dropped_ = 0;
   std::uint64_t edits_ = 0;
   std::uint64_t selections_ = 0;

@@ -188,7 +188,7 @@ TEST(SessionLayers, NewInkGoesToTheLayerInUse) {
   EXPECT_EQ(desk.session.document().layer({2})->name, "Ideas");
   EXPECT_EQ(desk.session.document().layer({3})->name, "Layer 3");
   Desk other;
-  ASSERT_TRUE(desk.session.import(desk.now_ns, "a", desk.session.sketch()));
+  ASSERT_TRUE(desk.session.import(desk.now_ns, {"a"}, desk.session.sketch()));
   EXPECT_EQ(desk.session.document().layer_of({2}).value, 3U);
 }
 
@@ -479,11 +479,24 @@ TEST(SessionCommands, WhatIsImportedIsSelectedInPlaceOfWhatWas) {
   desk.must(SelectStrokes{What::kAll});
   const Sketch sketch{{"a", testing::straight_stroke({0, 50}, {9, 50}, 1, 2)},
                       {"b", testing::straight_stroke({0, 60}, {9, 60}, 1, 2)}};
-  ASSERT_TRUE(desk.session.import(desk.now_ns, "clipboard", sketch));
+  ASSERT_TRUE(desk.session.import(desk.now_ns, {"clipboard", true}, sketch));
   EXPECT_EQ(desk.selected(), (std::vector<std::uint64_t>{2, 3}));
   desk.must(DeleteEvent{});
   EXPECT_EQ(desk.session.document().stroke_count(), 1U) << "the original stays";
   EXPECT_TRUE(desk.session.document().find({1}));
+}
+
+// Scripts of Feltline 0.1.0 do not say "select": what they delete after an import is what it was.
+TEST(SessionCommands, AnImportThatDoesNotSelectLeavesTheSelection) {
+  Desk desk;
+  desk.line(0, 0);
+  desk.must(SelectStrokes{What::kAll});
+  const Sketch sketch{{"a", testing::straight_stroke({0, 50}, {9, 50}, 1, 2)}};
+  ASSERT_TRUE(desk.session.import(desk.now_ns, {"a.svg"}, sketch));
+  EXPECT_EQ(desk.selected(), (std::vector<std::uint64_t>{1}));
+  desk.must(DeleteEvent{});
+  EXPECT_EQ(desk.session.document().stroke_count(), 1U) << "the imported line stays";
+  EXPECT_TRUE(desk.session.document().find({2}));
 }
 
 TEST(SessionCommands, TheSelectionIsSeenWithToolsThatDoNotShowIt) {

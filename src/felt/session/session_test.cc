@@ -9,6 +9,7 @@
 
 #include "felt/material/material_file.h"
 #include "felt/session/fake_tools.h"
+#include "felt/session/old_defaults.h"
 
 namespace felt {
 namespace {
@@ -259,7 +260,7 @@ TEST(Session, ImportAddsOneStepOnTopAndKeepsTheInkInWork) {
   Desk desk;
   desk.put_down(0, 20);
   desk.pen(5, 20, -1);
-  ASSERT_TRUE(desk.session.import(desk.now_ns, "a.ndjson", source.session.sketch()));
+  ASSERT_TRUE(desk.session.import(desk.now_ns, {"a.ndjson"}, source.session.sketch()));
   EXPECT_EQ(desk.strokes(), 3U);
   EXPECT_EQ(desk.session.sketch()[1].stroke, source.session.sketch()[0].stroke);
   EXPECT_EQ(desk.session.history().undo_count(), 2U);
@@ -267,6 +268,29 @@ TEST(Session, ImportAddsOneStepOnTopAndKeepsTheInkInWork) {
   desk.lift(8, 20);
   desk.must(UndoEvent{});
   EXPECT_EQ(desk.strokes(), 1U) << "a dot is no line to this tool, so the import was undone";
+}
+
+// Recordings leave out options that have their default.
+TEST(Session, ARecordingWithOlderDefaultsGetsThem) {
+  Session now(make_tools(), {}), old(make_tools(), {});
+  ASSERT_TRUE(old.apply({0, SetOption{"pencil.reach_mm", 5.0}}));
+  ASSERT_TRUE(old.apply({0, UseDevice{{}, 1}}));
+  ASSERT_TRUE(now.apply({0, UseDevice{}}));
+  EXPECT_EQ(old.option_defaults(), 1);
+  EXPECT_EQ(now.option_defaults(), kOptionDefaults);
+  EXPECT_EQ(old.option("pencil.reach_mm"), OptionValue(5.0)) << "was set, by --set of record";
+  EXPECT_EQ(old.option("lasso.take"), OptionValue(std::string("points")));
+  EXPECT_EQ(old.option("eraser.include_width"), OptionValue(false));
+  for (const SetOption& changed : defaults_of_version_1()) {
+    EXPECT_TRUE(now.option(changed.id)) << changed.id;
+    EXPECT_NE(now.option(changed.id), changed.value) << changed.id;
+    if (changed.id == "pencil.reach_mm") continue;
+    EXPECT_EQ(old.option(changed.id), changed.value) << changed.id;
+  }
+  // Another device of the same recording changes nothing more.
+  ASSERT_TRUE(old.apply({1, SetOption{"lasso.take", std::string("strokes")}}));
+  ASSERT_TRUE(old.apply({1, UseDevice{{}, 1}}));
+  EXPECT_EQ(old.option("lasso.take"), OptionValue(std::string("strokes")));
 }
 
 TEST(Session, NamesStrokesSoThatTheyKeepTheirNames) {

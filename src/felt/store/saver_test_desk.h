@@ -98,7 +98,7 @@ class SaverDesk {
     for (int i = 0; i < count; ++i) {
       sketch.push_back({"s", random_stroke(100 * seed + static_cast<std::uint64_t>(i))});
     }
-    ASSERT_TRUE(session->import(k_ * kStepNs + kOffsetNs, "test", sketch));
+    ASSERT_TRUE(session->import(k_ * kStepNs + kOffsetNs, {"test"}, sketch));
   }
   /// What a crash now would leave, read.
   [[nodiscard]] RecoveredDrawing crashed() const {

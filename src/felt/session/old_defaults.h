@@ -1,0 +1,22 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "felt/session/event.h"
+
+namespace felt {
+
+/// Returns the options whose defaults were others in Feltline 0.1.0, with those. A recording leaves
+/// out options that have their default, so one from then needs these to give the same drawing.
+/// pull.keep_offset is new; on, it is how pull was.
+/// When a default changes: add one to kOptionDefaults, and a list of what the last version had.
+inline std::vector<SetOption> defaults_of_version_1() {
+  using namespace std::string_literals;
+  return {{"pencil.reach_mm", 8.0},     {"pencil.snap_radius_mm", 2.0},
+          {"pencil.attraction_n", 0.6}, {"pencil.keep_separate", false},
+          {"pull.keep_offset", true},   {"eraser.include_width", false},
+          {"lasso.take", "points"s}};
+}
+
+}  // namespace felt
