@@ -186,9 +186,8 @@ int run(int argc, char** argv) {
         return 1;
       }
       rows.push_back({material, forces, *stats});
-      all_came_out =
-          all_came_out && stats->strokes <= stats->strokes_meant &&
-          stats->strokes >= stats->strokes_meant - stats->strokes_meant / 500;
+      all_came_out = all_came_out && stats->strokes <= stats->strokes_meant &&
+                     stats->strokes >= stats->strokes_meant - stats->strokes_meant / 500;
     }
   }
   print_table(options, rows);

@@ -75,7 +75,7 @@ rm -f long.*
 # Variables that are replaced by nothing, 30^7 times.
 {
   echo '<svg xmlns="http://www.w3.org/2000/svg"><path d="M0 0L9 9" fill="none" stroke="var(--a)" style="'
-  for pair in a:b b:c c:d d:e e:f f:g g:z,; do
+  for pair in a:b b:c c:d d:e e:f f:g 'g:z,'; do
     printf -- '--%s:' "${pair%:*}"
     for _ in {1..30}; do printf 'var(--%s)' "${pair#*:}"; done
     printf ';'

@@ -174,9 +174,10 @@ std::string_view ForceDimensionBench::broken_rule() const noexcept {
   return broken_before_.empty() ? state().broken_rule : broken_before_;
 }
 
-// Velocities are made of places that are rounded twice: to the device's steps, and to metres.
+// Positions are rounded twice, to the device's steps and to metres. Samples that differ by a
+// rounding may be fitted with other joints, each curve and width within 0.15 mm of its samples.
 double ForceDimensionBench::tolerance_mm() const noexcept {
-  return 0.1;
+  return 2 * 0.15;
 }
 
 PenSample ForceDimensionBench::as_said(const PenSample& pen) const noexcept {
