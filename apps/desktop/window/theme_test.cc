@@ -3,9 +3,13 @@
 #include <gtest/gtest.h>
 
 #include <QApplication>
+#include <QImage>
 #include <cmath>
+#include <string>
 
 #include "desktop/engine/settings.h"
+#include "desktop/engine/studio.h"
+#include "desktop/window/color_well.h"
 #include "desktop/window/settings_keys.h"
 
 namespace felt::desktop {
@@ -54,6 +58,20 @@ TEST(Theme, TextCanBeReadInBothThemes) {
     }
     // What has the focus is seen: 3 : 1 (WCAG 2.1, 1.4.11).
     EXPECT_GE(contrast(palette.color(P::Highlight), palette.color(P::Window)), 3.0);
+  }
+}
+
+TEST(ColorWell, ItsBorderIsSeenInBothThemes) {
+  Studio studio({.live = false});
+  for (const Theme theme : {Theme::kLight, Theme::kDark}) {
+    ColorWell well(studio);
+    well.setPalette(palette_of(theme));
+    for (const char* ink : {"#000000", "#ffffff"}) {
+      studio.apply(SetOption{"sheet.color", std::string(ink)});
+      const QImage picture = well.icon().pixmap(well.iconSize()).toImage();
+      EXPECT_GE(contrast(picture.pixelColor(0, 0), well.palette().color(QPalette::Window)), 2.0)
+          << int(theme) << ", " << ink;
+    }
   }
 }
 
