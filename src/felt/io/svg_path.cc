@@ -49,6 +49,12 @@ CenterArc center_arc(Point from, Point to, Vec radii, double turn_rad, bool larg
   return arc;
 }
 
+/// Relative commands in decimals come back to the beginning, apart from rounding.
+bool is_back(Point here, Point begin) noexcept {
+  const double size = std::max({1.0, std::fabs(begin.x), std::fabs(begin.y)});
+  return distance(here, begin) <= 1e-9 * size;
+}
+
 }  // namespace
 
 void SvgPathBuilder::move(Point p) {
@@ -108,7 +114,11 @@ void SvgPathBuilder::arc(double rx, double ry, double turn_deg, bool large, bool
 void SvgPathBuilder::close() {
   if (!open_ && !moved_) return;  // closed already
   // A move that is closed at once is a dot, where caps make one.
-  if (!open_ || here_ != begin_) line(begin_);
+  if (open_ && is_back(here_, begin_)) {
+    contours_.back().points.back() = begin_;
+  } else {
+    line(begin_);
+  }
   if (open_) contours_.back().closed = true;
   here_ = begin_;
   open_ = false;

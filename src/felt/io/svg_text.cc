@@ -28,15 +28,30 @@ GridPoint on_grid(Point p) noexcept {
   return {std::llround(p.x * kSvgStepsPerMm), std::llround(p.y * kSvgStepsPerMm)};
 }
 
-void append_whole(std::string& out, std::int64_t value) {
-  std::array<char, 24> text;
-  out.append(text.data(), std::to_chars(text.data(), text.data() + text.size(), value).ptr);
+/// True if a number with this first character needs a space before it. ".5.5" are two numbers.
+bool needs_space(std::string_view before, char first) noexcept {
+  const auto is_digit = [](char c) { return c >= '0' && c <= '9'; };
+  if (first == '-' || before.empty() || !is_digit(before.back())) return false;
+  if (first != '.') return true;
+  while (!before.empty() && is_digit(before.back())) before.remove_suffix(1);
+  return before.empty() || before.back() != '.';
 }
 
-/// A whole number of steps, and a space before it where one is needed.
+/// A number of steps in mm, in as few characters as there are: "-1.5", ".003", "20".
 void append_steps(std::string& out, std::int64_t steps) {
-  if (steps >= 0 && !out.empty() && out.back() >= '0' && out.back() <= '9') out += ' ';
-  append_whole(out, steps);
+  constexpr auto kPerMm = static_cast<std::int64_t>(kSvgStepsPerMm);
+  std::array<char, 32> text;
+  char* end = text.data();
+  if (steps < 0) *end++ = '-';
+  const std::int64_t whole = std::abs(steps) / kPerMm;
+  std::int64_t rest = std::abs(steps) % kPerMm;
+  if (whole != 0 || rest == 0) end = std::to_chars(end, text.data() + text.size(), whole).ptr;
+  if (rest != 0) *end++ = '.';
+  for (std::int64_t unit = kPerMm / 10; rest != 0; rest %= unit, unit /= 10) {
+    *end++ = static_cast<char>('0' + rest / unit);
+  }
+  if (needs_space(out, text.front())) out += ' ';
+  out.append(text.data(), end);
 }
 
 /// Writes path commands relative to the place reached so far.
@@ -139,7 +154,7 @@ void append_power_knots(std::string& out, const StrokeData& d) {
     if (i > 0) out += " | ";
     append_number(out, std::round(d.widths[i].u * kPlaces) / kPlaces);
     out += ',';
-    append_whole(out, std::llround(0.5 * d.widths[i].width_mm * kSvgStepsPerMm));
+    append_steps(out, std::llround(0.5 * d.widths[i].width_mm * kSvgStepsPerMm));
   }
 }
 
@@ -170,8 +185,7 @@ void append_area(std::string& out, const Rect& area) {
 void append_mask(std::string& out, const Rect& mm, std::string_view png,
                  const std::string& number) {
   std::string place;
-  append_area(place, {kSvgStepsPerMm * mm.x0, kSvgStepsPerMm * mm.y0, kSvgStepsPerMm * mm.x1,
-                      kSvgStepsPerMm * mm.y1});
+  append_area(place, mm);
   out += "<defs><mask id=\"" + std::string(kSvgMaskId) + number +
          "\" maskUnits=\"userSpaceOnUse\"" + place + "><image" + place +
          " preserveAspectRatio=\"none\" xmlns:xlink=\"http://www.w3.org/1999/xlink\" "
@@ -288,7 +302,7 @@ void append_svg_head(std::string& out, const Rect& area, Rgba paper, std::string
 }
 
 void append_svg_group_begin(std::string& out) {
-  out += "<g transform=\"scale(.001)\">\n";
+  out += "<g>\n";
 }
 
 void append_svg_group_end(std::string& out) {
@@ -387,8 +401,7 @@ Result<void> append_svg_layer_begin(std::string& out, const LayerView& layer, st
   std::string label;
   if (auto ok = append_xml_attribute(label, layer.name); !ok) return ok;
   out += "<g id=\"layer" + std::to_string(number) +
-         "\" transform=\"scale(.001)\" inkscape:groupmode=\"layer\" inkscape:label=\"" + label +
-         '"';
+         "\" inkscape:groupmode=\"layer\" inkscape:label=\"" + label + '"';
   if (layer.locked) out += " sodipodi:insensitive=\"true\"";
   out += layer.visible ? " style=\"display:inline\">\n" : " style=\"display:none\">\n";
   return {};

@@ -29,7 +29,8 @@ inline constexpr std::string_view kSvgMaskId = "grain";
 /// when the area is known at last.
 inline constexpr std::size_t kSvgHeadBytes = 640;
 
-/// Paths are written in whole steps of 0.001 mm, inside of a group that is scaled to them.
+/// Paths are written in mm, rounded to steps of 0.001 mm. The unit stays 1 mm: Inkscape computes a
+/// PowerStroke to 0.01 user units and fails if that is much less than the stroke's width.
 inline constexpr double kSvgStepsPerMm = 1e3;
 
 /// The material of strokes that name none.

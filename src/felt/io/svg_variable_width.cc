@@ -78,15 +78,19 @@ bool read_joint_letters(std::string_view text, std::vector<JointKind>& joints) {
   return true;
 }
 
-/// The exact control points beside a centre line in steps.
+/// The exact control points beside a centre line that is rounded to steps.
 bool read_exact_points(std::string_view text, const SvgContour& line, std::vector<Point>& points) {
   // Half of a step and some rounding.
   constexpr double kNearMm = 0.501 / kSvgStepsPerMm;
+  // Plus zero, because -0 is another guess than 0.
+  const auto guess = [](double mm) {
+    return std::round(mm * kSvgStepsPerMm) / kSvgStepsPerMm + 0.0;
+  };
   const std::size_t count = line.points.size() - (line.closed ? 1 : 0);
   std::vector<double> guesses, values(2 * count);
   for (std::size_t i = 0; i < count; ++i) {
-    guesses.push_back(std::round(line.points[i].x) / kSvgStepsPerMm);
-    guesses.push_back(std::round(line.points[i].y) / kSvgStepsPerMm);
+    guesses.push_back(guess(line.points[i].x));
+    guesses.push_back(guess(line.points[i].y));
   }
   if (!read_exact(text, guesses, kNearMm, values)) return false;
   for (std::size_t i = 0; i < count; ++i) points.push_back({values[2 * i], values[2 * i + 1]});
@@ -248,8 +252,6 @@ Result<SvgWideStroke> svg_wide_stroke(const SvgVariableWidth& a, const Affine& t
   }
   const SvgContour& line = path.contours.front();
   std::optional<StrokeData> d = a.is_ours ? our_model(a, line) : std::nullopt;
-  // What version 2 says in mm stands beside a path in steps.
-  const double per_mm = a.points.empty() ? 1.0 : kSvgStepsPerMm;
   const bool has_tones =
       d && !a.tones.empty() &&
       (a.points.empty() ? read_tones(a.tones, d->widths) : read_exact_tones(a.tones, d->widths));
@@ -259,17 +261,12 @@ Result<SvgWideStroke> svg_wide_stroke(const SvgVariableWidth& a, const Affine& t
   }
   if (d && a.has_effect) {
     Result<SvgPowerKnots> knots = svg_power_knots(a, line.segment_count(), line.closed);
-    if (knots) {
-      for (WidthKnot& k : knots->widths) k.width_mm /= per_mm;
-      for (WidthKnot& k : knots->written) k.width_mm /= per_mm;
-    }
     if (knots && !same_widths(d->widths, knots->written, line.closed,
                               a.points.empty() ? 1e-4 : kKnotWidthMm)) {
       for (WidthKnot& k : knots->widths) k.tone = tone_at(d->widths, k.u);
       d->widths = std::move(knots->widths);
     }
   }
-  const bool is_in_mm = d.has_value();
   if (!d) {
     Result<StrokeData> power = power_stroke(a, line, wide.notices);
     if (!power) return tl::unexpected(power.error());
@@ -277,7 +274,7 @@ Result<SvgWideStroke> svg_wide_stroke(const SvgVariableWidth& a, const Affine& t
   }
   wide.id = a.id;
   if (a.is_ours) d->material = a.material;
-  move_to_sheet(*d, is_in_mm && per_mm != 1.0 ? then(scaling(per_mm), to_mm) : to_mm, wide.notices);
+  move_to_sheet(*d, to_mm, wide.notices);
   wide.data = *std::move(d);
   raise_widths(wide.data, wide.notices);
   if (!has_tones) take_tone_of_width(wide.data.widths);
