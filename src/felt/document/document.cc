@@ -188,7 +188,9 @@ class Document::Plan {
 
   void change_stroke(const StrokeChange& c) {
     if (c.after) {
-      document_.strokes_[c.id] = {c.after, c.after_place.layer};
+      // Strokes of a file come in the order of their ids.
+      document_.strokes_.insert_or_assign(document_.strokes_.end(), c.id,
+                                          Entry{c.after, c.after_place.layer});
     } else {
       document_.strokes_.erase(c.id);
     }

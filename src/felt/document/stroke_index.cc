@@ -54,25 +54,50 @@ void StrokeIndex::LayerSegments::update(std::span<const SegmentForest::Change> c
   }
 }
 
-StrokeIndex::StrokeIndex(const Document& document, double cell_mm) : cell_mm_(cell_mm) {
+StrokeIndex::StrokeIndex(const Document& document, double cell_mm, std::size_t indexed_at_once)
+    : cell_mm_(cell_mm) {
+  const bool later = document.stroke_count() > indexed_at_once;
+  std::vector<UnindexedStrokes::Entry> now;
   for (const Layer& layer : document.layers()) {
-    std::vector<SegmentForest::Change> strokes;
-    for (StrokeId id : layer.strokes) {
-      strokes.push_back({id, document.find(id)});
-      add(id, *strokes.back().after);
+    layers_[layer.id].editable = is_editable(layer);
+    for (const StrokeId id : layer.strokes) {
+      UnindexedStrokes::Entry entry{id, layer.id, document.find(id)};
+      const bool broad = measure(*entry.stroke) > 0.5 * kBroadMm;
+      if (!later || broad || !unindexed_.add(entry)) now.push_back(std::move(entry));
     }
-    LayerSegments& here = layers_[layer.id];
-    here.editable = is_editable(layer);
-    here.update(strokes);
   }
+  index(now);
 }
 
 void StrokeIndex::update(const Edit& edit, const Document& document) {
+  std::vector<UnindexedStrokes::Entry> near;
+  for (const StrokeChange& c : edit.changes) {
+    if (c.before) unindexed_.take_around(*c.before, near);
+  }
+  index(near);
   for (const StrokeChange& c : edit.changes) {
     if (c.before) remove(c.id, *c.before);
-    if (c.after) add(c.id, *c.after);
+    if (!c.after) continue;
+    measure(*c.after);
+    add_tips(c.id, *c.after);
   }
   update_segments(edit, document);
+}
+
+void StrokeIndex::index_strokes_in(const Rect& area) const {
+  if (unindexed_.size() == 0) return;
+  std::vector<UnindexedStrokes::Entry> near;
+  unindexed_.take(area, near);
+  index(near);
+}
+
+void StrokeIndex::index(std::span<const UnindexedStrokes::Entry> entries) const {
+  std::map<LayerId, std::vector<SegmentForest::Change>> changes;
+  for (const UnindexedStrokes::Entry& entry : entries) {
+    changes[entry.layer].push_back({entry.id, entry.stroke});
+    add_tips(entry.id, *entry.stroke);
+  }
+  for (const auto& [id, strokes] : changes) layers_[id].update(strokes);
 }
 
 void StrokeIndex::update_segments(const Edit& edit, const Document& document) {
@@ -103,16 +128,21 @@ std::int64_t StrokeIndex::line_of(double mm) const noexcept {
   return static_cast<std::int64_t>(std::clamp(std::floor(mm / cell_mm_), -kLastLine, kLastLine));
 }
 
-void StrokeIndex::add(StrokeId id, const Stroke& stroke) {
+/// Counts its ends and notes how far it reaches beyond its segments. Returns half of its width.
+double StrokeIndex::measure(const Stroke& stroke) {
   const double half_mm = half_width_mm(stroke);
   widest_half_mm_ = std::max(widest_half_mm_, half_mm);
   if (half_mm <= 0.5 * kBroadMm) usual_half_mm_ = std::max(usual_half_mm_, half_mm);
   farthest_handle_mm_ = std::max(farthest_handle_mm_, handle_reach_mm(stroke));
+  if (!stroke.closed()) tips_ += kTips.size();
+  return half_mm;
+}
+
+void StrokeIndex::add_tips(StrokeId id, const Stroke& stroke) const {
   if (stroke.closed()) return;
   for (StrokeTip tip : kTips) {
     const Point p = tip_point(stroke, tip);
     cells_[{line_of(p.y), line_of(p.x)}].push_back({{id, tip}, p});
-    ++tips_;
   }
 }
 
@@ -143,6 +173,10 @@ std::optional<StrokeHit> StrokeIndex::nearest(Point place, double radius_mm) con
 }
 
 std::optional<StrokeHit> StrokeIndex::nearest_within_reach(Point place, double radius_mm) const {
+  if (is_finite(place)) {
+    index_strokes_in(
+        Rect{place.x - radius_mm, place.y - radius_mm, place.x + radius_mm, place.y + radius_mm});
+  }
   std::optional<StrokeHit> best;
   double least = 0.0;
   for (const auto& [layer, entry] : layers_) {
@@ -169,8 +203,11 @@ std::optional<TipHit> StrokeIndex::nearest_tip(const Document& document, Point p
                                                double radius_mm,
                                                std::span<const TipId> except) const {
   if (!is_finite(place) || !(radius_mm >= 0.0)) return std::nullopt;
-  const std::int64_t left = line_of(place.x - radius_mm), right = line_of(place.x + radius_mm);
-  const std::int64_t top = line_of(place.y - radius_mm), bottom = line_of(place.y + radius_mm);
+  const Rect area{place.x - radius_mm, place.y - radius_mm, place.x + radius_mm,
+                  place.y + radius_mm};
+  index_strokes_in(area);
+  const std::int64_t left = line_of(area.x0), right = line_of(area.x1);
+  const std::int64_t top = line_of(area.y0), bottom = line_of(area.y1);
   std::optional<TipHit> best;
   const auto consider = [&](const Entry& e) {
     const double d = distance(place, e.point);

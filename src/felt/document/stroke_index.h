@@ -9,6 +9,7 @@
 
 #include "felt/document/document.h"
 #include "felt/document/segment_forest.h"
+#include "felt/document/unindexed_strokes.h"
 #include "felt/stroke/stroke_tip.h"
 
 namespace felt {
@@ -43,16 +44,21 @@ struct StrokeHit {
 /// number in each layer that may be edited, an edit about a microsecond a segment. Hiding, locking
 /// and showing a layer costs nothing.
 /// Ends lie in a uniform grid: a query costs the cells that its circle covers and that are not
-/// empty, and the ends in them. Answers do not depend on the order in which strokes came. One
-/// thread.
+/// empty, and the ends in them. Answers do not depend on the order in which strokes came.
+///
+/// Opening a document of more than kIndexedAtOnce strokes sorts none of them: strokes are sorted
+/// when a query or an edit comes near (UnindexedStrokes), about 2 us a segment. One thread; queries
+/// change what is sorted.
 class StrokeIndex {
  public:
   /// Strokes of a larger width are few: they are kept in a list beside the others.
   static constexpr double kBroadMm = 50.0;
+  static constexpr std::size_t kIndexedAtOnce = 20'000;
 
   /// Of an empty document. Cells are about as large as the usual radius (specification 5g, M).
   explicit StrokeIndex(double cell_mm = 8.0) : cell_mm_(cell_mm) {}
-  explicit StrokeIndex(const Document& document, double cell_mm = 8.0);
+  explicit StrokeIndex(const Document& document, double cell_mm = 8.0,
+                       std::size_t indexed_at_once = kIndexedAtOnce);
 
   /// Follows an edit that was applied, `document` being what it made. Must see all of them, in
   /// order.
@@ -65,6 +71,7 @@ class StrokeIndex {
   /// (of the curve, without its width) meets the area; in no particular order.
   template <class Visit>
   void for_each_segment_in(const Rect& area, Visit visit) const {
+    index_strokes_in(area);
     for (const auto& [id, layer] : layers_) {
       if (layer.editable) layer.segments.for_each_in(area, visit);
     }
@@ -75,6 +82,7 @@ class StrokeIndex {
   template <class Visit>
   void for_each_ink_in(const Rect& area, Visit visit) const {
     const Rect reach = area.inflated(usual_half_mm_);
+    index_strokes_in(reach);
     for (const auto& [id, layer] : layers_) {
       if (!layer.editable) continue;
       layer.segments.for_each_in(reach, [&](StrokeId stroke, int segment) {
@@ -100,6 +108,7 @@ class StrokeIndex {
   /// Calls visit(TipId, Point) for every end in the area, of all layers, in no particular order.
   template <class Visit>
   void for_each_tip_in(const Rect& area, Visit visit) const {
+    index_strokes_in(area);
     const std::int64_t left = line_of(area.x0), right = line_of(area.x1);
     const std::int64_t bottom = line_of(area.y1);
     auto cell = cells_.lower_bound({line_of(area.y0), left});
@@ -126,6 +135,8 @@ class StrokeIndex {
   [[nodiscard]] double farthest_handle_mm() const noexcept { return farthest_handle_mm_; }
   /// Number of ends known.
   [[nodiscard]] std::size_t tip_count() const noexcept { return tips_; }
+  /// Number of strokes that no query or edit has come near yet.
+  [[nodiscard]] std::size_t unindexed_count() const noexcept { return unindexed_.size(); }
 
  private:
   using Cell = std::pair<std::int64_t, std::int64_t>;  // row, column
@@ -135,7 +146,10 @@ class StrokeIndex {
   };
 
   [[nodiscard]] std::int64_t line_of(double mm) const noexcept;
-  void add(StrokeId id, const Stroke& stroke);
+  double measure(const Stroke& stroke);
+  void add_tips(StrokeId id, const Stroke& stroke) const;
+  void index_strokes_in(const Rect& area) const;
+  void index(std::span<const UnindexedStrokes::Entry> entries) const;
   void remove(StrokeId id, const Stroke& stroke);
 
   [[nodiscard]] std::optional<StrokeHit> nearest_within_reach(Point place, double radius_mm) const;
@@ -154,9 +168,11 @@ class StrokeIndex {
     void update(std::span<const SegmentForest::Change> changes);
   };
 
-  std::map<LayerId, LayerSegments> layers_;
   double cell_mm_;
-  std::map<Cell, std::vector<Entry>> cells_;
+  // Queries move strokes from the last of these to the others.
+  mutable std::map<LayerId, LayerSegments> layers_;
+  mutable std::map<Cell, std::vector<Entry>> cells_;
+  mutable UnindexedStrokes unindexed_;
   std::size_t tips_ = 0;
   double widest_half_mm_ = 0.0;
   double usual_half_mm_ = 0.0;  // the same of strokes that are not broad

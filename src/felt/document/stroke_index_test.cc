@@ -193,6 +193,64 @@ TEST(StrokeIndex, R19_R20_FindsTheNearestPlaceAfterAnyEditsUndoAndLayersToggled)
   EXPECT_GT(misses, 3000);
 }
 
+TEST(StrokeIndex, StrokesThatAreSortedLaterAreFoundAsIfTheyWereSortedAtOnce) {
+  for (std::uint64_t seed = 0; seed < 40; ++seed) {
+    SCOPED_TRACE(seed);
+    testing::RandomEdits edits(seed);
+    testing::RandomStroke random(seed + 1);
+    Document d;
+    for (int k = 0; k < 30; ++k) ASSERT_TRUE(d.apply(edits.next(d)));
+    StrokeIndex later(d, 8.0, 0), sorted(d);
+    EXPECT_EQ(later.tip_count(), sorted.tip_count());
+    EXPECT_EQ(later.widest_half_mm(), sorted.widest_half_mm());
+    EXPECT_EQ(later.farthest_handle_mm(), sorted.farthest_handle_mm());
+    for (int k = 0; k < 20; ++k) {
+      const Edit edit = edits.next(d);
+      ASSERT_TRUE(d.apply(edit));
+      later.update(edit, d);
+      sorted.update(edit, d);
+      ASSERT_EQ(later.tip_count(), sorted.tip_count());
+      const Point place{random.uniform(-5, 25), random.uniform(-5, 25)};
+      const double radius = random.uniform(0.0, 12.0);
+      const Rect area{place.x, place.y, place.x + radius, place.y + radius};
+      EXPECT_EQ(later.strokes_in(area), sorted.strokes_in(area));
+      expect_same(later.nearest_tip(d, place, radius), sorted.nearest_tip(d, place, radius));
+      const auto a = later.nearest(place, radius), b = sorted.nearest(place, radius);
+      ASSERT_EQ(a.has_value(), b.has_value());
+      if (!a) continue;
+      EXPECT_EQ(a->distance_mm, b->distance_mm);
+    }
+  }
+}
+
+TEST(StrokeIndex, OpeningALargeDocumentSortsOnlyWhatIsAskedFor) {
+  // One short stroke in each square of 20 mm, and one that is longer than the page is wide.
+  constexpr int kSide = 150;
+  constexpr double kPitchMm = 20.0;
+  Document d;
+  EditBuilder edit(d);
+  const auto add = [&edit](Point a, Point b) {
+    edit.add({1}, std::make_shared<const Stroke>(testing::straight_stroke(a, b, 1, 1)));
+  };
+  for (int i = 0; i < kSide * kSide; ++i) {
+    const Point a{kPitchMm * (i % kSide), kPitchMm * (i / kSide)};
+    add(a, {a.x + 5.0, a.y});
+  }
+  add({-1e9, 10}, {1e9, 10});
+  ASSERT_TRUE(d.apply(std::move(edit).build("Draw")));
+  ASSERT_GT(d.stroke_count(), StrokeIndex::kIndexedAtOnce);
+  StrokeIndex index(d);
+  constexpr std::size_t kAll = std::size_t{kSide} * kSide;
+  EXPECT_EQ(index.unindexed_count(), kAll);  // the long one is there at once
+  EXPECT_EQ(index.tip_count(), 2 * (kAll + 1));
+  EXPECT_EQ(index.nearest({1002, 1001}, 8)->point, (Point{1002, 1000}));
+  EXPECT_EQ(index.nearest_tip(d, {1400, 1400}, 8)->point, (Point{1400, 1400}));
+  EXPECT_GT(index.unindexed_count(), kAll - 50);
+  EXPECT_LT(index.unindexed_count(), kAll);
+  EXPECT_EQ(index.strokes_in({-1e9, -1e9, 1e9, 1e9}).size(), kAll + 1);
+  EXPECT_EQ(index.unindexed_count(), 0u);
+}
+
 TEST(StrokeIndex, TheHundredThousandthStrokeCostsNoMoreThanTheFirst) {
   Document d;
   StrokeIndex index;
@@ -266,11 +324,13 @@ TEST(StrokeIndex, FindsAllInkAfterAnyEdits) {
     testing::RandomEdits edits(seed);
     testing::RandomStroke random(seed + 1);
     Document d;
-    StrokeIndex index;
+    StrokeIndex followed;
     for (int k = 0; k < 30; ++k) {
       const Edit edit = edits.next(d);
       ASSERT_TRUE(d.apply(edit));
-      index.update(edit, d);
+      followed.update(edit, d);
+      const StrokeIndex sorted_later(d, 8.0, 0);
+      const StrokeIndex& index = k % 2 == 0 ? followed : sorted_later;
       const Point p{random.uniform(-50, 70), random.uniform(-50, 70)};
       std::set<StrokeId> met;
       index.for_each_ink_in({p.x, p.y, p.x + 1, p.y + 1},

@@ -1,0 +1,90 @@
+#include "felt/document/unindexed_strokes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+
+namespace felt {
+namespace {
+
+constexpr double kSmallestCellMm = 32.0;
+constexpr double kCellGrowth = 4.0;
+/// Half a cell, and a little for rounding.
+constexpr double kReachCells = 0.51;
+/// Lines farther out than this are one line, as in StrokeIndex.
+constexpr double kLastLine = 1e12;
+
+double cell_mm(std::size_t grid) noexcept {
+  return kSmallestCellMm * std::pow(kCellGrowth, static_cast<double>(grid));
+}
+
+std::int64_t line_of(double mm, double cell) noexcept {
+  return static_cast<std::int64_t>(std::clamp(std::floor(mm / cell), -kLastLine, kLastLine));
+}
+
+}  // namespace
+
+/// Nothing if the stroke is too large for every grid.
+std::optional<UnindexedStrokes::Place> UnindexedStrokes::place_of(const Stroke& stroke) noexcept {
+  Rect box;
+  for (const Point& p : stroke.data().points) box.extend(p);
+  const double side = std::max(box.width(), box.height());
+  std::size_t grid = 0;
+  double cell = kSmallestCellMm;
+  for (; !(side <= cell); cell *= kCellGrowth) {
+    if (++grid == kGrids) return std::nullopt;
+  }
+  return Place{
+      grid,
+      {line_of(0.5 * box.y0 + 0.5 * box.y1, cell), line_of(0.5 * box.x0 + 0.5 * box.x1, cell)}};
+}
+
+bool UnindexedStrokes::add(const Entry& entry) {
+  const std::optional<Place> place = place_of(*entry.stroke);
+  if (!place) return false;
+  grids_[place->grid][place->cell].push_back(entry);
+  ++size_;
+  return true;
+}
+
+UnindexedStrokes::Grid::iterator UnindexedStrokes::move(Grid& grid, Grid::iterator cell,
+                                                        std::vector<Entry>& taken) {
+  std::vector<Entry>& entries = cell->second;
+  size_ -= entries.size();
+  std::move(entries.begin(), entries.end(), std::back_inserter(taken));
+  return grid.erase(cell);
+}
+
+void UnindexedStrokes::take(const Rect& area, std::vector<Entry>& taken) {
+  if (!(area.x0 <= area.x1 && area.y0 <= area.y1)) return;
+  for (std::size_t i = 0; i < kGrids && size_ > 0; ++i) {
+    Grid& grid = grids_[i];
+    const double cell = cell_mm(i);
+    const Rect reach = area.inflated(kReachCells * cell);
+    const std::int64_t left = line_of(reach.x0, cell), right = line_of(reach.x1, cell);
+    const std::int64_t bottom = line_of(reach.y1, cell);
+    // Only cells that hold something are visited, so that a huge area costs no more than all.
+    auto at = grid.lower_bound({line_of(reach.y0, cell), left});
+    while (at != grid.end() && at->first.first <= bottom) {
+      const auto [row, column] = at->first;
+      if (column > right) {
+        at = grid.lower_bound({row + 1, left});
+      } else if (column < left) {
+        at = grid.lower_bound({row, left});
+      } else {
+        at = move(grid, at, taken);
+      }
+    }
+  }
+}
+
+void UnindexedStrokes::take_around(const Stroke& stroke, std::vector<Entry>& taken) {
+  if (size_ == 0) return;
+  const std::optional<Place> place = place_of(stroke);
+  if (!place) return;
+  Grid& grid = grids_[place->grid];
+  const auto found = grid.find(place->cell);
+  if (found != grid.end()) move(grid, found, taken);
+}
+
+}  // namespace felt

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "felt/document/edit.h"
+
+namespace felt {
+
+/// The strokes of a large document that no query has come near yet. Sorting 10^6 strokes into trees
+/// takes seconds, so StrokeIndex only puts them into coarse grids when a document is opened, and
+/// sorts those around a position when it is asked for that position.
+///
+/// There is one grid for each size of stroke, with cells that are four times as large as those of
+/// the grid before. A stroke lies in the cell of its middle and reaches half a cell beyond it at
+/// most. One thread.
+class UnindexedStrokes {
+ public:
+  struct Entry {
+    StrokeId id;
+    LayerId layer;
+    StrokePtr stroke;
+  };
+
+  /// Adds a stroke. Returns false, and adds nothing, if it is too large for every grid.
+  bool add(const Entry& entry);
+  /// Moves every stroke whose curve may meet `area` to `taken`, and some around it.
+  void take(const Rect& area, std::vector<Entry>& taken);
+  /// Moves the strokes that share a cell with `stroke` to `taken`.
+  void take_around(const Stroke& stroke, std::vector<Entry>& taken);
+  [[nodiscard]] std::size_t size() const noexcept { return size_; }
+
+ private:
+  using Cell = std::pair<std::int64_t, std::int64_t>;  // row, column
+  using Grid = std::map<Cell, std::vector<Entry>>;
+  struct Place {
+    std::size_t grid = 0;
+    Cell cell;
+  };
+  static constexpr std::size_t kGrids = 8;
+
+  [[nodiscard]] static std::optional<Place> place_of(const Stroke& stroke) noexcept;
+  Grid::iterator move(Grid& grid, Grid::iterator cell, std::vector<Entry>& taken);
+
+  std::array<Grid, kGrids> grids_;
+  std::size_t size_ = 0;
+};
+
+}  // namespace felt
