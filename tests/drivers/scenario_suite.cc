@@ -124,7 +124,9 @@ std::string compare(const ScenarioResult& plain, const ScenarioResult& driven, d
     if (!said.empty()) return said;
   }
   if (plain.undo_count != driven.undo_count || plain.redo_count != driven.redo_count) {
-    return "other steps can be taken back";
+    return "steps to undo and redo are " + std::to_string(driven.undo_count) + " and " +
+           std::to_string(driven.redo_count) + ", not " + std::to_string(plain.undo_count) +
+           " and " + std::to_string(plain.redo_count);
   }
   if (driven.report.safety.hard_faults != plain.report.safety.hard_faults) {
     return std::to_string(driven.report.safety.hard_faults) + " hard faults";
