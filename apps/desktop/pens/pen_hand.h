@@ -35,6 +35,8 @@ class PenHand : public QObject {
   void cancel();
   [[nodiscard]] bool is_down() const noexcept { return down_; }
   [[nodiscard]] bool is_down(Source source) const noexcept { return down_ && source_ == source; }
+  /// It has been somewhere.
+  [[nodiscard]] bool is_known() const noexcept { return is_known_; }
   /// On the sheet; the middle of the view before there was any.
   [[nodiscard]] Point place_mm() const;
 

@@ -90,12 +90,19 @@ bool PenInput::eventFilter(QObject* watched, QEvent* event) {
       canvas_.set_pen_visible(hand_.is_down());
       return false;
     case QEvent::Enter:
-      canvas_.set_pen_visible(true);
+      come(static_cast<QEnterEvent&>(*event).position());
       take_focus();
       return false;
     default:
       return take_pointer(event);
   }
+}
+
+/// A pointer that rests where the window opens does not move; it is shown where it is.
+void PenInput::come(QPointF px) {
+  const std::int64_t now_ns = canvas_.studio().now_ns();
+  if (!hand_.is_known()) hand_.point(PenHand::Source::kMouse, px, now_ns, false, {});
+  canvas_.set_pen_visible(true);
 }
 
 /// The keys of the sheet (Space, Shift, the letters of the tools) work where the pointer is: after

@@ -37,6 +37,7 @@ class PenInput : public QObject {
   void use_modifiers(Qt::KeyboardModifiers held);
   void offer_drag(Qt::KeyboardModifiers keys);
   void let_go();
+  void come(QPointF px);
   void take_focus();
   void load_settings();
   void say_pressure();

@@ -604,5 +604,17 @@ TEST_F(PenInputTest, ThePointerBringsTheFocusBackButNotFromAText) {
   canvas_.setParent(nullptr);
 }
 
+TEST_F(PenInputTest, APointerThatRestsWhereTheWindowOpensIsShownWhereItIs) {
+  const QPointF at(300, 200);
+  QEnterEvent event(at, at, at);
+  QApplication::sendEvent(&canvas_, &event);
+  wait(30);
+  const Point expected = canvas_.view().to_mm(at);
+  EXPECT_NEAR(studio_.pen().hand.x, expected.x, 1e-6);
+  EXPECT_NEAR(studio_.pen().hand.y, expected.y, 1e-6);
+  EXPECT_NEAR(studio_.pen().sample.position.x, expected.x, 0.1);
+  EXPECT_NEAR(studio_.pen().sample.position.y, expected.y, 0.1);
+}
+
 }  // namespace
 }  // namespace felt::desktop
