@@ -204,11 +204,11 @@ TEST(ForceGate, FallingIsFreeTurningIsNot) {
   ForceGate gate(find_device_model("inverse3")->capabilities);
   pass_long(gate, {0, 0, 2});
   EXPECT_EQ(gate.pass({0, 0, 0.5}, 100 * kMs).force, (Force{0, 0, 0.5}));
-  pass_long(gate, {0, 0, 2}, 100 * kMs);
-  EXPECT_NEAR(gate.pass({0, 0, -2}, 140 * kMs).force.z, -0.3, 1e-8) << "a reversal begins at zero";
+  pass_long(gate, {0, 0, 2}, 101 * kMs);
+  EXPECT_NEAR(gate.pass({0, 0, -2}, 201 * kMs).force.z, -0.3, 1e-8) << "a reversal begins at zero";
   gate.let_go();
   EXPECT_EQ(gate.held(), Force{});
-  EXPECT_NEAR(gate.pass({0, 2, 0}, 141 * kMs).force.y, 0.3, 1e-8);
+  EXPECT_NEAR(gate.pass({0, 2, 0}, 202 * kMs).force.y, 0.3, 1e-8);
 }
 
 TEST(ForceGate, AClockThatStandsStillOrRunsBackwardsAddsNoForceAndTheNextTickDoes) {
