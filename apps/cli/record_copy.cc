@@ -135,6 +135,9 @@ void RecordCopy::keep(const Session& session) {
     append_sketch_line(text, stroke.id, stroke.stroke.data());
   }
   append_stroke_in_progress(text, session);
+  // A copy without a stroke would be offered as something to recover.
+  std::error_code none;
+  if (text.empty() && !std::filesystem::exists(path_, none)) return;
   next_ = now + std::max(every_, kMostShare * (Clock::now() - now));
   try {
     writing_ = std::async(std::launch::async, [path = path_, text = std::move(text)] {

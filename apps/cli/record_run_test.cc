@@ -379,10 +379,15 @@ void draw_arc(Session& session, int from, int to) {
   }
 }
 
-/// What a copy holds, read as the program reads it.
+/// Returns what a new copy holds, read as the program reads it. A copy is not due at every turn:
+/// the next one waits for 50 times as long as the last one took.
 Sketch read_copy(RecordCopy& copy, const Session& session) {
-  copy.keep(session);
-  copy.wait();
+  std::filesystem::remove(copy.path());
+  for (int turn = 0; turn < 2000 && !std::filesystem::exists(copy.path()); ++turn) {
+    copy.keep(session);
+    copy.wait();
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  }
   Result<OpenedDrawing> opened = read_drawing(copy.path());
   return opened ? visible_strokes(opened->drawing.document) : Sketch();
 }
@@ -409,6 +414,17 @@ TEST(RecordCopyTest, HasTheStrokeInProgress) {
   copy.note_edit();
   EXPECT_EQ(read_copy(copy, session).size(), session.document().stroke_count());
   copy.remove();
+}
+
+TEST(RecordCopyTest, IsNotWrittenBeforeThereIsInk) {
+  RecordCopy copy(scratch_path("no_ink"), std::chrono::seconds(0));
+  Session session(make_tools(), {});
+  draw_arc(session, 0, 6);
+  ASSERT_TRUE(session.gesture_in_work());
+  copy.note_edit();
+  copy.keep(session);
+  copy.wait();
+  EXPECT_FALSE(std::filesystem::exists(copy.path()));
 }
 
 TEST(RecordCopyTest, CopiesOfDeadProcessesAreFound) {

@@ -8,6 +8,7 @@ namespace felt {
 namespace {
 
 constexpr int kPerSegment = 32;
+constexpr double kShiftMm = 0.15;
 
 struct InkPoint {
   Point at;
@@ -16,10 +17,15 @@ struct InkPoint {
 };
 
 std::vector<InkPoint> points_of(const Stroke& stroke) {
+  std::vector<double> parameters;
+  for (int i = 0; i <= kPerSegment * stroke.segment_count(); ++i) {
+    parameters.push_back(static_cast<double>(i) / kPerSegment);
+  }
+  for (const WidthKnot& knot : stroke.widths()) parameters.push_back(knot.u);
+  std::sort(parameters.begin(), parameters.end());
   std::vector<InkPoint> points;
   double way_mm = 0.0;
-  for (int i = 0; i <= kPerSegment * stroke.segment_count(); ++i) {
-    const double u = static_cast<double>(i) / kPerSegment;
+  for (const double u : parameters) {
     const Point at = stroke.position(u);
     if (!points.empty()) way_mm += distance(points.back().at, at);
     points.push_back({at, way_mm, stroke.width_mm(u)});
@@ -46,8 +52,8 @@ double farthest_mm(const std::vector<InkPoint>& from, const std::vector<InkPoint
   return farthest;
 }
 
-double width_at(const std::vector<InkPoint>& points, double share) {
-  const double way_mm = share * points.back().way_mm;
+double width_at(const std::vector<InkPoint>& points, double way_mm) {
+  if (way_mm >= points.back().way_mm) return points.back().width_mm;
   const auto next = std::lower_bound(points.begin(), points.end(), way_mm,
                                      [](const InkPoint& p, double way) { return p.way_mm < way; });
   if (next == points.begin()) return next->width_mm;
@@ -55,6 +61,20 @@ double width_at(const std::vector<InkPoint>& points, double share) {
   const double step = next->way_mm - before.way_mm;
   const double t = step > 0.0 ? (way_mm - before.way_mm) / step : 0.0;
   return before.width_mm + t * (next->width_mm - before.width_mm);
+}
+
+/// Returns how far `width_mm` is from the widths of `points` that are within kShiftMm of a place
+/// along them.
+double width_off(const std::vector<InkPoint>& points, double way_mm, double width_mm) {
+  constexpr int kSteps = 10;
+  double least = width_mm, most = width_mm, nearest = 1e300;
+  for (int i = -kSteps; i <= kSteps; ++i) {
+    const double width = width_at(points, way_mm + kShiftMm * i / kSteps);
+    least = std::min(least, width);
+    most = std::max(most, width);
+    nearest = std::min(nearest, std::fabs(width - width_mm));
+  }
+  return least < width_mm && width_mm < most ? 0.0 : nearest;
 }
 
 }  // namespace
@@ -82,8 +102,9 @@ InkDifference ink_difference(const Sketch& a, const Sketch& b) {
         std::max({difference.curve_mm, farthest_mm(in_one, in_two), farthest_mm(in_two, in_one)});
     for (int i = 5; i <= 95; ++i) {
       const double share = 0.01 * i;
-      difference.width_mm = std::max(difference.width_mm,
-                                     std::fabs(width_at(in_one, share) - width_at(in_two, share)));
+      const double width_mm = width_at(in_one, share * in_one.back().way_mm);
+      difference.width_mm =
+          std::max(difference.width_mm, width_off(in_two, share * in_two.back().way_mm, width_mm));
     }
   }
   return difference;
