@@ -68,7 +68,7 @@ void append_stroke_in_progress(std::string& text, const Session& session) {
   const Result<OptionValue> medium = session.option("pencil.material");
   if (const auto* id = medium ? std::get_if<std::string>(&*medium) : nullptr) data.material = *id;
   // The end of the line may be too short yet for a segment.
-  if (!check_invariants(data) && data.joints.size() > 0) {
+  if (!check_invariants(data) && !data.joints.empty()) {
     data.points.resize(data.points.size() - 3);
     data.joints.pop_back();
     data.widths.pop_back();

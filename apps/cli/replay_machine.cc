@@ -115,7 +115,9 @@ bool ReplayMachine::see_turn() {
 HandScriptOptions ReplayMachine::hand_options() const {
   HandScriptOptions options = settings_.script;
   const SurfaceMaterial& sheet = probe_.sheet().material();
-  options.plane_n_per_m = Pressing(sheet, settings_.device.capabilities).stiffness_n_per_m();
+  const Pressing pressing(sheet, probe_.device());
+  options.plane_n_per_m = pressing.stiffness_n_per_m();
+  options.full_n = pressing.most_n();
   const Result<OptionValue> id = probe_.option("pencil.material");
   const auto* name = id ? std::get_if<std::string>(&*id) : nullptr;
   const Medium* tool = name ? probe_.materials().find_medium(*name) : nullptr;

@@ -174,8 +174,9 @@ const char* SafetyOracle::check_jump(const TickInput& in, const TickOutput& out)
   const Vec3& p = in.sample.position;
   const double tick_s = std::clamp(dt_s_, 0.0002, 0.005);
   const bool says_nothing_new = has_place_ && !held_ && in.sample.time_ns == told_ns_ &&
-                                p.x == place_.x && p.y == place_.y && p.z == place_.z;
+                                in.sample.velocity == told_velocity_ && p == place_;
   told_ns_ = in.sample.time_ns;
+  told_velocity_ = in.sample.velocity;
   if (says_nothing_new) {
     unheard_s_ += tick_s;
     return nullptr;

@@ -52,6 +52,7 @@ class SafetyOracle {
   bool has_place_ = false;
   Vec3 place_;
   std::int64_t told_ns_ = 0;  // the last sample's own time
+  Vec3 told_velocity_;        // and velocity
   double unheard_s_ = 0.0;    // since the last new sample
   bool held_ = false;
   double held_s_ = 0.0;

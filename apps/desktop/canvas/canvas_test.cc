@@ -199,7 +199,7 @@ QImage expect_no_jump(Sitting& sitting, const std::vector<Point>& way, int most 
   sitting.touch(0.5);
   for (const Point& p : way) sitting.go(p, true, 0.5);
   sitting.canvas.flush();
-  const QImage all = sitting.anew();
+  QImage all = sitting.anew();
   sitting.studio.apply(SelectTool{"eraser"});
   EXPECT_EQ(sitting.studio.session().document().stroke_count(), before + 1);
   // The frame that follows at once, and the one with all tiles.
@@ -278,7 +278,7 @@ TEST(Canvas, WetInkLiesBelowTheLayersAboveIt) {
   const QImage below = expect_no_jump(sitting, {{40, 100}, {180, 100}, {260, 150}});
   EXPECT_EQ(color_at(below, {100, 100}), QColor("#c02020"));
   EXPECT_EQ(color_at(below, {80, 100}), QColor("#202020"));
-  EXPECT_NEAR(color_at(below, {150, 100}).blue(), (0xc0 + 0x20) / 2, 2);
+  EXPECT_NEAR(color_at(below, {150, 100}).blue(), 0.5 * (0xc0 + 0x20), 2);
   // Nothing that is hidden, gone or below covers it.
   sitting.studio.apply(LayerEvent{LayerEvent::Do::kHide, high});
   const QImage alone = expect_no_jump(sitting, {{40, 120}, {180, 120}, {260, 170}});

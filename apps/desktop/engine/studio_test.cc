@@ -537,6 +537,34 @@ TEST(Studio, BeginsWithASmoothThinLineInTheColourOfItsMedium) {
             medium->color_rgb);
 }
 
+/// The simulated hand presses so hard that the width is the one of the tablet's pressure, whatever
+/// the device bears and the surface yields.
+TEST(Studio, R18_APressureDrawsTheSameWidthOnEveryDeviceAndSurface) {
+  const auto width_mm = [](const char* device, const char* surface, double pressure) {
+    Desk desk(QString::fromLatin1(device));
+    desk.studio.apply(SetOption{"sheet.material", std::string(surface)});
+    desk.wait(1500);  // forces engage
+    desk.draw({40, 40}, {90, 50}, pressure);
+    const Sketch sketch = desk.studio.session().sketch();
+    if (sketch.size() != 1) return 0.0;
+    return sketch[0].stroke.width_mm(0.5 * sketch[0].stroke.segment_count());
+  };
+  const Desk desk;
+  const auto option = [&desk](const char* id) {
+    return std::get<double>(desk.studio.session().option(id).value());
+  };
+  const double range_mm = option("pencil.max_width_mm") - option("pencil.min_width_mm");
+  for (const double pressure : {0.3, 0.6, 0.9}) {
+    const double tablet_mm = width_mm("tablet", "paper", pressure);
+    for (const char* device : {"simulated:touch", "simulated:premium"}) {
+      for (const char* surface : {"felt", "paper", "glass"}) {
+        EXPECT_NEAR(width_mm(device, surface, pressure), tablet_mm, 0.12 * range_mm)
+            << device << ", " << surface << ", " << pressure;
+      }
+    }
+  }
+}
+
 TEST(Studio, WithoutMotorsTheLoopSleepsUntilTheNextEvent) {
   std::atomic<int> samples{0};
   StudioOptions options;

@@ -16,8 +16,10 @@ constexpr std::int64_t kSettleNs = 300'000'000;  // for the pen to leave the she
 HandScriptOptions hand_of(Studio& studio) {
   HandScriptOptions options = studio.device().hand_options();
   const SurfaceMaterial& sheet = studio.session().sheet().material();
-  const Capabilities& device = studio.device().device().capabilities();
-  options.plane_n_per_m = Pressing(sheet, device).stiffness_n_per_m();
+  const Capabilities& device = studio.session().device();
+  const Pressing pressing(sheet, device);
+  options.plane_n_per_m = pressing.stiffness_n_per_m();
+  options.full_n = pressing.most_n();
   const Result<OptionValue> id = studio.session().option("pencil.material");
   const auto* name = id ? std::get_if<std::string>(&*id) : nullptr;
   const Medium* tool = name ? studio.session().materials().find_medium(*name) : nullptr;

@@ -85,16 +85,11 @@ class StrokeIndex {
     index_strokes_in(reach);
     for (const auto& [id, layer] : layers_) {
       if (!layer.editable) continue;
+      const auto& broad = layer.broad;
       layer.segments.for_each_in(reach, [&](StrokeId stroke, int segment) {
-        if (layer.broad.empty() || !layer.broad.contains(stroke)) visit(stroke, segment);
+        if (broad.empty() || !broad.contains(stroke)) visit(stroke, segment);
       });
-      for (const auto& [stroke, broad] : layer.broad) {
-        const Rect around = area.inflated(broad.half_mm);
-        if (!broad.box.intersects(around)) continue;
-        for (int i = 0; i < broad.stroke->segment_count(); ++i) {
-          if (bounds(broad.stroke->segment(i)).intersects(around)) visit(stroke, i);
-        }
-      }
+      for (const auto& [stroke, line] : broad) line.for_each_in(area, stroke, visit);
     }
   }
   /// The strokes that may be edited with a segment there, ascending.
@@ -159,6 +154,15 @@ class StrokeIndex {
     StrokePtr stroke;
     Rect box;  ///< around the curve
     double half_mm = 0.0;
+
+    template <class Visit>
+    void for_each_in(const Rect& area, StrokeId id, Visit& visit) const {
+      const Rect around = area.inflated(half_mm);
+      if (!box.intersects(around)) return;
+      for (int i = 0; i < stroke->segment_count(); ++i) {
+        if (bounds(stroke->segment(i)).intersects(around)) visit(id, i);
+      }
+    }
   };
   struct LayerSegments {
     bool editable = true;  ///< visible and not locked

@@ -18,7 +18,8 @@ bool is_finite(const PenSample& sample) noexcept {
 }
 
 bool repeats(const PenSample& last, const PenSample& sample) noexcept {
-  return sample.time_ns == last.time_ns && sample.position == last.position;
+  return sample.time_ns == last.time_ns && sample.position == last.position &&
+         sample.velocity == last.velocity;
 }
 
 JumpGuard::JumpGuard(const SafetyLimits& limits) noexcept

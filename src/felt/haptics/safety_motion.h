@@ -12,8 +12,8 @@ namespace felt {
 /// True when every number of the sample is finite.
 bool is_finite(const PenSample& sample) noexcept;
 
-/// True if a device has nothing newer to say than `last`: the same time and the same position. Such
-/// a sample does not say that the pen stands still.
+/// True if a device has nothing newer to say than `last`: the same time, position and velocity.
+/// Such a sample does not say that the pen stands still.
 bool repeats(const PenSample& last, const PenSample& sample) noexcept;
 
 /// What to make of a position.

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "felt/devices/simulated/script_knots.h"
+#include "felt/haptics/drawing_feel.h"
 
 namespace felt {
 namespace {
@@ -144,8 +145,9 @@ class AimMaker {
     if (depth_mm > 0.0) {
       const double plane_n = 1e-3 * options_.plane_n_per_m * depth_mm;
       push += options_.friction * plane_n * Vec3{way.x, way.y, 0.0};
-      // A pen that sticks must stick pressed: friction may hold it as much as help it.
-      push.z -= plane_n + options_.device_friction_n * (1.0 + std::min(way.z, 0.0));
+      // A pen that sticks must stick pressed: friction may hold it as much as help it. It does
+      // neither while the pen slides, because Coulomb friction acts along the motion.
+      push.z -= plane_n + options_.device_friction_n * (1.0 - norm(way));
     }
     return push;
   }
@@ -171,21 +173,19 @@ HandScriptOptions script_options_for(const StylusPreset& device,
     options.contact = ContactBy::kPressure;
     return options;
   }
-  if (can.max_stiffness_n_per_m > 0.0) {
-    options.plane_n_per_m = std::min(options.plane_n_per_m, 0.9 * can.max_stiffness_n_per_m);
-  }
-  if (can.continuous_force_n > 0.0) {
-    options.full_n = std::min(options.full_n, 1.2 * can.continuous_force_n);
-  }
+  options.plane_n_per_m = plane_for(SurfaceMaterial(), can).stiffness_n_per_m;
+  options.full_n = firm_push_n(can);
   options.device_mass_kg = device.mechanics.mass_kg;
   options.device_friction_n = device.mechanics.friction_n;
   return options;
 }
 
-double aim_depth_mm(const HandScriptOptions& options, double pressure) noexcept {
+double aim_depth_mm(const HandScriptOptions& options, double pressure,
+                    double speed_mm_per_s) noexcept {
   const double press = press_n(options, pressure);
+  const double sticks = kFrictionFromSpeed / (std::abs(speed_mm_per_s) + kFrictionFromSpeed);
   return 1e3 * (press / options.plane_n_per_m +
-                (press + options.device_friction_n) / options.hand.stiffness_n_per_m);
+                (press + sticks * options.device_friction_n) / options.hand.stiffness_n_per_m);
 }
 
 std::vector<TimedAim> script_hand(std::span<const RecordedPath> strokes,

@@ -54,15 +54,17 @@ struct HandScriptOptions {
   double lead_in_s = 0.7;  ///< hovering before the first stroke: forces engage (safety_limits.h)
 };
 
-/// The options for drawing on a paper-like plane with this device: stiffness min(500 N/m, 0.9 of
-/// what it bears), full pressure at min(2 N, 1.2 times its continuous force) (architecture section
-/// 10).
+/// Returns the options for drawing on paper with this device: the plane that paper has on it
+/// (plane_for), and full pressure at the push that draws full width (firm_push_n), so that a
+/// recorded pressure draws the width that it had.
 HandScriptOptions script_options_for(const StylusPreset& device,
                                      const SimulatedHand& hand) noexcept;
 
 /// How deep in the plane a hand must aim so that its spring and the plane's balance at the force
-/// that this pressure means, F = F0 + p (F1 - F0):  aim depth = F/K + (F + friction)/k.
-double aim_depth_mm(const HandScriptOptions& options, double pressure) noexcept;
+/// that this pressure means, F = F0 + p (F1 - F0):  aim depth = F/K + (F + friction)/k. The Coulomb
+/// friction of the device counts for a pen that stands; along the plane it acts along the motion.
+double aim_depth_mm(const HandScriptOptions& options, double pressure,
+                    double speed_mm_per_s = 0.0) noexcept;
 
 /// The aims that make a hand draw these strokes, one every interval from time 0 on: it hovers above
 /// the start, lands, presses, draws at the recorded pace, waits a moment, lifts, moves on. Ways in

@@ -43,7 +43,7 @@ void PointerHand::point(const PointerEvent& event) noexcept {
   if (options_.contact == ContactBy::kPressure) {
     aim.pressure = pressure_;
   } else if (event.touching) {
-    aim.target_mm.z = -aim_depth_mm(options_, pressure_);
+    aim.target_mm.z = -aim_depth_mm(options_, pressure_, speed_mm_per_s_);
   }
   hand_.aim_at(event.time_ns, aim);
 }
