@@ -38,7 +38,7 @@ constexpr double kDashMm = 0.8, kDashDeg = 40.0;
 /// The attraction of a target ends when the pen has moved away from it by this.
 constexpr double kLeaveMm = 1.0;
 /// In the air.
-constexpr double kAirReachMm = 2.5;
+constexpr double kAirReachMm = 1.4;
 constexpr std::size_t kMaxCandidates = 4;
 
 constexpr double kDegrees = 180.0 / std::numbers::pi;

@@ -43,7 +43,7 @@ class InkSnap {
   static constexpr double kEarlyS = 0.02;
   /// How near to an end a line begins that continues it, relative to the snap radius. The pen lands
   /// freely, so that there is no direction that would tell more.
-  static constexpr double kStartShare = 0.55;
+  static constexpr double kStartShare = 0.6;
   /// How far before a line the pen stops that is meant to meet it, relative to the snap radius.
   static constexpr double kMeetShare = 0.3;
 
