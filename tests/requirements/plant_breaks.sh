@@ -94,7 +94,8 @@ run_test() {
     return
   fi
   local program=$tree/build/dev/bin/$target
-  if ! "$program" --gtest_list_tests "--gtest_filter=$test" 2>/dev/null | grep -q '^  '; then
+  # Not grep -q: it ends at the first match, and the program dies of the closed pipe.
+  if ! "$program" --gtest_list_tests "--gtest_filter=$test" 2>/dev/null | grep '^  ' >/dev/null; then
     echo none
     return
   fi
