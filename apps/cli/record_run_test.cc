@@ -371,7 +371,7 @@ TEST(RecordRunTest, ACopyOfTheDrawingIsThereWhileItIsMade) {
 void draw_arc(Session& session, int from, int to) {
   for (int i = from; i < to; ++i) {
     PenSample sample;
-    sample.time_ns = 1'000'000 * (i + 1);
+    sample.time_ns = std::int64_t{1'000'000} * (i + 1);
     const double angle = 0.002 * i;
     sample.position = {40.0 * std::cos(angle), 40.0 * std::sin(angle), i < 5 ? 2.0 : -0.5};
     sample.pressure = i < 5 ? 0.0 : 0.5;

@@ -224,10 +224,10 @@ TEST(Studio, R30_TheLoopOfADeviceThatComesLaterKnowsTheSessionsTime) {
 TEST(Studio, R30_TheLastSamplesOfALoopAreNotAheadOfTime) {
   StudioOptions options;
   options.device = QStringLiteral("simulated:touch");
+  std::int64_t last_ns = 0;  // written until the studio is gone
   Studio studio(std::move(options));
   QTest::qWait(100);
   std::this_thread::sleep_for(std::chrono::milliseconds(30));  // samples wait in the ring
-  std::int64_t last_ns = 0;
   QObject::connect(&studio, &Studio::sampled, &studio,
                    [&](const PenSample& sample) { last_ns = sample.time_ns; });
   ASSERT_TRUE(studio.use_device(QStringLiteral("tablet")));

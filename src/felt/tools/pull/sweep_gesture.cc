@@ -85,7 +85,10 @@ class SweepGesture final : public PullGesture {
     double at = next_ns_;  // from the last sample on
     for (; at <= passed_ns; at += step) {
       stepped_ = lerp(last_, now, at / passed_ns);
-      stepped_ns_ = last_ns_ + static_cast<std::int64_t>(at);
+      // In double and within 64 bits, because two hostile times may be farther apart than that.
+      constexpr double kMaxNs = 9.2e18;
+      stepped_ns_ = static_cast<std::int64_t>(
+          std::clamp(static_cast<double>(last_ns_) + at, -kMaxNs, kMaxNs));
       moved = sweep_.step(stepped_, part) || moved;
     }
     next_ns_ = at - passed_ns;
