@@ -24,8 +24,8 @@
 namespace felt::cli {
 namespace {
 
-/// Writing the strokes as text takes at most this share of the time.
-constexpr int kMostShare = 50;
+/// The pause before the next copy is at least this many times as long as the last one took to make.
+constexpr int kPausePerWork = 50;
 constexpr std::string_view kMark = ".unsaved-", kEnding = ".ndjson";
 
 std::string path_for(const std::string& output) {
@@ -138,7 +138,7 @@ void RecordCopy::keep(const Session& session) {
   // A copy without a stroke would be offered as something to recover.
   std::error_code none;
   if (text.empty() && !std::filesystem::exists(path_, none)) return;
-  next_ = now + std::max(every_, kMostShare * (Clock::now() - now));
+  next_ = now + std::max(every_, kPausePerWork * (Clock::now() - now));
   try {
     writing_ = std::async(std::launch::async, [path = path_, text = std::move(text)] {
       return write_file(path, text);  // what fails is tried again with the next change

@@ -69,11 +69,11 @@ bool is_sound(const SafetyLimits& limits) noexcept;
 /// jumps multiplied by min(1, s).
 SafetyLimits limits_for(const Capabilities& device, double user_limit_n = 3.0) noexcept;
 
-/// The device as it is for a user who lowered the limit: advised_force_n is at most that, so that
-/// limits_for() of it is limits_for(device, user_limit_n). A session must be told this one
-/// (UseDevice), because the width of a line depends on what the device may give (firm_push_n, R14);
-/// a recording then has the limit too. The device itself if the limit does not lower anything, or
-/// is not above 0: without forces there is no limit that a push could exceed.
+/// Returns the device with advised_force_n lowered to the limit that the user set, so that
+/// limits_for() of it equals limits_for(device, user_limit_n). Pass it to the session (UseDevice),
+/// because the width of a line depends on what the device may give (firm_push_n, R14); recordings
+/// then contain the limit, too. Returns the device unchanged if the limit is higher than its own,
+/// or if it is 0 or less, because forces are off then.
 Capabilities with_force_limit(const Capabilities& device, double user_limit_n) noexcept;
 
 }  // namespace felt

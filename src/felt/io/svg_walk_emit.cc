@@ -50,7 +50,7 @@ std::optional<SvgVariableWidth> SvgWalker::variable_width(const Element& e) cons
   v.is_ours = !v.widths.empty();
   v.points = document_.ours(e.node, "points");
   v.id = document_.ours(e.node, "id");
-  // Since version 2 the element's own id counts where there is no other.
+  // From version 2 on, the id of the stroke is that of the element unless ours is given.
   if (v.id.data() == nullptr && !v.points.empty()) v.id = e.node.attribute("id").value();
   v.material = document_.ours(e.node, "material");
   if (v.material.data() == nullptr && !v.points.empty()) v.material = kSvgUsualMaterial;

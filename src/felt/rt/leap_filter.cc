@@ -47,7 +47,7 @@ std::optional<PenSample> LeapFilter::pass(const PenSample& sample, std::int64_t 
   return cut(sample.time_ns);
 }
 
-/// Starts anew at this sample.
+/// Starts again at this sample.
 PenSample LeapFilter::believe(const PenSample& sample, const TickTime& time) noexcept {
   leaps_.reset();
   static_cast<void>(leaps_.judge(sample.position, time));

@@ -27,7 +27,7 @@ bool Erasing::begin(Point pen, std::int64_t time_ns, const Scene& scene) {
     sweep(pen, pen, scene);
   }
   search(kCrossingBudget, scene);
-  cut(kMostCuts, time_ns, scene);
+  cut(kMaxCuts, time_ns, scene);
   return std::exchange(changed_, false);
 }
 
@@ -38,7 +38,7 @@ bool Erasing::move(Point pen, std::int64_t time_ns, const Scene& scene) {
   // In double: the difference of two hostile times does not fit into 64 bits.
   const double ms = 1e-6 * (static_cast<double>(time_ns) - static_cast<double>(time_ns_));
   time_ns_ = time_ns;
-  cut(static_cast<int>(std::clamp(kCutsPerMs * ms, 1.0 * kCutsPerMs, 1.0 * kMostCuts)), time_ns,
+  cut(static_cast<int>(std::clamp(kCutsPerMs * ms, 1.0 * kCutsPerMs, 1.0 * kMaxCuts)), time_ns,
       scene);
   return shows(time_ns);
 }
@@ -170,7 +170,7 @@ bool Erasing::Line::is_due(std::int64_t time_ns) const noexcept {
 }
 
 void Erasing::cut(int most, std::int64_t time_ns, const Scene& scene) {
-  const auto waiting = std::min<std::size_t>(to_cut_.size(), kMostWaiting);
+  const auto waiting = std::min<std::size_t>(to_cut_.size(), kMaxWaiting);
   for (std::size_t k = 0; k < waiting && most > 0; ++k) {
     if (lines_.at(to_cut_.front()).is_due(time_ns)) {
       cut_next(time_ns, scene);

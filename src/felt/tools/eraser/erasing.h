@@ -35,14 +35,14 @@ class Erasing {
   static constexpr int kCrossingBudget = 120;
   /// Strokes that are cut per millisecond of the pen, and at most by one sample.
   static constexpr int kCutsPerMs = 6;
-  static constexpr int kMostCuts = 64;
+  static constexpr int kMaxCuts = 64;
   /// A line that was cut is cut again after this pause at the earliest. The pause grows with the
   /// places that a cut goes through (25,000 on a hatching of 5 m: a quarter of a second), so that
   /// all cuts of a gesture together cost time in proportion to how long the gesture lasts.
   static constexpr std::int64_t kCutPauseNs = 4'000'000;
   static constexpr std::int64_t kCutPauseNsPerPlace = 10'000;
   /// Lines that one sample looks at to find those whose pause is over.
-  static constexpr int kMostWaiting = 256;
+  static constexpr int kMaxWaiting = 256;
   /// Time between two previews: 120 Hz, and for many strokes what copying them is worth.
   static constexpr std::int64_t kShowNs = 8'000'000;
   static constexpr std::int64_t kShowNsPerStroke = 10'000;

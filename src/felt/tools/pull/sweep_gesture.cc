@@ -15,7 +15,7 @@ constexpr const char* kLabel = "Redraw";
 /// The pen's way is walked in steps of this, so that the rate of samples means nothing.
 constexpr double kStepNs = 1e6;
 /// Steps that one sample takes at most; after a longer pause they are longer.
-constexpr double kMostSteps = 50.0;
+constexpr double kMaxSteps = 50.0;
 
 Point place_of(const PenSample& pen) noexcept {
   return {pen.position.x, pen.position.y};
@@ -79,7 +79,7 @@ class SweepGesture final : public PullGesture {
  private:
   /// The way from the last sample to this one, in steps on a grid of time that began at the touch.
   bool walk(Point now, double passed_ns) {
-    const double step = std::max(kStepNs, passed_ns / kMostSteps);
+    const double step = std::max(kStepNs, passed_ns / kMaxSteps);
     const double part = 1.0 - std::exp(-step / time_constant_ns_);
     bool moved = false;
     double at = next_ns_;  // from the last sample on
