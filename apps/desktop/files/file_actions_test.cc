@@ -136,18 +136,14 @@ TEST(FileActions, AFailedSaveKeepsTheDrawingModifiedAndSaysWhy) {
 TEST(FileActions, AFileThatOthersChangedMayBeSavedElsewhere) {
   TestDesk desk;
   desk.draw(1);
-  desk.person->next = desk.at("a.felt");
-  ASSERT_TRUE(desk.files->save());
-  desk.files->finish_writing();
+  desk.save_as("a.felt");
   desk.draw(2);
   QFile file(desk.at("a.felt"));
   ASSERT_TRUE(file.open(QIODevice::ReadWrite));
   file.setFileTime(QDateTime::currentDateTime().addSecs(60), QFileDevice::FileModificationTime);
   file.close();
   desk.person->overwrite = FileDialogs::Overwrite::kSaveAs;
-  desk.person->next = desk.at("b.felt");
-  EXPECT_TRUE(desk.files->save());
-  desk.files->finish_writing();
+  desk.save_as("b.felt");
   EXPECT_EQ(desk.files->path(), desk.at("b.felt"));
   EXPECT_EQ(read_drawing(desk.at("a.felt")).value().document.stroke_count(), 3u);
 }
@@ -197,9 +193,7 @@ TEST(FileActions, WhatIsDrawnDuringASaveStaysUnsaved) {
 TEST(FileActions, UndoDuringASaveIsAnUnsavedChange) {
   TestDesk desk;
   desk.draw(1);
-  desk.person->next = desk.at("a.felt");
-  ASSERT_TRUE(desk.files->save());
-  desk.files->finish_writing();
+  desk.save_as("a.felt");
   ASSERT_FALSE(desk.studio.is_modified());
   desk.draw(2);
   ASSERT_TRUE(desk.files->save());
@@ -379,9 +373,7 @@ TEST(FileActions, NotesOfAnotherProgramAreDroppedDrawnOnSavedAndOpenedAgain) {
   EXPECT_EQ(report.notices()[0].line, 7);
   desk.draw(3, 1);
   // Save asks for a name, since notes could not hold all of it; the file stays as it was.
-  desk.person->next = desk.at("notes");
-  ASSERT_TRUE(desk.files->save());
-  desk.files->finish_writing();
+  desk.save_as("notes");
   EXPECT_EQ(desk.person->suggested, desk.at("notes.felt"));
   EXPECT_EQ(desk.files->path(), desk.at("notes.felt"));
   EXPECT_EQ(read_file(desk.at("notes.xopp").toStdString(), 1 << 20).value(), kNotes);
@@ -473,9 +465,7 @@ TEST(FileActions, ANewDrawingKeepsSheetAndPencilThatCameWithTheLast) {
             OptionValue(std::string("soft-chalk")));
   EXPECT_EQ(desk.texts(), texts);
   desk.draw(1);
-  desk.person->next = desk.at("new.felt");
-  ASSERT_TRUE(desk.files->save());
-  desk.files->finish_writing();
+  desk.save_as("new.felt");
   TestDesk other;
   QSignalSpy other_refused(&other.studio, &Studio::refused);
   ASSERT_TRUE(other.files->open(desk.at("new.felt")));

@@ -44,6 +44,12 @@ struct TestDesk {
     }
     studio.import(QStringLiteral("test"), sketch);
   }
+  /// Saves for the first time, under this name.
+  void save_as(const char* name) {
+    person->next = at(name);
+    ASSERT_TRUE(files->save());
+    files->finish_writing();
+  }
   /// One stroke of that medium, which need not be known.
   void draw_with(const std::string& medium) {
     StrokeData data = felt::testing::straight_stroke({10, 10}, {90, 40}, 2.0, 3.0).data();

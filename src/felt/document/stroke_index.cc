@@ -9,9 +9,6 @@ namespace {
 
 constexpr std::array kTips = {StrokeTip::kStart, StrokeTip::kEnd};
 
-/// Lines farther out than this are one line: still in order, only fuller.
-constexpr double kLastLine = 1e12;
-
 /// The first circle in which the nearest stroke is looked for, and the last before all of it.
 constexpr double kFirstReachMm = 8.0;
 constexpr double kLastReachMm = 1e7;
@@ -124,10 +121,6 @@ void StrokeIndex::update_segments(const Edit& edit, const Document& document) {
   }
 }
 
-std::int64_t StrokeIndex::line_of(double mm) const noexcept {
-  return static_cast<std::int64_t>(std::clamp(std::floor(mm / cell_mm_), -kLastLine, kLastLine));
-}
-
 /// Counts its ends and notes how far it reaches beyond its segments. Returns half of its width.
 double StrokeIndex::measure(const Stroke& stroke) {
   const double half_mm = half_width_mm(stroke);
@@ -142,7 +135,7 @@ void StrokeIndex::add_tips(StrokeId id, const Stroke& stroke) const {
   if (stroke.closed()) return;
   for (StrokeTip tip : kTips) {
     const Point p = tip_point(stroke, tip);
-    cells_[{line_of(p.y), line_of(p.x)}].push_back({{id, tip}, p});
+    cells_[grid_cell(p, cell_mm_)].push_back({{id, tip}, p});
   }
 }
 
@@ -150,7 +143,7 @@ void StrokeIndex::remove(StrokeId id, const Stroke& stroke) {
   if (stroke.closed()) return;
   for (StrokeTip tip : kTips) {
     const Point p = tip_point(stroke, tip);
-    const auto cell = cells_.find({line_of(p.y), line_of(p.x)});
+    const auto cell = cells_.find(grid_cell(p, cell_mm_));
     if (cell == cells_.end()) continue;
     auto& entries = cell->second;
     const TipId wanted{id, tip};
@@ -205,32 +198,16 @@ std::optional<TipHit> StrokeIndex::nearest_tip(const Document& document, Point p
   if (!is_finite(place) || !(radius_mm >= 0.0)) return std::nullopt;
   const Rect area{place.x - radius_mm, place.y - radius_mm, place.x + radius_mm,
                   place.y + radius_mm};
-  index_strokes_in(area);
-  const std::int64_t left = line_of(area.x0), right = line_of(area.x1);
-  const std::int64_t top = line_of(area.y0), bottom = line_of(area.y1);
   std::optional<TipHit> best;
-  const auto consider = [&](const Entry& e) {
-    const double d = distance(place, e.point);
+  for_each_tip_in(area, [&](const TipId& id, Point point) {
+    const double d = distance(place, point);
     if (!(d <= radius_mm)) return;
-    if (best && (d > best->distance_mm || (d == best->distance_mm && e.id > best->id))) return;
-    if (std::find(except.begin(), except.end(), e.id) != except.end()) return;
-    if (!document.find(e.id.stroke)) return;
-    if (!document.layer(document.layer_of(e.id.stroke))->visible) return;
-    best = TipHit{e.id, e.point, d};
-  };
-  // Only cells that hold something are visited: a huge circle costs no more than all of them.
-  auto cell = cells_.lower_bound({top, left});
-  while (cell != cells_.end() && cell->first.first <= bottom) {
-    const auto [row, column] = cell->first;
-    if (column > right) {
-      cell = cells_.lower_bound({row + 1, left});
-    } else if (column < left) {
-      cell = cells_.lower_bound({row, left});
-    } else {
-      for (const Entry& e : cell->second) consider(e);
-      ++cell;
-    }
-  }
+    if (best && (d > best->distance_mm || (d == best->distance_mm && id > best->id))) return;
+    if (std::find(except.begin(), except.end(), id) != except.end()) return;
+    if (!document.find(id.stroke)) return;
+    if (!document.layer(document.layer_of(id.stroke))->visible) return;
+    best = TipHit{id, point, d};
+  });
   return best;
 }
 

@@ -1,12 +1,14 @@
 #pragma once
 
 #include <cstdint>
+#include <iterator>
 #include <map>
 #include <optional>
 #include <span>
 #include <utility>
 #include <vector>
 
+#include "felt/document/cell_grid.h"
 #include "felt/document/document.h"
 #include "felt/document/segment_forest.h"
 #include "felt/document/unindexed_strokes.h"
@@ -104,24 +106,12 @@ class StrokeIndex {
   template <class Visit>
   void for_each_tip_in(const Rect& area, Visit visit) const {
     index_strokes_in(area);
-    const std::int64_t left = line_of(area.x0), right = line_of(area.x1);
-    const std::int64_t bottom = line_of(area.y1);
-    auto cell = cells_.lower_bound({line_of(area.y0), left});
-    while (cell != cells_.end() && cell->first.first <= bottom) {
-      const auto [row, column] = cell->first;
-      if (column > right) {
-        cell = cells_.lower_bound({row + 1, left});
-        continue;
-      }
-      if (column < left) {
-        cell = cells_.lower_bound({row, left});
-        continue;
-      }
+    for_each_cell_in(cells_, area, cell_mm_, [&](auto cell) {
       for (const Entry& e : cell->second) {
         if (area.contains(e.point)) visit(e.id, e.point);
       }
-      ++cell;
-    }
+      return std::next(cell);
+    });
   }
   /// Half of the largest width of any stroke that was ever indexed.
   [[nodiscard]] double widest_half_mm() const noexcept { return widest_half_mm_; }
@@ -134,13 +124,11 @@ class StrokeIndex {
   [[nodiscard]] std::size_t unindexed_count() const noexcept { return unindexed_.size(); }
 
  private:
-  using Cell = std::pair<std::int64_t, std::int64_t>;  // row, column
   struct Entry {
     TipId id;
     Point point;
   };
 
-  [[nodiscard]] std::int64_t line_of(double mm) const noexcept;
   double measure(const Stroke& stroke);
   void add_tips(StrokeId id, const Stroke& stroke) const;
   void index_strokes_in(const Rect& area) const;
@@ -175,7 +163,7 @@ class StrokeIndex {
   double cell_mm_;
   // Queries move strokes from the last of these to the others.
   mutable std::map<LayerId, LayerSegments> layers_;
-  mutable std::map<Cell, std::vector<Entry>> cells_;
+  mutable CellGrid<Entry> cells_;
   mutable UnindexedStrokes unindexed_;
   std::size_t tips_ = 0;
   double widest_half_mm_ = 0.0;

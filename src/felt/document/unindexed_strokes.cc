@@ -11,15 +11,9 @@ constexpr double kSmallestCellMm = 32.0;
 constexpr double kCellGrowth = 4.0;
 /// Half a cell, and a little for rounding.
 constexpr double kReachCells = 0.51;
-/// Lines farther out than this are one line, as in StrokeIndex.
-constexpr double kLastLine = 1e12;
 
 double cell_mm(std::size_t grid) noexcept {
   return kSmallestCellMm * std::pow(kCellGrowth, static_cast<double>(grid));
-}
-
-std::int64_t line_of(double mm, double cell) noexcept {
-  return static_cast<std::int64_t>(std::clamp(std::floor(mm / cell), -kLastLine, kLastLine));
 }
 
 }  // namespace
@@ -34,9 +28,8 @@ std::optional<UnindexedStrokes::Place> UnindexedStrokes::place_of(const Stroke& 
   for (; !(side <= cell); cell *= kCellGrowth) {
     if (++grid == kGrids) return std::nullopt;
   }
-  return Place{
-      grid,
-      {line_of(0.5 * box.y0 + 0.5 * box.y1, cell), line_of(0.5 * box.x0 + 0.5 * box.x1, cell)}};
+  const Point middle{0.5 * box.x0 + 0.5 * box.x1, 0.5 * box.y0 + 0.5 * box.y1};
+  return Place{grid, grid_cell(middle, cell)};
 }
 
 bool UnindexedStrokes::add(const Entry& entry) {
@@ -60,21 +53,8 @@ void UnindexedStrokes::take(const Rect& area, std::vector<Entry>& taken) {
   for (std::size_t i = 0; i < kGrids && size_ > 0; ++i) {
     Grid& grid = grids_[i];
     const double cell = cell_mm(i);
-    const Rect reach = area.inflated(kReachCells * cell);
-    const std::int64_t left = line_of(reach.x0, cell), right = line_of(reach.x1, cell);
-    const std::int64_t bottom = line_of(reach.y1, cell);
-    // Only cells that hold something are visited, so that a huge area costs no more than all.
-    auto at = grid.lower_bound({line_of(reach.y0, cell), left});
-    while (at != grid.end() && at->first.first <= bottom) {
-      const auto [row, column] = at->first;
-      if (column > right) {
-        at = grid.lower_bound({row + 1, left});
-      } else if (column < left) {
-        at = grid.lower_bound({row, left});
-      } else {
-        at = move(grid, at, taken);
-      }
-    }
+    for_each_cell_in(grid, area.inflated(kReachCells * cell), cell,
+                     [&](Grid::iterator at) { return move(grid, at, taken); });
   }
 }
 

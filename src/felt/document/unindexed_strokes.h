@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "felt/document/cell_grid.h"
 #include "felt/document/edit.h"
 
 namespace felt {
@@ -36,11 +37,10 @@ class UnindexedStrokes {
   [[nodiscard]] std::size_t size() const noexcept { return size_; }
 
  private:
-  using Cell = std::pair<std::int64_t, std::int64_t>;  // row, column
-  using Grid = std::map<Cell, std::vector<Entry>>;
+  using Grid = CellGrid<Entry>;
   struct Place {
     std::size_t grid = 0;
-    Cell cell;
+    GridCell cell;
   };
   static constexpr std::size_t kGrids = 8;
 

@@ -18,6 +18,13 @@ void wait_until(Condition condition) {
   while (!condition()) std::this_thread::sleep_for(std::chrono::milliseconds(1));
 }
 
+/// Takes all samples that wait for the edit side. Returns how many there were.
+std::size_t drain(Servo& servo) {
+  std::size_t count = 0;
+  for (PenSample sample; servo.for_edit().pop(sample);) ++count;
+  return count;
+}
+
 TEST(RealtimeThread, RunsTheServoHandsOverAndEndsWithoutForce) {
   ScriptedDevice device;
   const auto servo = std::make_unique<Servo>(device, ServoOptions{});
@@ -122,19 +129,14 @@ TEST(RealtimeThread, APausedLoopDoesNotTickAndGoesOnAtOnce) {
   loop.pause();
   EXPECT_FALSE(loop.is_paused()) << "it does not run";
   ASSERT_TRUE(loop.start().has_value());
-  const auto drained = [&servo] {
-    std::size_t count = 0;
-    for (PenSample sample; servo->for_edit().pop(sample);) ++count;
-    return count;
-  };
-  wait_until([&] { return drained() > 0; });
+  wait_until([&] { return drain(*servo) > 0; });
   loop.pause();
   EXPECT_TRUE(loop.is_paused());
   EXPECT_FALSE(loop.status().is_silent);
   std::this_thread::sleep_for(std::chrono::milliseconds(100));  // the tick that was under way
-  drained();
+  drain(*servo);
   std::this_thread::sleep_for(std::chrono::milliseconds(200));
-  EXPECT_EQ(drained(), 0U);
+  EXPECT_EQ(drain(*servo), 0U);
   servo->heartbeat(loop.now_ns());
   loop.resume();
   PenSample sample;
@@ -151,19 +153,14 @@ TEST(RealtimeThread, AfterALongPauseTheLoopIsNotSilent) {
   const auto servo = std::make_unique<Servo>(device, ServoOptions{});
   RealtimeThread loop(*servo, {});
   ASSERT_TRUE(loop.start().has_value());
-  const auto drained = [&servo] {
-    std::size_t count = 0;
-    for (PenSample sample; servo->for_edit().pop(sample);) ++count;
-    return count;
-  };
-  wait_until([&] { return drained() > 0; });
+  wait_until([&] { return drain(*servo) > 0; });
   for (int i = 0; i < 3; ++i) {
     loop.pause();
     std::this_thread::sleep_for(std::chrono::milliseconds(600));
     loop.resume();
     EXPECT_FALSE(loop.status().is_silent);
-    drained();
-    wait_until([&] { return drained() > 0; });
+    drain(*servo);
+    wait_until([&] { return drain(*servo) > 0; });
   }
   EXPECT_TRUE(loop.stop());
   EXPECT_LT(loop.stats().duration_ns(), 3 * 600'000'000);
