@@ -115,13 +115,10 @@ bool ReplayMachine::see_turn() {
 HandScriptOptions ReplayMachine::hand_options() const {
   HandScriptOptions options = settings_.script;
   const SurfaceMaterial& sheet = probe_.sheet().material();
-  const Pressing pressing(sheet, probe_.device());
-  options.plane_n_per_m = pressing.stiffness_n_per_m();
-  options.full_n = pressing.most_n();
   const Result<OptionValue> id = probe_.option("pencil.material");
   const auto* name = id ? std::get_if<std::string>(&*id) : nullptr;
   const Medium* tool = name ? probe_.materials().find_medium(*name) : nullptr;
-  if (tool) options.friction = friction_of(*tool, sheet);
+  set_surface(options, sheet, probe_.device(), tool);
   return options;
 }
 

@@ -1,6 +1,7 @@
 #include "tests/safety/safety_oracle.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace felt::safety {
@@ -32,11 +33,14 @@ double length(const Vec3& v) {
   return static_cast<double>(length3(v.x, v.y, v.z));
 }
 bool all_finite(const PenSample& s) {
-  for (double v : {s.position.x, s.position.y, s.position.z, s.velocity.x, s.velocity.y,
-                   s.velocity.z, s.pressure ? *s.pressure : 0.0}) {
-    if (!(v - v == 0.0)) return false;
-  }
-  return true;
+  const std::array numbers = {s.position.x,
+                              s.position.y,
+                              s.position.z,
+                              s.velocity.x,
+                              s.velocity.y,
+                              s.velocity.z,
+                              s.pressure ? *s.pressure : 0.0};
+  return std::ranges::all_of(numbers, [](double v) { return v - v == 0.0; });
 }
 bool all_finite(const Force& f) {
   return f.x - f.x == 0.0 && f.y - f.y == 0.0 && f.z - f.z == 0.0;

@@ -9,7 +9,6 @@
 #include <utility>
 
 #include "felt/stroke/color_text.h"
-#include "felt/tools/pressing.h"
 #include "felt/tools/tool.h"
 
 namespace felt::desktop {
@@ -220,8 +219,7 @@ void Studio::point(const PointerEvent& event) {
   PointerEvent of_loop = event;
   of_loop.time_ns -= clock_start_ns_;
   if (hand_) {
-    const Pressing pressing(session_->sheet().material(), session_->device());
-    hand_->set_surface(pressing.stiffness_n_per_m(), pressing.most_n());
+    hand_->set_surface(session_->sheet().material(), session_->device());
     hand_->set_absent_pressure(absent_pressure(*session_));
     hand_->point(of_loop);
   }

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <string>
 
-#include "felt/tools/pressing.h"
 #include "script_feed.h"
 
 namespace felt::desktop {
@@ -17,13 +16,10 @@ HandScriptOptions hand_of(Studio& studio) {
   HandScriptOptions options = studio.device().hand_options();
   const SurfaceMaterial& sheet = studio.session().sheet().material();
   const Capabilities& device = studio.session().device();
-  const Pressing pressing(sheet, device);
-  options.plane_n_per_m = pressing.stiffness_n_per_m();
-  options.full_n = pressing.most_n();
   const Result<OptionValue> id = studio.session().option("pencil.material");
   const auto* name = id ? std::get_if<std::string>(&*id) : nullptr;
   const Medium* tool = name ? studio.session().materials().find_medium(*name) : nullptr;
-  if (tool) options.friction = friction_of(*tool, sheet);
+  set_surface(options, sheet, device, tool);
   return options;
 }
 

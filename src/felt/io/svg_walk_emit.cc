@@ -1,6 +1,8 @@
 // What a shape of an SVG file is painted with, told to the sink.
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <span>
 #include <string_view>
 #include <utility>
 
@@ -10,6 +12,21 @@
 #include "felt/io/svg_walk.h"
 
 namespace felt {
+
+namespace {
+
+/// Returns how long a unit of dashes is, if the author says how long the path is (pathLength).
+double path_length_scale(const char* path_length, std::span<const SvgContour> contours) {
+  const std::optional<double> written = svg_length(path_length, SvgAxis::kDiagonal, SvgUnits());
+  if (!written || !(*written > 0.0)) return 1.0;
+  double length = 0.0;
+  for (const SvgContour& c : contours) {
+    for (std::size_t i = 0; i < c.segment_count(); ++i) length += arc_length(c.segment(i));
+  }
+  return length > 0.0 ? length / *written : 1.0;
+}
+
+}  // namespace
 
 std::optional<Rgba> SvgWalker::paint_color(const SvgPaint& paint, const Element& e,
                                            double opacity) {
@@ -84,14 +101,7 @@ void SvgWalker::draw_line(const Element& e, SvgShape& shape) {
   double dash_scale = 1.0;
   if (style.dashes) {
     line.dashes = *style.dashes;
-    const std::optional<double> said =
-        svg_length(e.node.attribute("pathLength").value(), SvgAxis::kDiagonal, SvgUnits());
-    double length = 0.0;
-    for (const SvgContour& c : shape.contours) {
-      for (std::size_t i = 0; said && i < c.segment_count(); ++i)
-        length += arc_length(c.segment(i));
-    }
-    if (said && *said > 0.0 && length > 0.0) dash_scale = length / *said;
+    dash_scale = path_length_scale(e.node.attribute("pathLength").value(), shape.contours);
   }
   // As wide as on a page without any transform: 1 px is 1/96 inch.
   const double scale = std::sqrt(std::fabs(determinant(shape.to_mm))) / kSvgMmPerPx;

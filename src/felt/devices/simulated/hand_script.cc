@@ -173,11 +173,17 @@ HandScriptOptions script_options_for(const StylusPreset& device,
     options.contact = ContactBy::kPressure;
     return options;
   }
-  options.plane_n_per_m = plane_for(SurfaceMaterial(), can).stiffness_n_per_m;
-  options.full_n = firm_push_n(can);
+  set_surface(options, SurfaceMaterial(), can);
   options.device_mass_kg = device.mechanics.mass_kg;
   options.device_friction_n = device.mechanics.friction_n;
   return options;
+}
+
+void set_surface(HandScriptOptions& options, const SurfaceMaterial& surface,
+                 const Capabilities& device, const Medium* medium) noexcept {
+  options.plane_n_per_m = plane_for(surface, device).stiffness_n_per_m;
+  options.full_n = firm_push_n(device);
+  if (medium) options.friction = friction_of(*medium, surface);
 }
 
 double aim_depth_mm(const HandScriptOptions& options, double pressure,

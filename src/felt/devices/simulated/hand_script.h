@@ -9,6 +9,8 @@
 #include "felt/devices/simulated/stylus_presets.h"
 #include "felt/devices/simulated/writing_hand.h"
 #include "felt/geometry/vec3.h"
+#include "felt/haptics/capabilities.h"
+#include "felt/material/materials.h"
 
 namespace felt {
 
@@ -59,6 +61,11 @@ struct HandScriptOptions {
 /// recorded pressure draws the width that it had.
 HandScriptOptions script_options_for(const StylusPreset& device,
                                      const SimulatedHand& hand) noexcept;
+
+/// Sets what the hand draws on: the plane that the surface has on this device, and full pressure at
+/// the push that draws full width there. With a medium, also its friction on the surface.
+void set_surface(HandScriptOptions& options, const SurfaceMaterial& surface,
+                 const Capabilities& device, const Medium* medium = nullptr) noexcept;
 
 /// How deep in the plane a hand must aim so that its spring and the plane's balance at the force
 /// that this pressure means, F = F0 + p (F1 - F0):  aim depth = F/K + (F + friction)/k. The Coulomb

@@ -45,11 +45,9 @@ class PointerHand {
   void set_mouse(MousePressure mouse) noexcept { mouse_ = mouse; }
   /// What kConstant stands for, 0..1, from the next event on.
   void set_absent_pressure(double pressure) noexcept { options_.absent_pressure = pressure; }
-  /// Sets what the hand presses on, from the next event on: the stiffness of the surface, and the
-  /// force of full pressure.
-  void set_surface(double plane_n_per_m, double full_n) noexcept {
-    options_.plane_n_per_m = plane_n_per_m;
-    options_.full_n = full_n;
+  /// Sets what the hand presses on (felt::set_surface), from the next event on.
+  void set_surface(const SurfaceMaterial& surface, const Capabilities& device) noexcept {
+    felt::set_surface(options_, surface, device);
   }
   /// The pressure that the last event stood for; 0 in the air.
   [[nodiscard]] double pressure() const noexcept { return pressure_; }
