@@ -33,7 +33,7 @@ add_library(felt_flags INTERFACE)
 # same bytes on every machine (R7, architecture: determinism).
 target_compile_options(felt_flags INTERFACE
   -ffp-contract=off
-  -ffunction-sections  # tests/rt/check_tick_symbols.sh follows calls from section to section
+  -ffunction-sections  # tests/devices/rt/check_tick_symbols.sh follows calls from section to section
   -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Wold-style-cast -Wnon-virtual-dtor
   -Wdouble-promotion
   # Which thread may call what: src/felt/rt/thread_roles.h.

@@ -1,4 +1,4 @@
-# Installing: headers and archives (rules in layer.cmake), the CMake package `feltline`, the
+# Installing: headers and archives (rules in folder.cmake), the CMake package `feltline`, the
 # pkg-config file, the program, the shared files, and a Debian package by CPack.
 #
 # Every layer is a static archive, so whoever links one needs the libraries behind it too. The two

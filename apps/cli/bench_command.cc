@@ -3,8 +3,8 @@
 #include <memory>
 
 #include "commands.h"
-#include "felt/devices/simulated/sample_sets.h"
-#include "felt/io/ndjson_parser.h"
+#include "felt/devices/simulated/samples/sample_sets.h"
+#include "felt/io/ndjson/ndjson_parser.h"
 #include "fit_source.h"
 #include "fit_worker.h"
 #include "print.h"

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "felt/devices/simulated/sample_sets.h"
-#include "felt/io/event_writer.h"
+#include "felt/devices/simulated/samples/sample_sets.h"
+#include "felt/io/events/event_writer.h"
 
 namespace felt {
 namespace {

@@ -9,7 +9,7 @@
 #include "act_pictures.h"
 #include "commands.h"
 #include "demo_scripts.h"
-#include "felt/io/png.h"
+#include "felt/io/picture/png.h"
 #include "felt/render/page.h"
 #include "force_plot.h"
 #include "forces_csv.h"

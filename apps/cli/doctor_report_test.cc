@@ -5,7 +5,7 @@
 
 #include <filesystem>
 
-#include "felt/driver/fake_system.h"
+#include "felt/driver/testing/fake_system.h"
 #include "system_fix.h"
 #include "tests/support/scratch_path.h"
 

@@ -10,7 +10,7 @@
 #include "felt/formats/format_traits.h"
 #include "felt/formats/layered_drawing.h"
 #include "felt/formats/line_drawing.h"
-#include "felt/io/svg_writer.h"
+#include "felt/io/svg/svg_writer.h"
 #include "ordered_pipeline.h"
 
 namespace felt::cli {
@@ -21,7 +21,7 @@ constexpr double kMarginMm = 5.0;
 /// All ink and a margin, as the streaming outputs show it.
 Rect ink_area(const StoredDrawing& drawing, Format format) {
   const Rect ink = view_of(drawing, LayerChoice::kVisible).ink();
-  if (format == Format::kSvg) return svg_area(ink, SvgOptions{.margin_mm = kMarginMm});
+  if (format == Format::kSvg) return picture_area(ink, std::nullopt, kMarginMm);
   return (ink.empty() ? Rect{0.0, 0.0, 0.0, 0.0} : ink).inflated(kMarginMm);
 }
 

@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "felt/driver/fake_system.h"
+#include "felt/driver/testing/fake_system.h"
 #include "packed.h"
 #include "scripted_driver.h"
 

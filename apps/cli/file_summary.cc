@@ -8,7 +8,7 @@
 
 #include "felt/base/printable.h"
 #include "felt/formats/format_traits.h"
-#include "felt/io/ndjson_writer.h"
+#include "felt/io/ndjson/ndjson_writer.h"
 #include "felt/store/felt_recording.h"
 #include "felt/stroke/color_text.h"
 #include "json_text.h"

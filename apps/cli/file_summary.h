@@ -6,7 +6,7 @@
 
 #include "felt/formats/drawing_reader.h"
 #include "felt/geometry/rect.h"
-#include "felt/io/ndjson_record.h"
+#include "felt/io/ndjson/ndjson_record.h"
 #include "felt/stroke/stroke.h"
 
 namespace felt::cli {

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "felt/io/ndjson_writer.h"
+#include "felt/io/ndjson/ndjson_writer.h"
 
 namespace felt::cli {
 

@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "felt/formats/drawing_reader.h"
-#include "felt/io/ndjson_parser.h"
-#include "felt/io/quickdraw_line.h"
-#include "felt/stroke/ink_fitter.h"
+#include "felt/io/ndjson/ndjson_parser.h"
+#include "felt/io/quickdraw/quickdraw_line.h"
+#include "felt/stroke/fit/ink_fitter.h"
 #include "felt/stroke/sketch.h"
 #include "fit_stats.h"
 #include "sketch_output.h"

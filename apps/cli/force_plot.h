@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "felt/base/result.h"
-#include "felt/haptics/safety_limits.h"
+#include "felt/haptics/safety/safety_limits.h"
 #include "felt/render/plot.h"
 #include "felt/rt/servo.h"
 

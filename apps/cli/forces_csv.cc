@@ -4,7 +4,7 @@
 #include <cerrno>
 #include <system_error>
 
-#include "felt/io/ndjson_writer.h"
+#include "felt/io/ndjson/ndjson_writer.h"
 
 namespace felt::cli {
 namespace {

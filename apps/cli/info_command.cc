@@ -5,9 +5,9 @@
 
 #include "commands.h"
 #include "felt/formats/format_traits.h"
-#include "felt/io/ndjson_parser.h"
-#include "felt/io/quickdraw_line.h"
-#include "felt/stroke/mend_joints.h"
+#include "felt/io/ndjson/ndjson_parser.h"
+#include "felt/io/quickdraw/quickdraw_line.h"
+#include "felt/stroke/edit/mend_joints.h"
 #include "file_summary.h"
 #include "input.h"
 #include "print.h"

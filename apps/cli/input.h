@@ -5,7 +5,7 @@
 #include <string_view>
 
 #include "felt/formats/drawing_reader.h"
-#include "felt/io/ndjson_lines.h"
+#include "felt/io/ndjson/ndjson_lines.h"
 
 namespace felt::cli {
 

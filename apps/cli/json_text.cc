@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "felt/io/ndjson_writer.h"
+#include "felt/io/ndjson/ndjson_writer.h"
 
 namespace felt::cli {
 

@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "demo_act.h"
-#include "felt/devices/simulated/drawings.h"
+#include "felt/devices/simulated/samples/drawings.h"
 
 namespace felt {
 namespace {

@@ -5,7 +5,7 @@
 #include <array>
 #include <cmath>
 
-#include "felt/stroke/random_stroke.h"
+#include "felt/stroke/testing/random_stroke.h"
 #include "felt/tools/tool.h"
 
 namespace felt::cli {

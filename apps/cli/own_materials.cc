@@ -1,6 +1,6 @@
 #include "own_materials.h"
 
-#include "felt/io/png.h"
+#include "felt/io/picture/png.h"
 
 namespace felt::cli {
 

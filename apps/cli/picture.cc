@@ -10,9 +10,9 @@
 #include "felt/formats/drawing_grain.h"
 #include "felt/formats/own_materials.h"
 #include "felt/geometry/height_picture.h"
-#include "felt/haptics/drawing_feel.h"
-#include "felt/io/grain_mask.h"
-#include "felt/io/png.h"
+#include "felt/haptics/bricks/drawing_feel.h"
+#include "felt/io/picture/grain_mask.h"
+#include "felt/io/picture/png.h"
 #include "felt/stroke/color_text.h"
 #include "own_materials.h"
 

@@ -8,7 +8,7 @@
 
 #include "commands.h"
 #include "drawing_output.h"
-#include "felt/io/event_writer.h"
+#include "felt/io/events/event_writer.h"
 #include "felt/session/recorder.h"
 #include "felt/tools/tool.h"
 #include "forces_csv.h"

@@ -18,7 +18,7 @@
 #include <variant>
 
 #include "felt/base/atomic_file.h"
-#include "felt/io/ndjson_writer.h"
+#include "felt/io/ndjson/ndjson_writer.h"
 #include "felt/tools/overlay.h"
 
 namespace felt::cli {

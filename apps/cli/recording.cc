@@ -1,6 +1,6 @@
 #include "recording.h"
 
-#include "felt/io/event_reader.h"
+#include "felt/io/events/event_reader.h"
 #include "felt/store/felt_recording.h"
 #include "input.h"
 #include "replay_machine.h"

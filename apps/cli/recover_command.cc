@@ -11,8 +11,8 @@
 
 #include "commands.h"
 #include "felt/base/printable.h"
-#include "felt/store/folder_lock.h"
-#include "felt/store/recovery.h"
+#include "felt/autosave/folder_lock.h"
+#include "felt/autosave/recovery.h"
 #include "print.h"
 #include "record_copy.h"
 

@@ -10,7 +10,7 @@
 #include "drawing_output.h"
 #include "felt/formats/own_materials.h"
 #include "felt/io/limits.h"
-#include "felt/io/png.h"
+#include "felt/io/picture/png.h"
 #include "felt/store/felt_recording.h"
 #include "felt/stroke/color_text.h"
 #include "force_plot.h"

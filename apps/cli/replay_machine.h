@@ -12,7 +12,7 @@
 #include "felt/formats/drawing_reader.h"
 #include "felt/session/player.h"
 #include "felt/session/session.h"
-#include "felt/stroke/width_map.h"
+#include "felt/stroke/fit/width_map.h"
 #include "replay_settings.h"
 #include "replay_stats.h"
 

@@ -8,7 +8,7 @@
 #include "console.h"
 #include "felt/base/result.h"
 #include "felt/devices/simulated/hand_script.h"
-#include "felt/io/event_reader.h"
+#include "felt/io/events/event_reader.h"
 #include "tremor.h"
 
 namespace felt::cli {

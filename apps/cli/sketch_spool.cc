@@ -5,7 +5,7 @@
 #include <cerrno>
 #include <system_error>
 
-#include "felt/io/ndjson_parser.h"
+#include "felt/io/ndjson/ndjson_parser.h"
 
 namespace felt::cli {
 namespace {

@@ -5,7 +5,7 @@
 #include <memory>
 #include <string_view>
 
-#include "felt/io/ndjson_lines.h"
+#include "felt/io/ndjson/ndjson_lines.h"
 #include "felt/stroke/sketch.h"
 
 namespace felt::cli {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "felt/geometry/bvh.h"
-#include "felt/stroke/ink_fitter.h"
+#include "felt/stroke/fit/ink_fitter.h"
 #include "fit_stats.h"
 
 namespace felt::cli {

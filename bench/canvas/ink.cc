@@ -5,9 +5,9 @@
 #include <vector>
 
 #include "felt/base/check.h"
-#include "felt/devices/simulated/sample_sets.h"
+#include "felt/devices/simulated/samples/sample_sets.h"
 #include "felt/document/edit_builder.h"
-#include "felt/stroke/ink_fitter.h"
+#include "felt/stroke/fit/ink_fitter.h"
 
 namespace felt::bench {
 namespace {

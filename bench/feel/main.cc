@@ -17,7 +17,7 @@
 #include <string>
 #include <vector>
 
-#include "felt/io/ndjson_lines.h"
+#include "felt/io/ndjson/ndjson_lines.h"
 #include "replay_run.h"
 #include "snap_bars.h"
 #include "text_table.h"

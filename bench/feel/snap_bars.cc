@@ -7,7 +7,7 @@
 #include <fstream>
 #include <iterator>
 
-#include "tests/snapping/snap_count.h"
+#include "tests/drawing/snapping/snap_count.h"
 #include "text_table.h"
 
 namespace felt::bench {

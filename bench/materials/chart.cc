@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "felt/devices/simulated/simulated_stylus.h"
-#include "felt/haptics/drawing_feel.h"
+#include "felt/haptics/bricks/drawing_feel.h"
 #include "felt/render/page.h"
 #include "felt/render/plot_canvas.h"
 #include "felt/session/player.h"

@@ -9,8 +9,8 @@
 #include <string_view>
 
 #include "chart.h"
-#include "felt/io/png.h"
-#include "materials/materials_report.h"
+#include "felt/io/picture/png.h"
+#include "tests/drawing/materials/materials_report.h"
 
 namespace {
 

@@ -3,7 +3,7 @@
 #include <random>
 
 #include "felt/geometry/nearest.h"
-#include "felt/geometry/nearest_cases.h"
+#include "felt/geometry/testing/nearest_cases.h"
 #include "rows.h"
 
 namespace felt::bench {

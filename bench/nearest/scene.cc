@@ -4,7 +4,7 @@
 #include <numbers>
 #include <random>
 
-#include "felt/geometry/nearest_cases.h"
+#include "felt/geometry/testing/nearest_cases.h"
 
 namespace felt::bench {
 namespace {

@@ -2,7 +2,7 @@
 #include <random>
 
 #include "felt/geometry/bvh.h"
-#include "felt/geometry/nearest_cases.h"
+#include "felt/geometry/testing/nearest_cases.h"
 #include "rows.h"
 #include "scene.h"
 

@@ -1,5 +1,5 @@
 #include "bench/peers/peer.h"
-#include "felt/stroke/ink_fitter.h"
+#include "felt/stroke/fit/ink_fitter.h"
 
 namespace felt::bench {
 namespace {

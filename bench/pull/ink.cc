@@ -5,10 +5,10 @@
 #include <memory>
 #include <utility>
 
-#include "felt/devices/simulated/sample_sets.h"
-#include "felt/io/ndjson_lines.h"
-#include "felt/io/ndjson_parser.h"
-#include "felt/stroke/ink_fitter.h"
+#include "felt/devices/simulated/samples/sample_sets.h"
+#include "felt/io/ndjson/ndjson_lines.h"
+#include "felt/io/ndjson/ndjson_parser.h"
+#include "felt/stroke/fit/ink_fitter.h"
 
 namespace felt::bench {
 namespace {

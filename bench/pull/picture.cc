@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include "felt/io/png.h"
+#include "felt/io/picture/png.h"
 #include "felt/render/image.h"
 #include "felt/render/plot_canvas.h"
 #include "felt/render/view.h"

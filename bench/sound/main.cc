@@ -7,9 +7,9 @@
 #include <ctime>
 #include <string>
 
-#include "felt/io/png.h"
+#include "felt/io/picture/png.h"
 #include "felt/render/plot_canvas.h"
-#include "felt/sound/rubbed.h"
+#include "felt/sound/testing/rubbed.h"
 #include "spectrogram.h"
 
 namespace felt::bench {

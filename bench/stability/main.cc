@@ -6,7 +6,7 @@
 #include <string>
 #include <thread>
 
-#include "stability/stability_matrix.h"
+#include "tests/devices/stability/stability_matrix.h"
 
 int main(int argc, char** argv) {
   const std::string path = argc > 1 ? argv[1] : "docs/stability.md";

@@ -13,9 +13,9 @@
 
 #include "felt/base/check.h"
 #include "felt/document/visible_strokes.h"
-#include "felt/io/svg_writer.h"
+#include "felt/io/svg/svg_writer.h"
 #include "felt/store/felt_file.h"
-#include "felt/store/working_store.h"
+#include "felt/autosave/working_store.h"
 #include "ink.h"
 
 namespace felt::bench {

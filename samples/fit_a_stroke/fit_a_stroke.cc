@@ -7,7 +7,7 @@
 #include <cstdio>
 #include <numbers>
 
-#include "felt/stroke/ink_fitter.h"
+#include "felt/stroke/fit/ink_fitter.h"
 
 namespace {
 

@@ -8,8 +8,8 @@
 #include <unistd.h>
 #include <cstdio>
 
-#include "felt/io/ndjson_lines.h"
-#include "felt/io/ndjson_parser.h"
+#include "felt/io/ndjson/ndjson_lines.h"
+#include "felt/io/ndjson/ndjson_parser.h"
 #include "inflated.h"
 
 namespace {

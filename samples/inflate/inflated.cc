@@ -7,7 +7,7 @@
 #include "disc_mesh.h"
 #include "felt/geometry/polygon.h"
 #include "felt/geometry/polyline.h"
-#include "felt/stroke/flatten.h"
+#include "felt/stroke/outline/flatten.h"
 
 using felt::Point;
 

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "felt/io/event_reader.h"
+#include "felt/io/events/event_reader.h"
 
 namespace felt::desktop {
 namespace {

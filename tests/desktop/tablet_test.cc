@@ -17,7 +17,7 @@
 #include "desktop/files/drawing_file.h"
 #include "desktop/window/main_window.h"
 #include "felt/document/visible_strokes.h"
-#include "felt/io/ndjson_writer.h"
+#include "felt/io/ndjson/ndjson_writer.h"
 #include "tests/desktop/injected_pen.h"
 #include "tests/desktop/recording_check.h"
 

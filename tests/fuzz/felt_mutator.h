@@ -10,7 +10,7 @@
 #include <string_view>
 #include <vector>
 
-#include "felt/document/random_document.h"
+#include "felt/document/testing/random_document.h"
 #include "felt/store/byte_stream.h"
 #include "felt/store/crc32c.h"
 #include "felt/store/felt_file.h"

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "felt/base/check.h"
-#include "felt/io/event_reader.h"
-#include "felt/io/event_writer.h"
+#include "felt/io/events/event_reader.h"
+#include "felt/io/events/event_writer.h"
 #include "felt/material/material_file.h"
 
 namespace felt {

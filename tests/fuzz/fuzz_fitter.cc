@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "felt/base/check.h"
-#include "felt/stroke/ink_fitter.h"
+#include "felt/stroke/fit/ink_fitter.h"
 
 namespace felt {
 namespace {

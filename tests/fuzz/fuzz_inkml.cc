@@ -8,8 +8,8 @@
 #include <string_view>
 
 #include "felt/base/check.h"
-#include "felt/io/inkml_import.h"
-#include "felt/io/inkml_writer.h"
+#include "felt/io/inkml/inkml_import.h"
+#include "felt/io/inkml/inkml_writer.h"
 #include "xml_mutator.h"
 
 namespace {

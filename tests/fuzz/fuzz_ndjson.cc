@@ -7,8 +7,8 @@
 #include <string_view>
 
 #include "felt/base/check.h"
-#include "felt/io/ndjson_parser.h"
-#include "felt/io/ndjson_writer.h"
+#include "felt/io/ndjson/ndjson_parser.h"
+#include "felt/io/ndjson/ndjson_writer.h"
 
 namespace felt {
 namespace {

@@ -5,7 +5,7 @@
 #include <string_view>
 
 #include "felt/base/check.h"
-#include "felt/io/quickdraw_import.h"
+#include "felt/io/quickdraw/quickdraw_import.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace felt;

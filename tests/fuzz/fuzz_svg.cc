@@ -14,8 +14,8 @@
 #include <string>
 #include <vector>
 
-#include "felt/io/svg_import.h"
-#include "felt/io/svg_writer.h"
+#include "felt/io/svg/svg_import.h"
+#include "felt/io/svg/svg_writer.h"
 
 // Only the fuzzer has it; replaying a corpus mutates nothing.
 extern "C" __attribute__((weak)) std::size_t LLVMFuzzerMutate(std::uint8_t* data, std::size_t size,

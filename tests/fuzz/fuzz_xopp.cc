@@ -10,7 +10,7 @@
 
 #include "felt/base/check.h"
 #include "felt/io/unpack.h"
-#include "felt/io/xopp_import.h"
+#include "felt/io/xopp/xopp_import.h"
 #include "xml_mutator.h"
 
 namespace {

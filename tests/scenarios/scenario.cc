@@ -12,8 +12,8 @@
 
 #include "felt/base/hash.h"
 #include "felt/devices/simulated/simulated_stylus.h"
-#include "felt/io/event_writer.h"
-#include "felt/io/ndjson_writer.h"
+#include "felt/io/events/event_writer.h"
+#include "felt/io/ndjson/ndjson_writer.h"
 #include "felt/session/recorder.h"
 #include "felt/stroke/color_text.h"
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "felt/io/event_reader.h"
+#include "felt/io/events/event_reader.h"
 #include "felt/session/player.h"
 
 namespace felt {

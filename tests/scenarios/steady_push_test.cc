@@ -7,11 +7,11 @@
 #include <gtest/gtest.h>
 
 #include "felt/devices/simulated/simulated_stylus.h"
-#include "felt/haptics/drawing_feel.h"
-#include "felt/haptics/spring.h"
+#include "felt/haptics/bricks/drawing_feel.h"
+#include "felt/haptics/bricks/spring.h"
 #include "felt/rt/servo.h"
 #include "felt/rt/virtual_clock.h"
-#include "felt/stroke/width_map.h"
+#include "felt/stroke/fit/width_map.h"
 #include "felt/tools/pressing.h"
 
 namespace felt {

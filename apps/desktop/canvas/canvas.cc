@@ -8,7 +8,7 @@
 #include "desktop/canvas/canvas_shown.h"
 #include "desktop/canvas/settings_keys.h"
 #include "desktop/engine/settings.h"
-#include "felt/haptics/drawing_feel.h"
+#include "felt/haptics/bricks/drawing_feel.h"
 
 namespace felt::desktop {
 namespace {

@@ -5,7 +5,7 @@
 #include <numbers>
 
 #include "felt/render/raster.h"
-#include "felt/stroke/flatten.h"
+#include "felt/stroke/outline/flatten.h"
 
 namespace felt::desktop {
 namespace {

@@ -8,7 +8,7 @@
 #include "desktop/canvas/canvas_view.h"
 #include "felt/render/image.h"
 #include "felt/render/view.h"
-#include "felt/stroke/outline.h"
+#include "felt/stroke/outline/outline.h"
 #include "felt/tools/overlay.h"
 
 namespace felt::desktop {

@@ -10,7 +10,7 @@
 #include <numbers>
 
 #include "felt/document/edit_builder.h"
-#include "felt/document/random_document.h"
+#include "felt/document/testing/random_document.h"
 #include "felt/render/raster.h"
 
 namespace felt::desktop {

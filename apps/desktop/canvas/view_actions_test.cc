@@ -4,7 +4,7 @@
 
 #include <QMap>
 
-#include "desktop/canvas/canvas_sitting.h"
+#include "desktop/canvas/testing/canvas_sitting.h"
 #include "desktop/canvas/settings_keys.h"
 #include "desktop/engine/settings.h"
 

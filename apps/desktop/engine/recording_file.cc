@@ -3,7 +3,7 @@
 #include <QFileInfo>
 #include <utility>
 
-#include "felt/io/event_writer.h"
+#include "felt/io/events/event_writer.h"
 
 namespace felt::desktop {
 namespace {

@@ -14,7 +14,7 @@
 #include "desktop/engine/tick_timer.h"
 #include "felt/devices/simulated/pointer_hand.h"
 #include "felt/document/sheet_page.h"
-#include "felt/haptics/safety_limits.h"
+#include "felt/haptics/safety/safety_limits.h"
 #include "felt/material/material_file.h"
 #include "felt/rt/realtime_thread.h"
 #include "felt/rt/servo.h"

@@ -6,7 +6,7 @@
 #include "desktop/engine/studio.h"
 #include "desktop/engine/usual_color.h"
 #include "felt/material/material_file.h"
-#include "felt/stroke/random_stroke.h"
+#include "felt/stroke/testing/random_stroke.h"
 #include "felt/tools/tool.h"
 
 namespace felt::desktop {

@@ -19,9 +19,9 @@
 #include "desktop/engine/kept_options.h"
 #include "desktop/engine/recording_file.h"
 #include "desktop/engine/settings.h"
-#include "felt/io/event_reader.h"
-#include "felt/io/event_writer.h"
-#include "felt/io/ndjson_writer.h"
+#include "felt/io/events/event_reader.h"
+#include "felt/io/events/event_writer.h"
+#include "felt/io/ndjson/ndjson_writer.h"
 #include "felt/session/recorder.h"
 
 namespace felt::desktop {

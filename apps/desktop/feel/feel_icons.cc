@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "felt/haptics/drawing_feel.h"
+#include "felt/haptics/bricks/drawing_feel.h"
 #include "felt/render/grain.h"
 
 namespace felt::desktop {

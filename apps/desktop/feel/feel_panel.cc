@@ -13,7 +13,7 @@
 #include "desktop/feel/feel_icons.h"
 #include "desktop/feel/material_words.h"
 #include "desktop/feel/safety_words.h"
-#include "felt/haptics/drawing_feel.h"
+#include "felt/haptics/bricks/drawing_feel.h"
 
 namespace felt::desktop {
 namespace {

@@ -5,7 +5,7 @@
 #include <array>
 #include <cstring>
 
-#include "desktop/feel/device_words.h"
+#include "desktop/engine/device_words.h"
 
 namespace felt::desktop {
 namespace {

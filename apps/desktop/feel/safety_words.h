@@ -3,7 +3,7 @@
 #include <QString>
 #include <optional>
 
-#include "felt/haptics/safety_chain.h"
+#include "felt/haptics/safety/safety_chain.h"
 #include "felt/rt/device.h"
 
 namespace felt::desktop {

@@ -7,7 +7,7 @@
 #include <QGuiApplication>
 #include <QImage>
 
-#include "desktop/files/test_desk.h"
+#include "desktop/files/testing/test_desk.h"
 #include "felt/document/visible_strokes.h"
 
 namespace felt::desktop {

@@ -7,9 +7,9 @@
 #include <QTemporaryDir>
 
 #include "felt/base/atomic_file.h"
-#include "felt/document/random_document.h"
+#include "felt/document/testing/random_document.h"
 #include "felt/document/visible_strokes.h"
-#include "felt/io/ndjson_writer.h"
+#include "felt/io/ndjson/ndjson_writer.h"
 
 namespace felt::desktop {
 namespace {

@@ -7,7 +7,7 @@
 #include <variant>
 
 #include "felt/material/material_file.h"
-#include "felt/store/folder_lock.h"
+#include "felt/autosave/folder_lock.h"
 
 namespace felt::desktop {
 namespace {

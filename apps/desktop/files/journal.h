@@ -12,8 +12,8 @@
 
 #include "desktop/engine/studio.h"
 #include "desktop/files/drawing_file.h"
-#include "felt/store/saver.h"
-#include "felt/store/saver_feed.h"
+#include "felt/autosave/saver.h"
+#include "felt/autosave/saver_feed.h"
 
 namespace felt::desktop {
 

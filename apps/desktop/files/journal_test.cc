@@ -13,7 +13,7 @@
 
 #include "desktop/files/recovery_dialog.h"
 #include "desktop/files/recovery_offer.h"
-#include "desktop/files/test_desk.h"
+#include "desktop/files/testing/test_desk.h"
 
 namespace felt::desktop {
 namespace {

@@ -1,4 +1,4 @@
-// Pictures of the dialogs for a person to look at: FELT_LOOK=FOLDER files_desktop_test.
+// Pictures of the dialogs for a person to look at: FELT_LOOK=FOLDER desktop_files_test.
 #include <gtest/gtest.h>
 
 #include <QAccessible>
@@ -9,7 +9,7 @@
 #include "desktop/files/export_dialog.h"
 #include "desktop/files/page_dialog.h"
 #include "desktop/files/recovery_dialog.h"
-#include "desktop/files/test_desk.h"
+#include "desktop/files/testing/test_desk.h"
 
 namespace felt::desktop {
 namespace {

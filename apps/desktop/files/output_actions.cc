@@ -19,10 +19,10 @@
 #include "desktop/files/page_dialog.h"
 #include "felt/document/visible_strokes.h"
 #include "felt/formats/drawing_grain.h"
-#include "felt/io/grain_mask.h"
+#include "felt/io/picture/grain_mask.h"
 #include "felt/render/raster.h"
 #include "felt/render/view.h"
-#include "felt/stroke/outline_path.h"
+#include "felt/stroke/outline/outline_path.h"
 
 namespace felt::desktop {
 namespace {

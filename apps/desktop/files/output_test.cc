@@ -16,7 +16,7 @@
 #include "desktop/files/output_actions.h"
 #include "desktop/files/page_dialog.h"
 #include "desktop/files/sheet_picture.h"
-#include "desktop/files/test_desk.h"
+#include "desktop/files/testing/test_desk.h"
 #include "felt/base/read_file.h"
 #include "felt/document/visible_strokes.h"
 #include "felt/formats/drawing_grain.h"

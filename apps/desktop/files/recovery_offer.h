@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "desktop/files/drawing_file.h"
-#include "felt/store/recovery.h"
+#include "felt/autosave/recovery.h"
 
 namespace felt::desktop {
 

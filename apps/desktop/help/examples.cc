@@ -2,11 +2,11 @@
 
 #include <QCoreApplication>
 
-#include "felt/devices/simulated/drawings.h"
+#include "felt/devices/simulated/samples/drawings.h"
 #include "felt/devices/simulated/writing_hand.h"
 #include "felt/geometry/affine.h"
 #include "felt/session/session.h"
-#include "felt/stroke/ink_fitter.h"
+#include "felt/stroke/fit/ink_fitter.h"
 
 namespace felt::desktop {
 namespace {

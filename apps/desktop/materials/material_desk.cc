@@ -8,7 +8,7 @@
 #include "desktop/materials/media_picker.h"
 #include "desktop/panels/tool_texts.h"
 #include "felt/base/atomic_file.h"
-#include "felt/io/png.h"
+#include "felt/io/picture/png.h"
 #include "felt/material/material_fields.h"
 #include "felt/material/material_library.h"
 #include "felt/material/own_relief.h"

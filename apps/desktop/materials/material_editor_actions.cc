@@ -9,7 +9,7 @@
 
 #include "desktop/materials/material_editor.h"
 #include "desktop/panels/tool_icons.h"
-#include "felt/io/png.h"
+#include "felt/io/picture/png.h"
 
 namespace felt::desktop {
 namespace {

@@ -12,7 +12,7 @@
 
 #include "desktop/engine/settings.h"
 #include "desktop/materials/settings_keys.h"
-#include "desktop/test_support/accessible_names.h"
+#include "desktop/testing/accessible_names.h"
 
 namespace felt::desktop {
 namespace {

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "desktop/materials/medium_picture.h"
-#include "desktop/test_support/accessible_names.h"
-#include "felt/stroke/random_stroke.h"
+#include "desktop/testing/accessible_names.h"
+#include "felt/stroke/testing/random_stroke.h"
 
 namespace felt::desktop {
 namespace {

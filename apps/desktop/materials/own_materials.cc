@@ -7,7 +7,7 @@
 
 #include "desktop/engine/settings.h"
 #include "desktop/materials/settings_keys.h"
-#include "felt/io/png.h"
+#include "felt/io/picture/png.h"
 #include "felt/material/material_library.h"
 
 namespace felt::desktop {

@@ -13,7 +13,7 @@
 #include <random>
 
 #include "desktop/engine/settings.h"
-#include "desktop/panels/panels_fixture.h"
+#include "desktop/panels/testing/panels_fixture.h"
 #include "desktop/panels/settings_keys.h"
 #include "felt/stroke/color_text.h"
 

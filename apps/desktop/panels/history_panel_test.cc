@@ -6,7 +6,7 @@
 #include <QTest>
 #include <random>
 
-#include "desktop/panels/panels_fixture.h"
+#include "desktop/panels/testing/panels_fixture.h"
 
 namespace felt::desktop {
 namespace {

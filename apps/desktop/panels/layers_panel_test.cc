@@ -8,7 +8,7 @@
 #include <random>
 
 #include "desktop/panels/layer_delegate.h"
-#include "desktop/panels/panels_fixture.h"
+#include "desktop/panels/testing/panels_fixture.h"
 
 namespace felt::desktop {
 namespace {

@@ -12,7 +12,7 @@
 #include <cmath>
 
 #include "desktop/engine/settings.h"
-#include "desktop/panels/panels_fixture.h"
+#include "desktop/panels/testing/panels_fixture.h"
 #include "desktop/panels/tool_texts.h"
 
 namespace felt::desktop {

@@ -9,7 +9,7 @@
 #include <set>
 
 #include "desktop/panels/edit_actions.h"
-#include "desktop/panels/panels_fixture.h"
+#include "desktop/panels/testing/panels_fixture.h"
 #include "desktop/panels/tool_size.h"
 
 namespace felt::desktop {

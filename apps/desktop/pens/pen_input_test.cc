@@ -17,7 +17,7 @@
 
 #include "desktop/engine/settings.h"
 #include "desktop/pens/settings_keys.h"
-#include "felt/io/ndjson_writer.h"
+#include "felt/io/ndjson/ndjson_writer.h"
 #include "felt/tools/tool.h"
 
 namespace felt::desktop {

@@ -8,7 +8,7 @@
 #include "desktop/canvas/canvas.h"
 #include "desktop/engine/actions.h"
 #include "desktop/engine/studio.h"
-#include "desktop/feel/device_care.h"
+#include "desktop/devices/device_care.h"
 #include "desktop/files/file_actions.h"
 #include "desktop/materials/material_desk.h"
 #include "desktop/materials/material_editor.h"

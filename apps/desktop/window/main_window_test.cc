@@ -23,7 +23,7 @@
 #include "desktop/help/guide_dialog.h"
 #include "desktop/help/shortcut_sheet.h"
 #include "desktop/help/tour_window.h"
-#include "desktop/test_support/accessible_names.h"
+#include "desktop/testing/accessible_names.h"
 #include "desktop/window/preferences.h"
 #include "desktop/window/shortcuts_page.h"
 #include "desktop/window/signal_watch.h"

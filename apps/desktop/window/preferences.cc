@@ -6,7 +6,7 @@
 #include <QScrollArea>
 #include <algorithm>
 
-#include "desktop/feel/device_page.h"
+#include "desktop/devices/device_page.h"
 #include "desktop/panels/tool_icons.h"
 #include "desktop/pens/pens_page.h"
 #include "desktop/window/canvas_page.h"

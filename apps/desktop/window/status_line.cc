@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "desktop/canvas/tool_hints.h"
-#include "desktop/feel/device_words.h"
+#include "desktop/engine/device_words.h"
 
 namespace felt::desktop {
 namespace {

@@ -7,7 +7,7 @@
 #include <set>
 
 #include "felt/document/edit_builder.h"
-#include "felt/document/random_document.h"
+#include "felt/document/testing/random_document.h"
 
 namespace felt {
 namespace {

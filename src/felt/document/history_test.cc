@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "felt/document/edit_builder.h"
-#include "felt/document/random_document.h"
+#include "felt/document/testing/random_document.h"
 
 namespace felt {
 namespace {

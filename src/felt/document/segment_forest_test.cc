@@ -8,7 +8,7 @@
 #include <set>
 #include <utility>
 
-#include "felt/stroke/random_stroke.h"
+#include "felt/stroke/testing/random_stroke.h"
 
 namespace felt {
 namespace {

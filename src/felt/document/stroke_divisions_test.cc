@@ -5,8 +5,8 @@
 
 #include <random>
 
-#include "felt/document/random_document.h"
-#include "felt/stroke/random_stroke.h"
+#include "felt/document/testing/random_document.h"
+#include "felt/stroke/testing/random_stroke.h"
 
 namespace felt {
 namespace {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "felt/haptics/safety_stages.h"
+#include "felt/haptics/safety/safety_stages.h"
 
 namespace felt {
 namespace {

@@ -10,7 +10,7 @@
 #include <random>
 
 #include "felt/driver/device_models.h"
-#include "felt/haptics/safety_limits.h"
+#include "felt/haptics/safety/safety_limits.h"
 
 namespace felt {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "felt/driver/fake_system.h"
+#include "felt/driver/testing/fake_system.h"
 
 namespace felt {
 namespace {

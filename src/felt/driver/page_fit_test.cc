@@ -8,8 +8,8 @@
 
 #include "felt/driver/calibrated_device.h"
 #include "felt/haptics/force.h"
-#include "felt/haptics/safety_limits.h"
-#include "felt/rt/scripted_device.h"
+#include "felt/haptics/safety/safety_limits.h"
+#include "felt/rt/testing/scripted_device.h"
 
 namespace felt {
 namespace {

@@ -10,8 +10,8 @@
 #include "felt/formats/drawing_reader.h"
 #include "felt/formats/drawing_writer.h"
 #include "felt/formats/format_traits.h"
-#include "felt/formats/random_drawing.h"
-#include "felt/io/ndjson_writer.h"
+#include "felt/formats/testing/random_drawing.h"
+#include "felt/io/ndjson/ndjson_writer.h"
 #include "felt/io/unpack.h"
 
 namespace felt {

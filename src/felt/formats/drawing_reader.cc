@@ -9,10 +9,10 @@
 #include "felt/formats/layered_drawing.h"
 #include "felt/formats/line_drawing.h"
 #include "felt/formats/own_materials.h"
-#include "felt/io/inkml_import.h"
-#include "felt/io/quickdraw_import.h"
-#include "felt/io/svg_import.h"
-#include "felt/io/xopp_import.h"
+#include "felt/io/inkml/inkml_import.h"
+#include "felt/io/quickdraw/quickdraw_import.h"
+#include "felt/io/svg/svg_import.h"
+#include "felt/io/xopp/xopp_import.h"
 #include "felt/store/felt_salvage.h"
 
 namespace felt {

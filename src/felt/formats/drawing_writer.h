@@ -8,7 +8,7 @@
 #include "felt/formats/file_format.h"
 #include "felt/geometry/rect.h"
 #include "felt/io/drawing_parts.h"
-#include "felt/io/grain_mask.h"
+#include "felt/io/picture/grain_mask.h"
 #include "felt/render/grain.h"
 #include "felt/store/felt_file.h"
 

@@ -9,7 +9,7 @@
 #include "felt/base/check.h"
 #include "felt/base/utf8.h"
 #include "felt/io/limits.h"
-#include "felt/io/material_texts.h"
+#include "felt/io/xml/material_texts.h"
 
 namespace felt {
 namespace {

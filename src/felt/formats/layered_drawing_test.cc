@@ -2,10 +2,10 @@
 
 #include <gtest/gtest.h>
 
-#include "felt/document/random_document.h"
+#include "felt/document/testing/random_document.h"
 #include "felt/document/visible_strokes.h"
-#include "felt/formats/random_drawing.h"
-#include "felt/stroke/random_stroke.h"
+#include "felt/formats/testing/random_drawing.h"
+#include "felt/stroke/testing/random_stroke.h"
 
 namespace felt {
 namespace {

@@ -3,9 +3,9 @@
 #include <utility>
 
 #include "felt/formats/file_format.h"
-#include "felt/io/ndjson_writer.h"
-#include "felt/io/quickdraw_line.h"
-#include "felt/stroke/mend_joints.h"
+#include "felt/io/ndjson/ndjson_writer.h"
+#include "felt/io/quickdraw/quickdraw_line.h"
+#include "felt/stroke/edit/mend_joints.h"
 
 namespace felt {
 namespace {

@@ -8,8 +8,8 @@
 #include "felt/base/result.h"
 #include "felt/io/drawing_parts.h"
 #include "felt/io/import.h"
-#include "felt/io/ndjson_parser.h"
-#include "felt/stroke/ink_fitter.h"
+#include "felt/io/ndjson/ndjson_parser.h"
+#include "felt/stroke/fit/ink_fitter.h"
 
 namespace felt {
 

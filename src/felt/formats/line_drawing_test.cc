@@ -8,7 +8,7 @@
 #include <cstdlib>
 #include <string>
 
-#include "felt/stroke/test_ink.h"
+#include "felt/stroke/testing/test_ink.h"
 
 namespace felt {
 namespace {

@@ -4,7 +4,7 @@
 #include <set>
 #include <utility>
 
-#include "felt/io/material_texts.h"
+#include "felt/io/xml/material_texts.h"
 #include "felt/material/material_file.h"
 
 namespace felt {

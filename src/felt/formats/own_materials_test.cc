@@ -11,7 +11,7 @@
 #include "felt/formats/layered_drawing.h"
 #include "felt/material/material_file.h"
 #include "felt/material/relief.h"
-#include "felt/stroke/random_stroke.h"
+#include "felt/stroke/testing/random_stroke.h"
 
 namespace felt {
 namespace {

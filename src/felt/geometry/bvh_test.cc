@@ -11,7 +11,7 @@
 #include <set>
 #include <vector>
 
-#include "felt/geometry/nearest_cases.h"
+#include "felt/geometry/testing/nearest_cases.h"
 
 namespace felt {
 namespace {

@@ -7,7 +7,7 @@
 #include <numbers>
 #include <random>
 
-#include "felt/geometry/nearest_cases.h"
+#include "felt/geometry/testing/nearest_cases.h"
 #include "felt/geometry/polyline.h"
 
 namespace felt {

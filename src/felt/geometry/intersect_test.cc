@@ -8,7 +8,7 @@
 #include <limits>
 #include <vector>
 
-#include "felt/geometry/nearest_cases.h"
+#include "felt/geometry/testing/nearest_cases.h"
 
 namespace felt {
 namespace {

@@ -7,7 +7,7 @@
 #include <limits>
 #include <numbers>
 
-#include "felt/geometry/nearest_cases.h"
+#include "felt/geometry/testing/nearest_cases.h"
 
 namespace felt {
 namespace {

@@ -5,13 +5,13 @@
 #include <string_view>
 
 #include "felt/haptics/compose.h"
-#include "felt/haptics/damping.h"
-#include "felt/haptics/drawing_feel.h"
-#include "felt/haptics/feel_rig.h"
-#include "felt/haptics/spring.h"
-#include "felt/haptics/stabiliser.h"
-#include "felt/haptics/tether.h"
-#include "felt/haptics/well.h"
+#include "felt/haptics/bricks/damping.h"
+#include "felt/haptics/bricks/drawing_feel.h"
+#include "felt/haptics/testing/feel_rig.h"
+#include "felt/haptics/bricks/spring.h"
+#include "felt/haptics/bricks/stabiliser.h"
+#include "felt/haptics/bricks/tether.h"
+#include "felt/haptics/bricks/well.h"
 
 namespace felt {
 namespace {

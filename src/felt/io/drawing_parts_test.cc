@@ -4,13 +4,13 @@
 
 #include <algorithm>
 
-#include "felt/io/inkml_writer.h"
-#include "felt/io/pdf_writer.h"
-#include "felt/io/svg_import.h"
-#include "felt/io/svg_writer.h"
+#include "felt/io/inkml/inkml_writer.h"
+#include "felt/io/picture/pdf_writer.h"
+#include "felt/io/svg/svg_import.h"
+#include "felt/io/svg/svg_writer.h"
 #include "felt/io/unpack.h"
-#include "felt/io/xopp_writer.h"
-#include "felt/stroke/random_stroke.h"
+#include "felt/io/xopp/xopp_writer.h"
+#include "felt/stroke/testing/random_stroke.h"
 
 namespace felt {
 namespace {

@@ -1,5 +1,7 @@
 #include "felt/io/drawing_view.h"
 
+#include <cmath>
+
 namespace felt {
 namespace {
 
@@ -19,6 +21,13 @@ Rect DrawingView::ink() const {
     for (std::size_t i = 0; i < layer.count; ++i) ink.extend(layer.stroke(i).bounds());
   }
   return ink;
+}
+
+Rect picture_area(const Rect& ink, const std::optional<Rect>& page, double margin_mm) noexcept {
+  if (page) return *page;
+  const Rect area = (ink.empty() ? Rect{0.0, 0.0, 0.0, 0.0} : ink).inflated(margin_mm);
+  return {std::floor(area.x0 * 100.0) / 100.0, std::floor(area.y0 * 100.0) / 100.0,
+          std::ceil(area.x1 * 100.0) / 100.0, std::ceil(area.y1 * 100.0) / 100.0};
 }
 
 DrawingView view_of(const LayeredSketch& drawing) {

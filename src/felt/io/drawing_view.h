@@ -35,6 +35,10 @@ struct DrawingView {
   [[nodiscard]] Rect ink() const;
 };
 
+/// Returns the part of the page that a picture shows: `page`, or else the ink and `margin_mm`
+/// around it, with its edges rounded outwards to 0.01 mm.
+Rect picture_area(const Rect& ink, const std::optional<Rect>& page, double margin_mm) noexcept;
+
 DrawingView view_of(const LayeredSketch& drawing);
 /// One layer without a name.
 DrawingView view_of(const Sketch& sketch);

@@ -6,7 +6,7 @@
 
 #include "felt/base/result.h"
 #include "felt/io/import.h"
-#include "felt/stroke/ink_fitter.h"
+#include "felt/stroke/fit/ink_fitter.h"
 #include "felt/stroke/stroke.h"
 
 namespace felt {

@@ -6,7 +6,7 @@
 #include <numbers>
 #include <random>
 
-#include "felt/stroke/flatten.h"
+#include "felt/stroke/outline/flatten.h"
 
 namespace felt {
 namespace {

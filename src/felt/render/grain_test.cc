@@ -13,7 +13,7 @@
 #include "felt/render/page.h"
 #include "felt/render/pressure_map.h"
 #include "felt/render/raster.h"
-#include "felt/stroke/random_stroke.h"
+#include "felt/stroke/testing/random_stroke.h"
 
 namespace felt {
 namespace {

@@ -5,8 +5,8 @@
 #include <algorithm>
 
 #include "felt/document/edit_builder.h"
-#include "felt/document/random_document.h"
-#include "felt/stroke/random_stroke.h"
+#include "felt/document/testing/random_document.h"
+#include "felt/stroke/testing/random_stroke.h"
 
 namespace felt {
 namespace {

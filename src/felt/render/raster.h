@@ -5,7 +5,7 @@
 #include "felt/render/grain.h"
 #include "felt/render/image.h"
 #include "felt/render/view.h"
-#include "felt/stroke/outline.h"
+#include "felt/stroke/outline/outline.h"
 
 namespace felt {
 

@@ -1,7 +1,7 @@
 #include <benchmark/benchmark.h>
 
 #include "felt/render/raster.h"
-#include "felt/stroke/screen_of_strokes.h"
+#include "felt/stroke/testing/screen_of_strokes.h"
 
 namespace felt {
 namespace {

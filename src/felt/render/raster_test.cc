@@ -5,8 +5,8 @@
 #include <cmath>
 #include <cstdlib>
 
-#include "felt/stroke/ink_oracle.h"
-#include "felt/stroke/random_stroke.h"
+#include "felt/stroke/testing/ink_oracle.h"
+#include "felt/stroke/testing/random_stroke.h"
 
 namespace felt {
 namespace {

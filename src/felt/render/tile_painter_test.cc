@@ -6,7 +6,7 @@
 #include <cstdlib>
 
 #include "felt/document/edit_builder.h"
-#include "felt/stroke/random_stroke.h"
+#include "felt/stroke/testing/random_stroke.h"
 
 namespace felt {
 namespace {

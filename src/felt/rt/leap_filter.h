@@ -4,8 +4,8 @@
 #include <optional>
 
 #include "felt/haptics/pen_sample.h"
-#include "felt/haptics/safety_clock.h"
-#include "felt/haptics/safety_motion.h"
+#include "felt/haptics/safety/safety_clock.h"
+#include "felt/haptics/safety/safety_motion.h"
 
 namespace felt {
 

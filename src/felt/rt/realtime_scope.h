@@ -11,7 +11,7 @@ void __rtsan_realtime_exit();
 
 namespace felt {
 
-/// How many RealtimeScopes this thread is in. The interposer of tests/rt reads it. Its model is
+/// How many RealtimeScopes this thread is in. The interposer of tests/devices/rt reads it. Its model is
 /// initial-exec, so that reading it calls nothing, not even where the library is in a plug-in.
 #if defined(__GNUC__)
 __attribute__((tls_model("initial-exec")))
@@ -19,7 +19,7 @@ __attribute__((tls_model("initial-exec")))
 inline constinit thread_local int realtime_depth = 0;
 
 /// Marks the block in which nothing may block: one tick of the haptic loop. Costs two additions.
-/// In tests/rt an interposer watches the block, and with FELT_RTSAN RealtimeSanitizer.
+/// In tests/devices/rt an interposer watches the block, and with FELT_RTSAN RealtimeSanitizer.
 class FELT_ROLE_ATTRIBUTE(scoped_lockable) RealtimeScope {
  public:
   RealtimeScope() noexcept FELT_ROLE_ATTRIBUTE(exclusive_lock_function(kHapticRole)) {

@@ -10,7 +10,7 @@
 
 #include "felt/rt/abandon.h"
 #include "felt/rt/realtime_thread.h"
-#include "felt/rt/scripted_device.h"
+#include "felt/rt/testing/scripted_device.h"
 
 namespace felt {
 namespace {

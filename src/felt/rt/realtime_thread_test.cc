@@ -7,7 +7,7 @@
 #include <thread>
 
 #include "felt/rt/null_device.h"
-#include "felt/rt/scripted_device.h"
+#include "felt/rt/testing/scripted_device.h"
 
 namespace felt {
 namespace {

@@ -1,9 +1,9 @@
-// The tick. Everything here runs on the haptic thread; tests/rt looks at this object's symbols.
+// The tick. Everything here runs on the haptic thread; tests/devices/rt looks at this object's symbols.
 #include "felt/rt/servo.h"
 
 #include <algorithm>
 
-#include "felt/haptics/safety_motion.h"
+#include "felt/haptics/safety/safety_motion.h"
 #include "felt/rt/float_mode.h"
 #include "felt/rt/realtime_scope.h"
 

@@ -6,7 +6,7 @@
 
 #include "felt/haptics/force_memory.h"
 #include "felt/haptics/force_model.h"
-#include "felt/haptics/safety_chain.h"
+#include "felt/haptics/safety/safety_chain.h"
 #include "felt/rt/device.h"
 #include "felt/rt/latest_value.h"
 #include "felt/rt/leap_filter.h"

@@ -10,8 +10,8 @@
 #include <optional>
 #include <vector>
 
-#include "felt/haptics/spring.h"
-#include "felt/rt/scripted_device.h"
+#include "felt/haptics/bricks/spring.h"
+#include "felt/rt/testing/scripted_device.h"
 #include "felt/rt/virtual_clock.h"
 
 namespace felt {

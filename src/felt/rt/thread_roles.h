@@ -5,7 +5,7 @@
 /// A role is a capability that nobody locks. RealtimeScope takes the haptic role for its block, and
 /// a function that needs it says FELT_HAPTIC. A function of the edit side says FELT_NOT_HAPTIC, and
 /// calling it while the haptic role is held is a warning: the edit side's own code needs no mark.
-/// Direct calls only; the interposer of tests/rt sees the rest.
+/// Direct calls only; the interposer of tests/devices/rt sees the rest.
 #if defined(__clang__)
 #define FELT_ROLE_ATTRIBUTE(x) __attribute__((x))
 #else

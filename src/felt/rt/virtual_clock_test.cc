@@ -6,7 +6,7 @@
 #include <memory>
 #include <vector>
 
-#include "felt/rt/scripted_device.h"
+#include "felt/rt/testing/scripted_device.h"
 
 namespace felt {
 namespace {

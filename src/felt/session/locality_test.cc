@@ -7,7 +7,7 @@
 
 #include "felt/document/edit_builder.h"
 #include "felt/session/session.h"
-#include "felt/stroke/random_stroke.h"
+#include "felt/stroke/testing/random_stroke.h"
 
 namespace felt {
 namespace {

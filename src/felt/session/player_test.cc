@@ -8,7 +8,7 @@
 
 #include "felt/base/hash.h"
 #include "felt/rt/null_device.h"
-#include "felt/session/fake_tools.h"
+#include "felt/session/testing/fake_tools.h"
 #include "felt/session/recorder.h"
 
 namespace felt {

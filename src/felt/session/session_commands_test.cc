@@ -6,9 +6,9 @@
 #include <deque>
 #include <random>
 
-#include "felt/session/fake_tools.h"
+#include "felt/session/testing/fake_tools.h"
 #include "felt/session/session.h"
-#include "felt/stroke/random_stroke.h"
+#include "felt/stroke/testing/random_stroke.h"
 
 namespace felt {
 namespace {

@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "felt/material/material_file.h"
-#include "felt/session/fake_tools.h"
+#include "felt/session/testing/fake_tools.h"
 #include "felt/session/old_defaults.h"
 
 namespace felt {

@@ -7,7 +7,7 @@
 
 #include "felt/geometry/height_field.h"
 #include "felt/material/relief.h"
-#include "felt/sound/rubbed.h"
+#include "felt/sound/testing/rubbed.h"
 
 namespace felt {
 namespace {

@@ -9,7 +9,7 @@
 #include <new>
 #include <random>
 
-#include "felt/sound/rubbed.h"
+#include "felt/sound/testing/rubbed.h"
 
 namespace {
 std::size_t allocations = 0;  // of this program, which has one thread

@@ -8,7 +8,7 @@
 #include <cstring>
 #include <memory>
 
-#include "felt/document/random_document.h"
+#include "felt/document/testing/random_document.h"
 #include "felt/store/felt_file.h"
 #include "felt/store/felt_schema.h"
 

@@ -14,7 +14,7 @@
 
 #include "felt/base/atomic_file.h"
 #include "felt/base/read_file.h"
-#include "felt/document/random_document.h"
+#include "felt/document/testing/random_document.h"
 #include "felt/store/felt_tables.h"
 
 namespace felt {

@@ -9,7 +9,7 @@
 #include "felt/base/read_file.h"
 #include "felt/base/utf8.h"
 #include "felt/io/limits.h"
-#include "felt/io/material_texts.h"
+#include "felt/io/xml/material_texts.h"
 #include "felt/store/felt_sheet.h"
 #include "felt/store/felt_tables.h"
 #include "felt/store/material_table.h"

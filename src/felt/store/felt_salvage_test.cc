@@ -7,7 +7,7 @@
 #include <random>
 #include <set>
 
-#include "felt/document/random_document.h"
+#include "felt/document/testing/random_document.h"
 #include "felt/store/page_scan.h"
 
 namespace felt {

@@ -3,7 +3,7 @@
 #include <string>
 
 #include "felt/io/limits.h"
-#include "felt/io/material_texts.h"
+#include "felt/io/xml/material_texts.h"
 #include "felt/store/crc32c.h"
 
 namespace felt {

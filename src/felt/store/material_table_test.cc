@@ -6,7 +6,7 @@
 
 #include <random>
 
-#include "felt/document/random_document.h"
+#include "felt/document/testing/random_document.h"
 #include "felt/io/limits.h"
 #include "felt/store/felt_salvage.h"
 

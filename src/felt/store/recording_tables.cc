@@ -8,8 +8,8 @@
 #include <utility>
 
 #include "felt/base/utf8.h"
-#include "felt/io/event_reader.h"
-#include "felt/io/event_writer.h"
+#include "felt/io/events/event_reader.h"
+#include "felt/io/events/event_writer.h"
 #include "felt/store/byte_stream.h"
 #include "felt/store/crc32c.h"
 #include "felt/store/felt_file.h"

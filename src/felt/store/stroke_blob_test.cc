@@ -10,7 +10,7 @@
 
 #include "felt/store/byte_stream.h"
 #include "felt/store/crc32c.h"
-#include "felt/stroke/random_stroke.h"
+#include "felt/stroke/testing/random_stroke.h"
 
 namespace felt {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "felt/stroke/random_stroke.h"
+#include "felt/stroke/testing/random_stroke.h"
 
 namespace felt {
 namespace {

@@ -8,8 +8,8 @@
 #include <functional>
 #include <limits>
 
-#include "felt/stroke/flatten.h"
-#include "felt/stroke/random_stroke.h"
+#include "felt/stroke/outline/flatten.h"
+#include "felt/stroke/testing/random_stroke.h"
 
 namespace felt {
 namespace {

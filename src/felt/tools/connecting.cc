@@ -1,7 +1,7 @@
 #include "felt/tools/connecting.h"
 
-#include "felt/stroke/join.h"
-#include "felt/stroke/split.h"
+#include "felt/stroke/edit/join.h"
+#include "felt/stroke/edit/split.h"
 
 namespace felt {
 

@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "felt/document/edit_builder.h"
-#include "felt/tools/desk.h"
+#include "felt/tools/testing/desk.h"
 
 namespace felt {
 namespace {

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "felt/material/medium.h"
-#include "felt/stroke/ink_fitter.h"
+#include "felt/stroke/fit/ink_fitter.h"
 
 namespace felt {
 

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "felt/stroke/width_map.h"
+#include "felt/stroke/fit/width_map.h"
 
 namespace felt {
 namespace {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "felt/haptics/drawing_feel.h"
+#include "felt/haptics/bricks/drawing_feel.h"
 
 namespace felt {
 Pressing::Pressing(const SurfaceMaterial& surface, const Capabilities& device) noexcept

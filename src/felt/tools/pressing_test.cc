@@ -5,8 +5,8 @@
 #include <cmath>
 #include <limits>
 
-#include "felt/haptics/safety_motors.h"
-#include "felt/stroke/width_map.h"
+#include "felt/haptics/safety/safety_motors.h"
+#include "felt/stroke/fit/width_map.h"
 
 namespace felt {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "felt/tools/desk.h"
+#include "felt/tools/testing/desk.h"
 
 namespace felt {
 namespace {

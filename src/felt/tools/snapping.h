@@ -6,7 +6,7 @@
 
 #include "felt/document/stroke_index.h"
 #include "felt/haptics/pen_sample.h"
-#include "felt/haptics/well.h"
+#include "felt/haptics/bricks/well.h"
 
 namespace felt {
 

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "felt/tools/desk.h"
+#include "felt/tools/testing/desk.h"
 
 namespace felt {
 namespace {

@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "felt/haptics/plane.h"
+#include "felt/haptics/bricks/plane.h"
 #include "felt/validate/checks.h"
 
 namespace felt {

@@ -5,7 +5,7 @@
 #include <limits>
 #include <vector>
 
-#include "felt/rt/scripted_device.h"
+#include "felt/rt/testing/scripted_device.h"
 
 namespace felt {
 namespace {

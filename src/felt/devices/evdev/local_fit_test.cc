@@ -7,7 +7,7 @@
 #include <limits>
 #include <vector>
 
-#include "felt/haptics/spring.h"
+#include "felt/haptics/bricks/spring.h"
 
 namespace felt {
 namespace {

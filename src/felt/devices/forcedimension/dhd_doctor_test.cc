@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "felt/devices/forcedimension/forcedimension.h"
-#include "felt/driver/fake_system.h"
+#include "felt/driver/testing/fake_system.h"
 
 namespace felt::dhd {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <limits>
 
-#include "felt/haptics/safety_limits.h"
+#include "felt/haptics/safety/safety_limits.h"
 
 namespace felt {
 namespace {

@@ -7,7 +7,7 @@
 
 #include "felt/devices/simulated/high_pass.h"
 #include "felt/devices/simulated/simulated_stylus.h"
-#include "felt/haptics/drawing_feel.h"
+#include "felt/haptics/bricks/drawing_feel.h"
 #include "felt/rt/servo.h"
 #include "felt/rt/virtual_clock.h"
 

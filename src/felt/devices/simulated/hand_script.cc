@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "felt/devices/simulated/script_knots.h"
-#include "felt/haptics/drawing_feel.h"
+#include "felt/haptics/bricks/drawing_feel.h"
 
 namespace felt {
 namespace {

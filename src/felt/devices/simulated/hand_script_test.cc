@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "felt/devices/simulated/drawings.h"
+#include "felt/devices/simulated/samples/drawings.h"
 #include "felt/devices/simulated/simulated_stylus.h"
 
 namespace felt {

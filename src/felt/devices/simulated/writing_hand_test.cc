@@ -10,9 +10,9 @@
 #include <string>
 #include <vector>
 
-#include "felt/devices/simulated/drawings.h"
+#include "felt/devices/simulated/samples/drawings.h"
 #include "felt/devices/simulated/hand_path.h"
-#include "felt/devices/simulated/sample_sets.h"
+#include "felt/devices/simulated/samples/sample_sets.h"
 
 namespace felt {
 namespace {

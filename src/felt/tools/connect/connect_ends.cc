@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "felt/document/edit_builder.h"
-#include "felt/stroke/join.h"
+#include "felt/stroke/edit/join.h"
 #include "felt/tools/connect/tip_lead.h"
 #include "felt/tools/connecting.h"
 

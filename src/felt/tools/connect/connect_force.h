@@ -3,9 +3,9 @@
 #include <optional>
 
 #include "felt/haptics/compose.h"
-#include "felt/haptics/drawing_feel.h"
-#include "felt/haptics/spring.h"
-#include "felt/haptics/well.h"
+#include "felt/haptics/bricks/drawing_feel.h"
+#include "felt/haptics/bricks/spring.h"
+#include "felt/haptics/bricks/well.h"
 #include "felt/tools/connect/connect_options.h"
 #include "felt/tools/feel_id.h"
 #include "felt/tools/scene.h"

@@ -4,10 +4,10 @@
 
 #include <cmath>
 
-#include "felt/haptics/feel_rig.h"
-#include "felt/haptics/safety_chain.h"
-#include "felt/haptics/safety_limits.h"
-#include "felt/tools/desk.h"
+#include "felt/haptics/testing/feel_rig.h"
+#include "felt/haptics/safety/safety_chain.h"
+#include "felt/haptics/safety/safety_limits.h"
+#include "felt/tools/testing/desk.h"
 
 namespace felt {
 namespace {

@@ -6,7 +6,7 @@
 
 #include "felt/tools/connect/connect_tool.h"
 #include "felt/tools/connect/near_tips.h"
-#include "felt/tools/desk.h"
+#include "felt/tools/testing/desk.h"
 
 namespace felt {
 namespace {

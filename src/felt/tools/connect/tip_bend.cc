@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "felt/stroke/split.h"
+#include "felt/stroke/edit/split.h"
 
 namespace felt {
 namespace {

@@ -6,7 +6,7 @@
 #include <limits>
 #include <numbers>
 
-#include "felt/stroke/random_stroke.h"
+#include "felt/stroke/testing/random_stroke.h"
 
 namespace felt {
 namespace {

@@ -6,8 +6,8 @@
 #include <utility>
 
 #include "felt/base/check.h"
-#include "felt/stroke/join.h"
-#include "felt/stroke/split.h"
+#include "felt/stroke/edit/join.h"
+#include "felt/stroke/edit/split.h"
 #include "felt/tools/connect/tip_bend.h"
 
 namespace felt {

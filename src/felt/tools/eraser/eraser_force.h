@@ -1,6 +1,6 @@
 #pragma once
 
-#include "felt/haptics/drawing_feel.h"
+#include "felt/haptics/bricks/drawing_feel.h"
 #include "felt/tools/eraser/eraser_options.h"
 #include "felt/tools/feel_id.h"
 #include "felt/tools/scene.h"

@@ -6,8 +6,8 @@
 
 #include "felt/geometry/nearest.h"
 #include "felt/geometry/polyline.h"
-#include "felt/haptics/feel_rig.h"
-#include "felt/tools/desk.h"
+#include "felt/haptics/testing/feel_rig.h"
+#include "felt/tools/testing/desk.h"
 #include "felt/tools/eraser/eraser_force.h"
 #include "felt/tools/eraser/eraser_tool.h"
 

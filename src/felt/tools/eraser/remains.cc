@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "felt/stroke/split.h"
+#include "felt/stroke/edit/split.h"
 
 namespace felt {
 namespace {

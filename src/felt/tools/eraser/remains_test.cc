@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "felt/geometry/nearest.h"
-#include "felt/stroke/random_stroke.h"
+#include "felt/stroke/testing/random_stroke.h"
 
 namespace felt {
 namespace {

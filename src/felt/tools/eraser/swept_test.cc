@@ -8,7 +8,7 @@
 #include <random>
 
 #include "felt/geometry/polyline.h"
-#include "felt/stroke/random_stroke.h"
+#include "felt/stroke/testing/random_stroke.h"
 #include "felt/tools/eraser/below_zero.h"
 
 namespace felt {

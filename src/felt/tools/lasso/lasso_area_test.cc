@@ -6,7 +6,7 @@
 #include <random>
 
 #include "felt/geometry/polygon.h"
-#include "felt/stroke/random_stroke.h"
+#include "felt/stroke/testing/random_stroke.h"
 #include "felt/tools/lasso/lasso_outline.h"
 
 namespace felt {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "felt/stroke/point_marks.h"
+#include "felt/stroke/edit/point_marks.h"
 
 namespace felt {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "felt/stroke/point_marks.h"
+#include "felt/stroke/edit/point_marks.h"
 
 namespace felt {
 

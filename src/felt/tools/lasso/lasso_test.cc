@@ -3,8 +3,8 @@
 #include <cmath>
 
 #include "felt/geometry/polygon.h"
-#include "felt/stroke/point_marks.h"
-#include "felt/tools/desk.h"
+#include "felt/stroke/edit/point_marks.h"
+#include "felt/tools/testing/desk.h"
 #include "felt/tools/lasso/lasso_force.h"
 #include "felt/tools/lasso/lasso_tool.h"
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "felt/tools/desk.h"
+#include "felt/tools/testing/desk.h"
 
 namespace felt {
 namespace {

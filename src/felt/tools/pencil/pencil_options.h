@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "felt/stroke/ink_fitter.h"
+#include "felt/stroke/fit/ink_fitter.h"
 #include "felt/tools/pencil/stabiliser.h"
 #include "felt/tools/snapping.h"
 #include "felt/tools/tool_options.h"

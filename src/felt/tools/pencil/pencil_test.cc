@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "felt/tools/desk.h"
+#include "felt/tools/testing/desk.h"
 #include "felt/tools/pencil/pencil_force.h"
 
 namespace felt {

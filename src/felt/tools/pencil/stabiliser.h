@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "felt/geometry/point.h"
-#include "felt/haptics/stabiliser.h"
+#include "felt/haptics/bricks/stabiliser.h"
 
 namespace felt {
 

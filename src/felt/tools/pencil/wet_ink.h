@@ -2,8 +2,8 @@
 
 #include <vector>
 
-#include "felt/stroke/ink_fitter.h"
-#include "felt/stroke/width_map.h"
+#include "felt/stroke/fit/ink_fitter.h"
+#include "felt/stroke/fit/width_map.h"
 #include "felt/tools/overlay.h"
 
 namespace felt {

@@ -6,7 +6,7 @@
 
 #include "felt/base/check.h"
 #include "felt/geometry/nearest.h"
-#include "felt/stroke/subdivide.h"
+#include "felt/stroke/edit/subdivide.h"
 
 namespace felt {
 namespace {

@@ -10,10 +10,10 @@
 #include <vector>
 
 #include "felt/geometry/nearest.h"
-#include "felt/stroke/ink_fitter.h"
-#include "felt/stroke/random_stroke.h"
-#include "felt/stroke/subdivide.h"
-#include "felt/stroke/test_ink.h"
+#include "felt/stroke/fit/ink_fitter.h"
+#include "felt/stroke/testing/random_stroke.h"
+#include "felt/stroke/edit/subdivide.h"
+#include "felt/stroke/testing/test_ink.h"
 
 namespace felt {
 namespace {

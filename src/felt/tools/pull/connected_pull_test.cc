@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "felt/document/edit_builder.h"
-#include "felt/tools/desk.h"
+#include "felt/tools/testing/desk.h"
 #include "felt/tools/pull/pull_tool.h"
 
 namespace felt {

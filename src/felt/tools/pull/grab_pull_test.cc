@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "felt/geometry/nearest.h"
-#include "felt/stroke/random_stroke.h"
+#include "felt/stroke/testing/random_stroke.h"
 
 namespace felt {
 namespace {

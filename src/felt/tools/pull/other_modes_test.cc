@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "felt/geometry/nearest.h"
-#include "felt/tools/desk.h"
+#include "felt/tools/testing/desk.h"
 #include "felt/tools/pull/grab_gesture.h"
 #include "felt/tools/pull/push_gesture.h"
 #include "felt/tools/pull/sweep_gesture.h"

@@ -8,8 +8,8 @@
 #include <numbers>
 
 #include "felt/geometry/nearest.h"
-#include "felt/haptics/feel_rig.h"
-#include "felt/tools/desk.h"
+#include "felt/haptics/testing/feel_rig.h"
+#include "felt/tools/testing/desk.h"
 #include "felt/tools/pull/pull_tool.h"
 
 namespace felt {

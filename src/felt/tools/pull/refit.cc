@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "felt/geometry/nearest.h"
-#include "felt/stroke/subdivide.h"
+#include "felt/stroke/edit/subdivide.h"
 
 namespace felt {
 namespace {

@@ -4,7 +4,7 @@
 
 #include "felt/base/result.h"
 #include "felt/document/edit.h"
-#include "felt/haptics/spring.h"
+#include "felt/haptics/bricks/spring.h"
 #include "felt/tools/pull/strand.h"
 
 namespace felt {

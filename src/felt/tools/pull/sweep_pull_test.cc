@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "felt/geometry/nearest.h"
-#include "felt/stroke/random_stroke.h"
-#include "felt/tools/desk.h"
+#include "felt/stroke/testing/random_stroke.h"
+#include "felt/tools/testing/desk.h"
 #include "felt/tools/pull/sweep_gesture.h"
 
 namespace felt {

@@ -5,7 +5,7 @@
 #include <limits>
 #include <numbers>
 
-#include "felt/stroke/subdivide.h"
+#include "felt/stroke/edit/subdivide.h"
 #include "felt/tools/smooth/ironed_stroke.h"
 
 namespace felt {

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "felt/stroke/random_stroke.h"
-#include "felt/tools/smooth/jitter_ink.h"
+#include "felt/stroke/testing/random_stroke.h"
+#include "felt/tools/smooth/testing/jitter_ink.h"
 
 namespace felt {
 namespace {

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "felt/haptics/feel_rig.h"
-#include "felt/tools/desk.h"
-#include "felt/tools/smooth/jitter_ink.h"
+#include "felt/haptics/testing/feel_rig.h"
+#include "felt/tools/testing/desk.h"
+#include "felt/tools/smooth/testing/jitter_ink.h"
 #include "felt/tools/smooth/smooth_force.h"
 #include "felt/tools/smooth/smooth_tool.h"
 

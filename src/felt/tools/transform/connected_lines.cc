@@ -7,8 +7,8 @@
 #include <set>
 #include <utility>
 
-#include "felt/stroke/point_marks.h"
-#include "felt/stroke/subdivide.h"
+#include "felt/stroke/edit/point_marks.h"
+#include "felt/stroke/edit/subdivide.h"
 #include "felt/tools/junctions.h"
 
 namespace felt {

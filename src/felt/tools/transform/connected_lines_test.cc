@@ -4,7 +4,7 @@
 
 #include <numbers>
 
-#include "felt/tools/desk.h"
+#include "felt/tools/testing/desk.h"
 #include "felt/tools/transform/moved_strokes.h"
 
 namespace felt {

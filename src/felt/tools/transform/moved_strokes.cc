@@ -6,8 +6,8 @@
 #include <utility>
 
 #include "felt/document/edit_builder.h"
-#include "felt/stroke/point_marks.h"
-#include "felt/stroke/split.h"
+#include "felt/stroke/edit/point_marks.h"
+#include "felt/stroke/edit/split.h"
 #include "felt/tools/selection_view.h"
 
 namespace felt {

@@ -3,8 +3,8 @@
 #include <gtest/gtest.h>
 
 #include "felt/document/edit_builder.h"
-#include "felt/stroke/point_marks.h"
-#include "felt/tools/desk.h"
+#include "felt/stroke/edit/point_marks.h"
+#include "felt/tools/testing/desk.h"
 
 namespace felt {
 namespace {

@@ -6,7 +6,7 @@
 #include <cstdio>
 #include <numbers>
 
-#include "felt/haptics/tether.h"
+#include "felt/haptics/bricks/tether.h"
 
 namespace felt {
 namespace {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "felt/haptics/tether.h"
+#include "felt/haptics/bricks/tether.h"
 
 namespace felt {
 namespace {

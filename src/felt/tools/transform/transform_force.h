@@ -7,8 +7,8 @@
 #include <span>
 
 #include "felt/haptics/compose.h"
-#include "felt/haptics/drawing_feel.h"
-#include "felt/haptics/tether.h"
+#include "felt/haptics/bricks/drawing_feel.h"
+#include "felt/haptics/bricks/tether.h"
 #include "felt/tools/feel_id.h"
 #include "felt/tools/scene.h"
 #include "felt/tools/transform/transform_drag.h"

@@ -7,8 +7,8 @@
 #include <string_view>
 #include <vector>
 
-#include "felt/haptics/feel_rig.h"
-#include "felt/tools/desk.h"
+#include "felt/haptics/testing/feel_rig.h"
+#include "felt/tools/testing/desk.h"
 
 namespace felt {
 namespace {

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "felt/stroke/point_marks.h"
-#include "felt/tools/desk.h"
+#include "felt/stroke/edit/point_marks.h"
+#include "felt/tools/testing/desk.h"
 #include "felt/tools/transform/transform_tool.h"
 
 namespace felt {

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "felt/stroke/profile_builder.h"
-#include "felt/stroke/random_stroke.h"
+#include "felt/stroke/testing/random_stroke.h"
 #include "felt/stroke/width_profile.h"
 
 namespace felt {

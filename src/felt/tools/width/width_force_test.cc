@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include "felt/haptics/feel_rig.h"
-#include "felt/tools/desk.h"
+#include "felt/haptics/testing/feel_rig.h"
+#include "felt/tools/testing/desk.h"
 
 namespace felt {
 namespace {

@@ -5,7 +5,7 @@
 #include <string_view>
 
 #include "felt/stroke/stroke.h"
-#include "felt/stroke/width_map.h"
+#include "felt/stroke/fit/width_map.h"
 #include "felt/tools/tool_options.h"
 
 namespace felt {

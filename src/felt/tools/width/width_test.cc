@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "felt/stroke/profile_builder.h"
-#include "felt/tools/desk.h"
+#include "felt/tools/testing/desk.h"
 #include "felt/tools/width/width_tool.h"
 
 namespace felt {

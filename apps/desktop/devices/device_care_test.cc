@@ -1,0 +1,525 @@
+#include "desktop/devices/device_care.h"
+
+#include <gtest/gtest.h>
+
+#include <QApplication>
+#include <QClipboard>
+#include <QFile>
+#include <QLabel>
+#include <QMainWindow>
+#include <QPushButton>
+#include <QSignalSpy>
+#include <QTest>
+#include <QTextBrowser>
+#include <QTimer>
+
+#include "desktop/engine/settings.h"
+#include "desktop/devices/device_page.h"
+#include "desktop/devices/doctor_dialog.h"
+#include "desktop/feel/feel_panel.h"
+#include "desktop/devices/homing_dialog.h"
+#include "desktop/devices/testing/scripted_driver.h"
+
+namespace felt::desktop {
+namespace {
+
+const QString kArm = QStringLiteral("scripted:1");
+const QString kTablet = QStringLiteral("tablet");
+constexpr std::int64_t kMs = 1'000'000;
+
+std::vector<std::unique_ptr<Driver>> drivers_of(const std::shared_ptr<ScriptedArm>& arm) {
+  std::vector<std::unique_ptr<Driver>> drivers;
+  drivers.push_back(std::make_unique<ScriptedDriver>(arm));
+  return drivers;
+}
+
+StudioOptions by_hand() {
+  StudioOptions options;
+  options.live = false;
+  return options;
+}
+
+/// A window's studio with a device that a test plugs in and out; time is the test's.
+struct Desk {
+  Desk() {
+    QFile::remove(profile_path(kArm));
+    Settings::the().reset(QString::fromLatin1(kPenDeviceKey));
+    // Its own frame is the sheet's: where the tests say it is, the pen is.
+    DeviceProfile profile;
+    profile.device_id = kArm.toStdString();
+    profile.plane = PlaneCalibration{};
+    EXPECT_TRUE(keep_profile(profile).has_value());
+    look();
+  }
+  ~Desk() {
+    QFile::remove(profile_path(kArm));
+    Settings::the().reset(QString::fromLatin1(kPenDeviceKey));
+  }
+
+  /// What is plugged in is seen.
+  void look() {
+    // Twice: one look may have been under way already.
+    for (int i = 0; i < 2; ++i) {
+      QSignalSpy looked(&watch, &DriverWatch::looked);
+      watch.look();
+      EXPECT_TRUE(looked.wait(5000));
+    }
+  }
+  void pen_at(double x, double y, double z) { arm->at.position = {x, y, z}; }
+  /// Time goes on, and what was told meanwhile is heard.
+  void go_on(std::int64_t ms) {
+    studio.advance(ms * kMs);
+    QCoreApplication::processEvents();
+  }
+  /// As a hand does it: a real device is not believed when it jumps.
+  void move_to(double x, double y, double z) {
+    const Vec3 from = arm->at.position;
+    constexpr int kSteps = 100;
+    for (int i = 1; i <= kSteps; ++i) {
+      arm->at.position = from + (double(i) / kSteps) * (Vec3{x, y, z} - from);
+      studio.advance(kMs);
+    }
+  }
+  void draw_to(double x, double y) {
+    move_to(arm->at.position.x, arm->at.position.y, -1.5);
+    move_to(x, y, -1.5);
+  }
+  void lift() {
+    move_to(arm->at.position.x, arm->at.position.y, 20);
+    studio.advance(40 * kMs);
+  }
+  /// As the timers do, once the pen is up.
+  void calm() { QTest::qWait(2 * DeviceCare::kCalmMs + 100); }
+  [[nodiscard]] std::string device() { return studio.device().info().id.toStdString(); }
+  [[nodiscard]] std::size_t strokes() const { return studio.session().document().stroke_count(); }
+  [[nodiscard]] std::string said() const { return notice->message().text.toStdString(); }
+
+  std::shared_ptr<ScriptedArm> arm = std::make_shared<ScriptedArm>();
+  DriverWatch watch{drivers_of(arm)};
+  QMainWindow window;
+  DeviceNotice* notice = new DeviceNotice(&window);
+  Studio studio{by_hand()};
+  DeviceCare* care = new DeviceCare(studio, *notice, &window);
+};
+
+/// Presses a button of the dialog that comes up next.
+void answer_next(const char* button) {
+  QTimer::singleShot(20, qApp, [button] {
+    QWidget* dialog = QApplication::activeModalWidget();
+    ASSERT_NE(dialog, nullptr);
+    for (QPushButton* each : dialog->findChildren<QPushButton*>()) {
+      if (each->text().remove(QLatin1Char('&')) == QLatin1String(button)) return each->click();
+    }
+    ADD_FAILURE() << "no button " << button;
+    static_cast<QDialog*>(dialog)->reject();
+  });
+}
+
+/// All of the newest stroke, which compares bit for bit.
+StrokeData newest_stroke(const Session& session) {
+  const Document& document = session.document();
+  return document.find(document.layers().front().strokes.back())->data();
+}
+
+TEST(DeviceCare, APersonDrawsUnplugsMidLineAndDrawsOn) {
+  Desk desk;
+  desk.pen_at(30, 30, 20);
+  ASSERT_TRUE(desk.care->use(kArm, nullptr));
+  EXPECT_EQ(desk.device(), "scripted:1");
+  EXPECT_FALSE(desk.studio.forces_are_on());
+  EXPECT_EQ(desk.said(), "Scripted arm is in use. Its forces are off until you switch them on.");
+  desk.notice->press(0);
+  EXPECT_TRUE(desk.studio.forces_are_on());
+  desk.go_on(1000);
+  desk.draw_to(60, 50);
+  ASSERT_TRUE(desk.studio.session().gesture_in_work());
+  EXPECT_GT(norm(desk.arm->sent), 0.0);
+  desk.arm->vendor_words = "HD_COMM_ERROR: no answer from the arm";
+  desk.arm->is_plugged_in = false;
+  desk.go_on(40);
+  // What was drawn is a stroke, nothing pushes, and the mouse draws.
+  EXPECT_EQ(desk.strokes(), 1u);
+  EXPECT_EQ(desk.device(), "tablet");
+  EXPECT_EQ(desk.arm->sent, Force{});
+  EXPECT_EQ(desk.arm->closed, 1);
+  EXPECT_EQ(desk.care->waits_for(), kArm);
+  EXPECT_NE(desk.said().find("Scripted arm is not connected any more."), std::string::npos);
+  EXPECT_EQ(desk.notice->message().details.toStdString(),
+            "HD_COMM_ERROR: no answer from the arm (7)");
+  const auto point = [&desk](double x, bool touches) {
+    desk.studio.point({desk.studio.now_ns(), {x, 80}, touches, 0.5});
+    desk.studio.advance(20 * kMs);
+  };
+  point(20, false);
+  for (double x = 20; x < 60; x += 5) point(x, true);
+  point(60, false);
+  desk.go_on(100);
+  EXPECT_EQ(desk.strokes(), 2u);
+  // Plugged in again it is used again, once the pen is up, without forces.
+  desk.arm->is_plugged_in = true;
+  desk.pen_at(120, 20, 20);  // not where the first line ends: it would go on there
+  desk.look();
+  desk.calm();
+  EXPECT_EQ(desk.device(), "scripted:1");
+  EXPECT_FALSE(desk.studio.forces_are_on());
+  EXPECT_TRUE(desk.care->waits_for().isEmpty());
+  desk.go_on(500);
+  EXPECT_EQ(desk.arm->sent, Force{});
+  desk.draw_to(150, 40);
+  desk.lift();
+  EXPECT_EQ(desk.strokes(), 3u);
+  EXPECT_EQ(desk.arm->sent, Force{}) << "nobody has switched them on";
+  desk.draw_to(160, 60);
+  desk.studio.set_forces(true);
+  desk.arm->largest_n = 0.0;
+  desk.draw_to(170, 70);
+  EXPECT_EQ(desk.arm->largest_n, 0.0) << "a pen that presses feels nothing until it is lifted";
+}
+
+TEST(DeviceCare, InkUpToTheFaultIsKeptByteForByte) {
+  const auto drawn = [](bool unplugs) {
+    Desk desk;
+    desk.pen_at(30, 30, 20);
+    EXPECT_TRUE(desk.care->use(kArm, nullptr));
+    desk.go_on(500);
+    desk.draw_to(60, 50);
+    desk.draw_to(40, 70);
+    if (unplugs) {
+      desk.arm->is_plugged_in = false;
+      desk.go_on(40);
+    } else {
+      desk.studio.finish_gesture();
+    }
+    EXPECT_EQ(desk.strokes(), 1u);
+    return newest_stroke(desk.studio.session());
+  };
+  const StrokeData whole = drawn(false);
+  EXPECT_GT(whole.points.size(), 3u);
+  EXPECT_EQ(drawn(true), whole);
+}
+
+TEST(DeviceCare, NothingIsChangedWhileAPersonDraws) {
+  Desk desk;
+  ASSERT_TRUE(desk.care->use(kArm, nullptr));
+  desk.arm->is_plugged_in = false;
+  desk.go_on(40);
+  ASSERT_EQ(desk.device(), "tablet");
+  for (int i = 0; i < 10; ++i) {
+    desk.studio.point({desk.studio.now_ns(), {20.0 + 3 * i, 80}, true, 0.5});
+    desk.studio.advance(20 * kMs);
+  }
+  ASSERT_TRUE(desk.studio.session().gesture_in_work());
+  desk.arm->is_plugged_in = true;
+  desk.look();
+  desk.calm();
+  EXPECT_EQ(desk.device(), "tablet");
+  desk.studio.point({desk.studio.now_ns(), {50, 80}, false, 0.0});
+  desk.go_on(100);
+  desk.calm();
+  EXPECT_EQ(desk.device(), "scripted:1");
+  EXPECT_EQ(desk.strokes(), 1u);
+}
+
+TEST(DeviceCare, ForcesThatTheDeviceSwitchesOffDoNotEndTheDrawing) {
+  for (const DeviceFault fault : {DeviceFault::kForcesOff, DeviceFault::kOverheated}) {
+    Desk desk;
+    FeelPanel panel(desk.studio);
+    desk.pen_at(30, 30, 20);
+    ASSERT_TRUE(desk.care->use(kArm, nullptr));
+    desk.notice->press(0);
+    desk.go_on(1000);
+    desk.draw_to(60, 50);
+    desk.arm->write_fault = fault;
+    desk.arm->vendor_words = "HD_FORCE_ERROR";
+    desk.go_on(40);
+    EXPECT_EQ(desk.device(), "scripted:1");
+    EXPECT_TRUE(desk.studio.session().gesture_in_work()) << "the line goes on";
+    EXPECT_EQ(desk.studio.tick().safety.state, SafetyState::kLatched);
+    const bool is_off = fault == DeviceFault::kForcesOff;
+    EXPECT_NE(desk.said().find(is_off ? "has switched its forces off" : "are warm"),
+              std::string::npos)
+        << desk.said();
+    QString text;
+    for (const auto* label : panel.findChildren<QLabel*>()) text += label->text();
+    EXPECT_TRUE(text.contains(is_off ? QStringLiteral("Switch them on at the device")
+                                     : QStringLiteral("rest for some minutes")))
+        << text.toStdString();
+    desk.draw_to(80, 50);
+    desk.lift();
+    EXPECT_EQ(desk.strokes(), 1u);
+    // It is well again, and a person says so.
+    desk.arm->write_fault.reset();
+    desk.notice->press(0);
+    desk.go_on(1000);
+    EXPECT_EQ(desk.studio.tick().safety.state, SafetyState::kActive);
+  }
+}
+
+TEST(DeviceCare, ShowsTheNoticesOfTheDevice) {
+  Desk desk;
+  desk.arm->notice = "It has no watchdog.";
+  desk.pen_at(30, 30, 20);
+  ASSERT_TRUE(desk.care->use(kArm, nullptr));
+  EXPECT_NE(desk.said().find("is in use"), std::string::npos) << desk.said();
+  EXPECT_EQ(desk.notice->message().details.toStdString(), desk.arm->notice);
+  desk.go_on(100);
+  EXPECT_NE(desk.said().find("is in use"), std::string::npos) << "shown already: " << desk.said();
+  desk.arm->notice = "The service's events have stopped.";
+  desk.go_on(100);
+  EXPECT_NE(desk.said().find(desk.arm->notice), std::string::npos) << desk.said();
+  EXPECT_FALSE(desk.notice->message().is_fault);
+  ASSERT_EQ(desk.notice->message().buttons.size(), 1u) << "forces are still off";
+  desk.notice->press(0);
+  EXPECT_TRUE(desk.studio.forces_are_on());
+  desk.go_on(1000);
+  EXPECT_FALSE(desk.notice->isVisibleTo(&desk.window)) << "each notice is shown once";
+}
+
+TEST(DeviceCare, AFaultThatPassesIsWaitedOutAndOneThatStaysLetsGo) {
+  Desk desk;
+  desk.pen_at(30, 30, 20);
+  ASSERT_TRUE(desk.care->use(kArm, nullptr));
+  desk.arm->read_fault = DeviceFault::kBadData;
+  desk.go_on(40);
+  EXPECT_EQ(desk.device(), "scripted:1");
+  desk.arm->read_fault.reset();
+  desk.go_on(40);
+  QTest::qWait(DeviceCare::kPatienceMs + 100);
+  EXPECT_EQ(desk.device(), "scripted:1");
+  desk.arm->read_fault = DeviceFault::kBadData;
+  desk.go_on(40);
+  QTest::qWait(DeviceCare::kPatienceMs + 100);
+  EXPECT_EQ(desk.device(), "tablet");
+  // It is plugged in still: only a person tries again.
+  desk.arm->read_fault.reset();
+  desk.look();
+  desk.calm();
+  EXPECT_EQ(desk.device(), "tablet");
+  ASSERT_EQ(desk.notice->message().buttons.size(), 1u);
+  desk.notice->press(0);
+  EXPECT_EQ(desk.device(), "scripted:1");
+}
+
+TEST(DeviceCare, ADeviceThatCannotBeLookedForIsOpenedByAPersonOnly) {
+  Desk desk;
+  desk.arm->can_be_looked_for = false;
+  desk.look();
+  ASSERT_TRUE(desk.care->use(kArm, nullptr));
+  desk.arm->read_fault = DeviceFault::kDisconnected;
+  desk.go_on(40);
+  ASSERT_EQ(desk.device(), "tablet");
+  desk.arm->read_fault.reset();
+  desk.look();
+  desk.calm();
+  EXPECT_EQ(desk.device(), "tablet");
+  ASSERT_EQ(desk.notice->message().buttons.size(), 1u);
+  desk.notice->press(0);
+  EXPECT_EQ(desk.device(), "scripted:1");
+}
+
+TEST(DeviceCare, OneThatFailsAgainAtOnceIsNotOpenedForEver) {
+  Desk desk;
+  ASSERT_TRUE(desk.care->use(kArm, nullptr));
+  desk.arm->read_fault = DeviceFault::kDisconnected;
+  desk.go_on(40);
+  desk.look();
+  desk.calm();
+  ASSERT_EQ(desk.device(), "scripted:1") << "it is still listed: one try by itself";
+  desk.go_on(40);
+  ASSERT_EQ(desk.device(), "tablet");
+  desk.look();
+  desk.calm();
+  EXPECT_EQ(desk.device(), "tablet");
+  EXPECT_EQ(desk.arm->opened, 2);
+  EXPECT_EQ(desk.notice->message().buttons.size(), 1u);
+}
+
+TEST(DeviceCare, TheChosenOneIsUsedWhenItComes) {
+  Desk first;  // for the profile
+  Settings::the().set(QString::fromLatin1(kPenDeviceKey), kArm);
+  Studio studio(by_hand());
+  QMainWindow window;
+  auto* notice = new DeviceNotice(&window);
+  const DeviceCare care(studio, *notice, &window);
+  EXPECT_EQ(care.waits_for(), kArm);
+  EXPECT_FALSE(notice->isVisibleTo(&window)) << "nothing has gone wrong";
+  first.look();
+  QTest::qWait(2 * DeviceCare::kCalmMs + 100);
+  EXPECT_EQ(studio.device().info().id, kArm);
+  EXPECT_FALSE(studio.forces_are_on());
+  // Another window must not take it away.
+  EXPECT_FALSE(first.care->use(kArm, nullptr));
+  EXPECT_NE(first.said().find("in another window"), std::string::npos);
+}
+
+TEST(DeviceCare, AnArmThatMovesByItselfNeedsAYes) {
+  Desk desk;
+  desk.arm->homing = Homing::kByItself;
+  answer_next("Not now");
+  EXPECT_FALSE(desk.care->use(kArm, nullptr));
+  EXPECT_EQ(desk.arm->homed, 0);
+  EXPECT_EQ(desk.device(), "tablet");
+  EXPECT_EQ(desk.arm->closed, 1) << "nothing stays open";
+  answer_next("Let it move");
+  EXPECT_TRUE(desk.care->use(kArm, nullptr));
+  EXPECT_EQ(desk.arm->homed, 1);
+  EXPECT_EQ(desk.device(), "scripted:1");
+  // Lost and back, it asks again: by a button, never by itself.
+  desk.arm->is_plugged_in = false;
+  desk.go_on(40);
+  desk.look();
+  desk.arm->homing = Homing::kByItself;
+  desk.arm->is_plugged_in = true;
+  desk.look();
+  desk.calm();
+  EXPECT_EQ(desk.device(), "tablet");
+  EXPECT_EQ(desk.arm->homed, 1);
+  EXPECT_NE(desk.said().find("must find its home"), std::string::npos) << desk.said();
+  answer_next("Let it move");
+  desk.notice->press(0);
+  EXPECT_EQ(desk.device(), "scripted:1");
+}
+
+TEST(HomingDialog, EnterNeverMovesAnArmAndAFailureIsToldAndCanBeTriedAgain) {
+  Desk desk;
+  desk.arm->homing = Homing::kByItself;
+  desk.arm->home_is_found = false;
+  const auto pen = open_pen_device(kArm);
+  ASSERT_TRUE(pen.has_value());
+  HomingDialog dialog(**pen);
+  dialog.show();
+  QTest::keyClick(&dialog, Qt::Key_Return);
+  EXPECT_EQ(dialog.result(), QDialog::Rejected);
+  EXPECT_EQ(desk.arm->homed, 0);
+  dialog.show();
+  dialog.begin();
+  EXPECT_TRUE(dialog.is_under_way());
+  dialog.reject();
+  EXPECT_TRUE(dialog.isVisible()) << "not while it moves";
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !dialog.is_under_way(); }));
+  QString text;
+  for (const auto* label : dialog.findChildren<QLabel*>()) text += label->text();
+  EXPECT_TRUE(text.contains(QStringLiteral("axis 2 is blocked"))) << text.toStdString();
+  EXPECT_TRUE(text.contains(QStringLiteral("brass hole")));
+  desk.arm->home_is_found = true;
+  dialog.begin();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !dialog.isVisible(); }));
+  EXPECT_EQ(dialog.result(), QDialog::Accepted);
+}
+
+TEST(HomingDialog, AHandThatHoldsItPressesEnter) {
+  for (const Homing homing : {Homing::kInkwell, Homing::kRestPose}) {
+    Desk desk;
+    desk.arm->homing = homing;
+    const auto pen = open_pen_device(kArm);
+    HomingDialog dialog(**pen);
+    dialog.show();
+    QTest::keyClick(&dialog, Qt::Key_Return);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !dialog.isVisible(); }));
+    EXPECT_EQ(dialog.result(), QDialog::Accepted);
+    EXPECT_EQ(desk.arm->homed, 1);
+    EXPECT_TRUE(HomingDialog::bring_home(**pen, nullptr)) << "it is at home: nothing is asked";
+  }
+}
+
+TEST(DoctorDialog, SaysWhatIsMissingAndWhatToDoAndCopiesIt) {
+  Desk desk;
+  desk.arm->findings = {{FindingLevel::kProblem,
+                         "The library <libHD> was not found.",
+                         "libHD.so: cannot open shared object file",
+                         {"Install the maker's software.", "Start Feltline again."},
+                         {}},
+                        {FindingLevel::kOk, "The port may be used.", {}, {}, {}}};
+  DoctorDialog dialog;
+  EXPECT_TRUE(dialog.is_looking());
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !dialog.is_looking(); }));
+  const QString text = dialog.findChild<QTextBrowser*>()->toPlainText();
+  for (const char* part : {"Scripted arms", "The library <libHD> was not found.",
+                           "cannot open shared object file", "Start Feltline again."}) {
+    EXPECT_TRUE(text.contains(QLatin1String(part))) << part << "\n" << text.toStdString();
+  }
+  const QString copied = dialog.plain_text();
+  EXPECT_TRUE(copied.contains(QStringLiteral("    2. Start Feltline again.\n")))
+      << copied.toStdString();
+  for (QPushButton* button : dialog.findChildren<QPushButton*>()) {
+    if (button->text() == QStringLiteral("&Copy all")) button->click();
+  }
+  EXPECT_EQ(QGuiApplication::clipboard()->text(), copied);
+}
+
+TEST(DevicePage, RowsSayHowRealDevicesAre) {
+  Desk desk;
+  DevicePage page(desk.studio, desk.care);
+  page.show();
+  desk.look();
+  const auto row = [&page](int i) {
+    return page.findChild<QListWidget*>()->item(i)->text().toStdString();
+  };
+  EXPECT_EQ(row(0), "Scripted arm\nConnected");
+  EXPECT_NE(row(1).find("step by step"), std::string::npos) << row(1);
+  ASSERT_TRUE(page.choose(kArm));
+  page.use();
+  EXPECT_EQ(row(0), "Scripted arm\nIn use, forces off");
+  desk.studio.set_forces(true);
+  page.refresh();
+  EXPECT_EQ(row(0), "Scripted arm\nIn use");
+  desk.arm->is_plugged_in = false;
+  desk.go_on(40);
+  desk.look();
+  EXPECT_EQ(row(0), "Scripted arm\nNot connected; used again when it is");
+  desk.arm->is_plugged_in = true;
+  QFile::remove(profile_path(kArm));
+  desk.care->use(QStringLiteral("simulated:touch"), nullptr);
+  desk.look();
+  EXPECT_EQ(row(0), "Scripted arm\nConnected; its drawing plane is not set yet");
+  QFile file(profile_path(kArm));
+  ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+  file.write("device = scripted:1\nhand = third\n");
+  file.close();
+  page.refresh();
+  EXPECT_EQ(row(0), "Scripted arm\nConnected; its settings cannot be read");
+  ASSERT_TRUE(page.choose(kArm));
+  page.use();
+  EXPECT_EQ(desk.device(), "simulated:touch");
+  EXPECT_NE(desk.notice->message().details.toStdString().find("hand: is neither"),
+            std::string::npos);
+}
+
+TEST(DevicePage, EachHandHasItsPlane) {
+  Desk desk;
+  ASSERT_TRUE(desk.care->use(kArm, nullptr));
+  DevicePage page(desk.studio, desk.care);
+  page.show();
+  auto* settings = page.findChild<DeviceSettings*>();
+  const auto choose_hand = [settings](int index) {
+    auto* hand = settings->findChild<QComboBox*>();
+    hand->setCurrentIndex(index);
+    Q_EMIT hand->activated(index);
+  };
+  const auto right =
+      PlaneCalibration::from({Vec3{1, 0, 0}, Vec3{0, -1, 0}, Vec3{0, 0, 1}}, {100, 80, 12});
+  DeviceProfile profile = profile_of(kArm).value();
+  profile.plane = right;
+  ASSERT_TRUE(keep_profile(profile).has_value());
+  desk.studio.follow(profile);
+  desk.studio.set_forces(true);
+  choose_hand(1);
+  EXPECT_FALSE(desk.studio.forces_are_on()) << "the sheet is somewhere else now";
+  EXPECT_TRUE(profile_of(kArm)->left_handed);
+  EXPECT_FALSE(plane_of(kArm).has_value()) << "nobody has shown it for this hand";
+  EXPECT_NE(desk.studio.device().calibration(), *right);
+  settings->fit();
+  const auto left = plane_of(kArm);
+  ASSERT_TRUE(left.has_value());
+  EXPECT_NE(left, right);
+  EXPECT_EQ(desk.studio.device().calibration(), *left);
+  choose_hand(0);
+  EXPECT_EQ(plane_of(kArm), right);
+  EXPECT_EQ(desk.studio.device().calibration(), *right);
+  choose_hand(1);
+  EXPECT_EQ(desk.studio.device().calibration(), *left);
+  EXPECT_EQ(desk.arm->opened, 1) << "the device itself has nothing to do with it";
+}
+
+}  // namespace
+}  // namespace felt::desktop

@@ -1,0 +1,456 @@
+#include "desktop/devices/device_page.h"
+
+#include <gtest/gtest.h>
+
+#include <QAbstractSpinBox>
+#include <QDir>
+#include <QFile>
+#include <QFileInfo>
+#include <QLabel>
+#include <QLineEdit>
+#include <QMainWindow>
+#include <QTest>
+#include <cmath>
+
+#include "desktop/engine/settings.h"
+#include "desktop/devices/calibration_dialog.h"
+#include "desktop/feel/feel_actions.h"
+#include "desktop/feel/feel_panel.h"
+#include "felt/devices/simulated/simulated_stylus.h"
+
+namespace felt::desktop {
+namespace {
+
+/// A person's device, with a frame of its own: says where the test has put it.
+class FakePen final : public PenDevice, public Device {
+ public:
+  explicit FakePen(PenDeviceInfo info) : info_(std::move(info)) {}
+
+  [[nodiscard]] const PenDeviceInfo& info() const noexcept override { return info_; }
+  [[nodiscard]] Device& device() noexcept override { return *this; }
+  [[nodiscard]] HandInput* hand() noexcept override { return nullptr; }
+  [[nodiscard]] const HandScriptOptions& hand_options() const noexcept override { return options_; }
+
+  [[nodiscard]] std::string_view name() const noexcept override { return "fake"; }
+  [[nodiscard]] const Capabilities& capabilities() const noexcept override {
+    return info_.capabilities;
+  }
+  tl::expected<PenSample, DeviceFault> read(std::int64_t now_ns) noexcept override {
+    if (is_unplugged) return tl::unexpected(DeviceFault::kDisconnected);
+    PenSample sample = at;
+    sample.time_ns = now_ns;
+    return sample;
+  }
+  tl::expected<void, DeviceFault> write(const Force& force) noexcept override {
+    sent = force;
+    return {};
+  }
+  void stop() noexcept override { sent = {}; }
+
+  static inline PenSample at;
+  static inline Force sent;
+  static inline bool is_unplugged = false;
+
+ private:
+  PenDeviceInfo info_;
+  HandScriptOptions options_;
+};
+
+struct FakeDriver {
+  FakeDriver() {
+    info.id = QStringLiteral("fake:1");
+    info.label = QStringLiteral("Fake stylus");
+    info.moves_hand = true;
+    info.has_own_frame = true;
+    info.capabilities = find_stylus_preset("touch")->capabilities;
+    number = add_pen_driver(
+        {[this] { return std::vector<PenDeviceInfo>{info}; },
+         [this](const QString&, const OpenOptions&) -> Result<std::unique_ptr<PenDevice>> {
+           if (is_broken) return fail(ErrorCode::kIo, "it is unplugged");
+           return std::make_unique<FakePen>(info);
+         }});
+    QFile::remove(profile_path(info.id));
+    FakePen::at = {};
+    FakePen::is_unplugged = false;
+    FakePen::at.position.z = 30;
+  }
+  ~FakeDriver() {
+    remove_pen_driver(number);
+    QFile::remove(profile_path(info.id));
+    Settings::the().set(QString::fromLatin1(kPenDeviceKey), {});
+  }
+
+  PenDeviceInfo info;
+  bool is_broken = false;
+  int number = 0;
+};
+
+StudioOptions by_hand() {
+  StudioOptions options;
+  options.live = false;
+  return options;
+}
+
+// A sheet that leans by 40 degrees before a device whose y is up and whose z comes to the person.
+PlaneCalibration leaning() {
+  const double c = std::cos(0.698), s = std::sin(0.698);
+  return *PlaneCalibration::from({Vec3{1, 0, 0}, Vec3{0, -c, s}, Vec3{0, s, c}}, {100, 80, 12});
+}
+
+TEST(PenDevices, TheFirstIsExactAndAlwaysThereAndAllOpen) {
+  const std::vector<PenDeviceInfo> devices = pen_devices();
+  ASSERT_FALSE(devices.empty());
+  EXPECT_EQ(devices.front().id, QString::fromLatin1(kPenDeviceDefault));
+  EXPECT_EQ(devices.back().id, QStringLiteral("simulated:worst"));
+  QStringList ids, labels;
+  for (const PenDeviceInfo& info : devices) {
+    EXPECT_FALSE(info.moves_hand) << info.id.toStdString();
+    EXPECT_FALSE(info.note.isEmpty());
+    EXPECT_FALSE(ids.contains(info.id) || labels.contains(info.label));
+    ids << info.id;
+    labels << info.label;
+    const auto opened = open_pen_device(info.id);
+    ASSERT_TRUE(opened.has_value()) << info.id.toStdString();
+    EXPECT_EQ((*opened)->info().id, info.id);
+  }
+  EXPECT_FALSE(open_pen_device(QStringLiteral("simulated:nothing")).has_value());
+}
+
+TEST(PenDevices, ADriverAddsItsOwnAndAChoiceThatIsGoneFallsBack) {
+  auto driver = std::make_unique<FakeDriver>();
+  Settings::the().set(QString::fromLatin1(kPenDeviceKey), QStringLiteral("fake:1"));
+  EXPECT_EQ(chosen_pen_device(), QStringLiteral("fake:1"));
+  driver.reset();
+  Settings::the().set(QString::fromLatin1(kPenDeviceKey), QStringLiteral("fake:1"));
+  EXPECT_EQ(chosen_pen_device(), QString::fromLatin1(kPenDeviceDefault));
+  Settings::the().set(QString::fromLatin1(kPenDeviceKey), {});
+}
+
+void write_profile(const QString& id, const QByteArray& text) {
+  QFile file(profile_path(id));
+  QDir().mkpath(QFileInfo(file).path());
+  ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+  file.write(text);
+}
+
+TEST(PenDevices, APlaneIsKeptToTheLastBitAndNonsenseIsNone) {
+  const FakeDriver driver;
+  EXPECT_FALSE(plane_of(driver.info.id).has_value());
+  ASSERT_TRUE(keep_plane_of(driver.info.id, leaning()).has_value());
+  EXPECT_EQ(plane_of(driver.info.id), leaning());
+  write_profile(driver.info.id, "device = fake:1\nplane_x = 2 0 0\n");
+  EXPECT_FALSE(plane_of(driver.info.id).has_value());
+}
+
+TEST(PenDevices, WhatIsKeptAndCannotBeReadIsToldInTheStatusLineAndNothingOpens) {
+  const FakeDriver driver;
+  write_profile(driver.info.id, "device = fake:1\nforce_limit_n = much\n");
+  const auto opened = open_pen_device(driver.info.id);
+  ASSERT_FALSE(opened.has_value());
+  EXPECT_NE(opened.error().message.find("fake+1.conf:2: force_limit_n: is not a number"),
+            std::string::npos)
+      << opened.error().message;
+  Studio studio(by_hand());
+  QString told;
+  QObject::connect(&studio, &Studio::refused, &studio, [&](const QString& why) { told = why; });
+  EXPECT_FALSE(studio.use_device(driver.info.id));
+  EXPECT_TRUE(told.contains(QStringLiteral("fake+1.conf:2")));
+}
+
+TEST(PenDevices, APersonsNameAndLimitsAreTheDevices) {
+  const FakeDriver driver;
+  write_profile(driver.info.id,
+                "device = fake:1\nname = Old friend\nforce_limit_n = 0.7\nplane_x = 1 0 0\n"
+                "plane_y = 0 1 0\nplane_z = 0 0 1\nplane_origin_mm = 0 0 0\nplane_scale = 2\n");
+  const auto opened = open_pen_device(driver.info.id);
+  ASSERT_TRUE(opened.has_value()) << opened.error().message;
+  EXPECT_EQ((*opened)->info().label, QStringLiteral("Old friend"));
+  const Capabilities& can = (*opened)->device().capabilities();
+  EXPECT_EQ(limits_for(can).peak_force_n, 0.7);
+  EXPECT_EQ(can.sheet_scale, 2.0);
+  EXPECT_EQ(can.max_stiffness_n_per_m, 0.5 * driver.info.capabilities.max_stiffness_n_per_m);
+}
+
+TEST(PenDevices, APersonsDeviceIsSeenThroughItsPlaneAndStaysOffUntilItIsSwitchedOn) {
+  const FakeDriver driver;
+  ASSERT_TRUE(keep_plane_of(driver.info.id, leaning()).has_value());
+  Studio studio(by_hand());
+  ASSERT_TRUE(studio.use_device(driver.info.id));
+  EXPECT_FALSE(studio.forces_are_on());
+  FakePen::at.position = leaning().to_device(Vec3{20, 30, 4});
+  studio.advance(50'000'000);
+  EXPECT_NEAR(norm(studio.pen().sample.position - Vec3{20, 30, 4}), 0.0, 1e-9);
+}
+
+TEST(PenDevices, AFaultThatNeedsAPersonIsToldWithWhatToDoAndForcesStayOff) {
+  const FakeDriver driver;
+  QMainWindow window;
+  Studio studio(by_hand());
+  Actions actions(&window);
+  add_feel_actions(actions, studio, &window);
+  FeelPanel panel(studio);
+  QStringList told;
+  QObject::connect(&studio, &Studio::refused, &window, [&](const QString& why) { told << why; });
+  ASSERT_TRUE(studio.use_device(driver.info.id));
+  actions.find(QStringLiteral("feel.forces"))->trigger();
+  studio.advance(1'000'000'000);
+  ASSERT_EQ(studio.tick().safety.state, SafetyState::kActive);
+  FakePen::is_unplugged = true;
+  studio.advance(20'000'000);
+  EXPECT_EQ(studio.tick().safety.state, SafetyState::kLatched);
+  EXPECT_FALSE(studio.forces_are_on());
+  EXPECT_EQ(actions.find(QStringLiteral("feel.forces"))->text().remove(QLatin1Char('&')),
+            QStringLiteral("Switch forces on"));
+  ASSERT_EQ(told.size(), 1);
+  EXPECT_TRUE(told.front().contains(QStringLiteral("Check the cable")));
+  QString text;
+  for (const auto* label : panel.findChildren<QLabel*>()) text += label->text();
+  EXPECT_TRUE(text.contains(QStringLiteral("Check the cable"))) << text.toStdString();
+  FakePen::is_unplugged = false;
+  actions.find(QStringLiteral("feel.forces"))->trigger();
+  studio.advance(1'000'000'000);
+  EXPECT_EQ(studio.tick().safety.state, SafetyState::kActive);
+}
+
+TEST(PenDevices, AnotherForceLimitDoesNotSwitchForcesOnAgainAfterAFault) {
+  const FakeDriver driver;
+  Studio studio(by_hand());
+  ASSERT_TRUE(studio.use_device(driver.info.id));
+  studio.set_forces(true);
+  studio.advance(1'000'000'000);
+  ASSERT_EQ(studio.tick().safety.state, SafetyState::kActive);
+  studio.set_force_limit(1.0);
+  EXPECT_TRUE(studio.forces_are_on()) << "there is no fault, and a person switched them on";
+  studio.advance(1'000'000'000);
+  ASSERT_EQ(studio.tick().safety.state, SafetyState::kActive);
+  FakePen::is_unplugged = true;
+  studio.advance(20'000'000);
+  ASSERT_EQ(studio.tick().safety.state, SafetyState::kLatched);
+  FakePen::is_unplugged = false;
+  studio.set_force_limit(2.0);
+  EXPECT_FALSE(studio.forces_are_on());
+  studio.advance(1'000'000'000);
+  EXPECT_EQ(studio.tick().safety.state, SafetyState::kOff);
+  EXPECT_EQ(studio.tick().sent, Force{});
+}
+
+struct Corners {
+  static void touch(CalibrationDialog& dialog, const Vec3& sheet_mm) {
+    FakePen::at.position = leaning().to_device(sheet_mm);
+    dialog.take();
+  }
+};
+
+TEST(CalibrationDialog, ThreeCornersFindTheLeaningPlane) {
+  FakeDriver driver;
+  CalibrationDialog dialog(*open_pen_device(driver.info.id), {148.5, 105});
+  dialog.show();
+  Corners::touch(dialog, {50, 40, 0});
+  Corners::touch(dialog, {200, 40, 0});
+  EXPECT_FALSE(dialog.found().has_value());
+  Corners::touch(dialog, {50, 140, 0});
+  ASSERT_TRUE(dialog.found().has_value());
+  const PlaneCalibration& map = dialog.found()->calibration;
+  // The same plane and directions; the area lies around the middle that was asked for.
+  const Vec3 p{77, 66, 5};
+  EXPECT_NEAR(norm(map.to_sheet(leaning().to_device(p)) - (p + Vec3{23.5, 15, 0})), 0.0, 1e-6);
+  EXPECT_LT(dialog.found()->worst_mm, 1e-6);
+  EXPECT_EQ(FakePen::sent, Force{});
+}
+
+TEST(CalibrationDialog, AnOlderPlaneDoesNotBendTheNewOne) {
+  FakeDriver driver;
+  ASSERT_TRUE(keep_plane_of(driver.info.id,
+                            *PlaneCalibration::from({Vec3{0, 1, 0}, Vec3{1, 0, 0}, Vec3{0, 0, 1}},
+                                                    {9, 9, 9}, 1.5))
+                  .has_value());
+  CalibrationDialog dialog(*open_pen_device(driver.info.id), {125, 90});
+  dialog.show();
+  Corners::touch(dialog, {50, 40, 0});
+  Corners::touch(dialog, {200, 40, 0});
+  Corners::touch(dialog, {50, 140, 0});
+  ASSERT_TRUE(dialog.found().has_value());
+  EXPECT_NEAR(norm(dialog.found()->calibration.to_sheet(leaning().to_device(Vec3{60, 60, 1})) -
+                   Vec3{60, 60, 1}),
+              0.0, 1e-6);
+}
+
+TEST(CalibrationDialog, CornersOnOneLineBeginAgain) {
+  FakeDriver driver;
+  CalibrationDialog dialog(*open_pen_device(driver.info.id), {125, 90});
+  dialog.show();
+  Corners::touch(dialog, {50, 40, 0});
+  Corners::touch(dialog, {200, 40, 0});
+  Corners::touch(dialog, {120, 40, 0});
+  EXPECT_FALSE(dialog.found().has_value());
+  Corners::touch(dialog, {50, 40, 0});
+  Corners::touch(dialog, {200, 40, 0});
+  Corners::touch(dialog, {50, 150, 0});
+  EXPECT_TRUE(dialog.found().has_value());
+  dialog.start_again();
+  EXPECT_FALSE(dialog.found().has_value());
+}
+
+TEST(DevicePage, AChoiceTakesEffectAtOnceAndIsKept) {
+  FakeDriver driver;
+  Studio studio(by_hand());
+  DevicePage page(studio);
+  page.show();
+  auto* list = page.findChild<QListWidget*>();
+  ASSERT_EQ(list->count(), static_cast<int>(pen_devices().size()));
+  EXPECT_EQ(page.chosen(), QStringLiteral("tablet"));
+  EXPECT_TRUE(list->item(0)->text().startsWith(driver.info.label)) << "real ones come first";
+  for (const PenDeviceInfo& info : pen_devices()) {
+    if (info.moves_hand) continue;
+    ASSERT_TRUE(page.choose(info.id));
+    EXPECT_EQ(studio.device().info().id, info.id);
+    EXPECT_EQ(chosen_pen_device(), info.id);
+  }
+}
+
+TEST(DevicePage, ARealDeviceIsUsedWhenItsButtonIsPressed) {
+  FakeDriver driver;
+  Studio studio(by_hand());
+  DevicePage page(studio);
+  page.show();
+  ASSERT_TRUE(page.choose(driver.info.id));
+  EXPECT_EQ(studio.device().info().id, QStringLiteral("tablet")) << "looking at it does nothing";
+  driver.is_broken = true;
+  page.use();
+  EXPECT_EQ(studio.device().info().id, QStringLiteral("tablet")) << "the one in use stays";
+  driver.is_broken = false;
+  page.use();
+  EXPECT_EQ(studio.device().info().id, driver.info.id);
+  EXPECT_EQ(chosen_pen_device(), driver.info.id);
+  EXPECT_FALSE(studio.forces_are_on());
+  auto* settings = page.findChild<DeviceSettings*>();
+  EXPECT_TRUE(settings->isVisible());
+  ASSERT_TRUE(page.choose(QStringLiteral("tablet")));
+  EXPECT_FALSE(settings->isVisible());
+}
+
+TEST(DevicePage, WhatIsSetForADeviceIsKeptAndTakesEffectAtOnceWithForcesOff) {
+  FakeDriver driver;
+  Studio studio(by_hand());
+  ASSERT_TRUE(studio.use_device(driver.info.id));
+  DevicePage page(studio);
+  page.show();
+  auto* settings = page.findChild<DeviceSettings*>();
+  const auto child = [settings](const char* name) {
+    for (auto* widget : settings->findChildren<QAbstractSpinBox*>()) {
+      if (widget->accessibleName() == QLatin1String(name)) return widget;
+    }
+    return static_cast<QAbstractSpinBox*>(nullptr);
+  };
+  studio.set_forces(true);
+  qobject_cast<QDoubleSpinBox*>(child("Largest force"))->setValue(1.2);
+  EXPECT_FALSE(studio.forces_are_on()) << "a new loop begins from no force";
+  qobject_cast<QSpinBox*>(child("Stiffest sheet"))->setValue(250);
+  qobject_cast<QSpinBox*>(child("Size of a movement on the sheet"))->setValue(150);
+  auto* name = settings->findChild<QLineEdit*>();
+  name->setText(QStringLiteral("  My  arm "));
+  Q_EMIT name->editingFinished();
+  const DeviceProfile kept = profile_of(driver.info.id).value();
+  EXPECT_EQ(kept.name, "My arm");
+  EXPECT_EQ(kept.force_limit_n, 1.2);
+  EXPECT_EQ(kept.stiffness_cap_n_per_m, 250.0);
+  ASSERT_TRUE(kept.plane.has_value());
+  EXPECT_EQ(kept.plane->scale(), 1.5);
+  EXPECT_EQ(studio.device().info().label, QStringLiteral("My arm"));
+  EXPECT_EQ(limits_for(studio.device().device().capabilities()).peak_force_n, 1.2);
+  EXPECT_EQ(studio.device().device().capabilities().sheet_scale, 1.5);
+  // Raised to what the device can do at most it is no limit of the person's any more.
+  auto* limit = qobject_cast<QDoubleSpinBox*>(child("Largest force"));
+  limit->setValue(99.0);
+  EXPECT_LE(limit->value(), limits_for(driver.info.capabilities).peak_force_n + 1e-9);
+  EXPECT_FALSE(profile_of(driver.info.id)->force_limit_n.has_value());
+  // The whole sheet: a Touch reaches 160 mm of 210 or 297.
+  settings->fit();
+  EXPECT_GT(studio.device().device().capabilities().sheet_scale, 1.5);
+  const Rect page_area = studio.page().area();
+  const Capabilities& can = studio.device().device().capabilities();
+  EXPECT_NEAR(0.5 * (can.workspace_min.x + can.workspace_max.x),
+              0.5 * (page_area.x0 + page_area.x1), 1e-6);
+}
+
+// A field that cannot show so low a general limit must not raise it when another one is changed.
+TEST(DevicePage, TheStiffestSheetLeavesTheForceLimitsAlone) {
+  FakeDriver driver;
+  Studio studio(by_hand());
+  ASSERT_TRUE(studio.use_device(driver.info.id));
+  studio.set_force_limit(0.0);
+  DevicePage page(studio);
+  page.show();
+  auto* settings = page.findChild<DeviceSettings*>();
+  for (auto* box : settings->findChildren<QSpinBox*>()) {
+    if (box->accessibleName() == QLatin1String("Stiffest sheet")) box->setValue(250);
+  }
+  const DeviceProfile kept = profile_of(driver.info.id).value();
+  EXPECT_EQ(kept.stiffness_cap_n_per_m, 250.0);
+  EXPECT_FALSE(kept.force_limit_n.has_value());
+  EXPECT_EQ(studio.force_limit(), 0.0);
+}
+
+// A stick or a wheel: it has no plane to be shown, but it pushes a hand as much as any.
+TEST(DevicePage, APersonsLimitsHoldForADeviceWithoutAPlane) {
+  FakeDriver driver;
+  driver.info.has_own_frame = false;
+  write_profile(driver.info.id,
+                "device = fake:1\nname = Old friend\nforce_limit_n = 0.7\n"
+                "stiffness_cap_n_per_m = 200\nplane_x = 0 1 0\nplane_y = 1 0 0\n"
+                "plane_z = 0 0 1\nplane_origin_mm = 9 9 9\nplane_scale = 2\n");
+  Studio studio(by_hand());
+  ASSERT_TRUE(studio.use_device(driver.info.id));
+  const auto can = [&studio]() -> const Capabilities& {
+    return studio.device().device().capabilities();
+  };
+  EXPECT_EQ(limits_for(can()).peak_force_n, 0.7);
+  EXPECT_EQ(can().max_stiffness_n_per_m, 200.0);
+  EXPECT_EQ(studio.device().calibration(), PlaneCalibration{}) << "where it says it is, it is";
+  EXPECT_EQ(studio.device().info().label, QStringLiteral("Old friend"));
+  DevicePage page(studio);
+  page.show();
+  ASSERT_TRUE(page.choose(driver.info.id));
+  auto* settings = page.findChild<DeviceSettings*>();
+  ASSERT_TRUE(settings->isVisible());
+  auto* limit = settings->findChild<QDoubleSpinBox*>();
+  EXPECT_TRUE(limit->isVisible());
+  EXPECT_EQ(limit->value(), 0.7);
+  EXPECT_FALSE(settings->findChild<QComboBox*>()->isVisible()) << "a hand is of a plane";
+  EXPECT_FALSE(settings->findChild<QPushButton*>()->isVisible()) << "a plane cannot be set";
+  limit->setValue(1.2);
+  EXPECT_EQ(profile_of(driver.info.id)->force_limit_n, 1.2);
+  EXPECT_EQ(limits_for(can()).peak_force_n, 1.2);
+}
+
+TEST(CalibrationDialog, ADeviceThatMovesInThePlaneOnlyIsInIt) {
+  FakeDriver driver;
+  driver.info.capabilities.sensed_axes = driver.info.capabilities.actuated_axes = 2;
+  CalibrationDialog dialog(*open_pen_device(driver.info.id), {125, 90});
+  dialog.show();
+  for (const Vec3& corner : {Vec3{50, 140, 0.25}, Vec3{200, 140, 0.25}, Vec3{50, 40, 0.25}}) {
+    FakePen::at.position = corner;  // its pen is up, as no key is held
+    dialog.take();
+  }
+  ASSERT_TRUE(dialog.found().has_value());
+  const PlaneCalibration& plane = dialog.found()->calibration;
+  EXPECT_NEAR(plane.to_sheet(Vec3{60, 60, 0.25}).z, 0.25, 1e-9);
+  EXPECT_NEAR(plane.to_sheet(Vec3{60, 60, -0.25}).z, -0.25, 1e-9);
+}
+
+TEST(DevicePage, TheTestPadLeavesTheDrawingAlone) {
+  Studio studio(by_hand());
+  DevicePage page(studio);
+  page.show();
+  auto* pad = page.findChild<TestPad*>();
+  ASSERT_NE(pad->studio(), nullptr);
+  QTest::mousePress(pad, Qt::LeftButton, {}, {20, 20});
+  QTest::mouseMove(pad, {60, 30});
+  QTest::mouseRelease(pad, Qt::LeftButton, {}, {60, 30});
+  EXPECT_FALSE(studio.is_modified());
+  page.hide();
+  EXPECT_EQ(pad->studio(), nullptr) << "no loop runs that nobody sees";
+}
+
+}  // namespace
+}  // namespace felt::desktop

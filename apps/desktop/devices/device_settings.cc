@@ -1,0 +1,224 @@
+#include "desktop/devices/device_settings.h"
+
+#include <QFormLayout>
+#include <QHBoxLayout>
+#include <QSignalBlocker>
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "desktop/engine/driver_watch.h"
+#include "desktop/engine/settings.h"
+#include "desktop/devices/calibration_dialog.h"
+#include "desktop/feel/settings_keys.h"
+#include "felt/haptics/safety/safety_limits.h"
+
+namespace felt::desktop {
+namespace {
+
+constexpr double kLimitStep = 0.1;  // N
+constexpr int kStiffnessStep = 50;  // N/m
+constexpr int kPercentStep = 5;
+
+/// The most that its own table allows, whatever a person sets.
+double most_of(const Capabilities& device) {
+  return limits_for(device).peak_force_n;
+}
+
+QWidget* beside(QWidget* first, QWidget* second, QWidget* parent) {
+  auto* box = new QWidget(parent);
+  auto* row = new QHBoxLayout(box);
+  row->setContentsMargins(0, 0, 0, 0);
+  row->addWidget(first);
+  row->addWidget(second);
+  row->addStretch(1);
+  return box;
+}
+
+}  // namespace
+
+DeviceSettings::DeviceSettings(Studio& studio, QWidget* parent)
+    : QWidget(parent),
+      studio_(studio),
+      form_(new QFormLayout(this)),
+      name_(new QLineEdit(this)),
+      hand_(new QComboBox(this)),
+      limit_(new QDoubleSpinBox(this)),
+      stiffest_(new QSpinBox(this)),
+      plane_(new QLabel(this)),
+      calibrate_(new QPushButton(tr("&Set the drawing plane…"), this)),
+      scale_(new QSpinBox(this)),
+      fit_(new QPushButton(tr("Fit to the s&heet"), this)) {
+  name_->setMaxLength(60);
+  name_->setAccessibleName(tr("Name of the device"));
+  hand_->addItems({tr("Right hand"), tr("Left hand")});
+  hand_->setAccessibleName(tr("The hand that holds it"));
+  hand_->setToolTip(
+      tr("Each hand has a drawing plane of its own: for the other one the device stands on the "
+         "other side"));
+  limit_->setRange(kLeastForceLimitN, SafetyLimits{}.peak_force_n);
+  limit_->setSingleStep(kLimitStep);
+  limit_->setDecimals(1);
+  limit_->setSuffix(tr(" N"));
+  limit_->setKeyboardTracking(false);
+  limit_->setToolTip(tr("No force is ever larger than this, whatever a tool asks for"));
+  limit_->setAccessibleName(tr("Largest force"));
+  stiffest_->setRange(int(kLeastStiffnessCap) - kStiffnessStep, 2000);
+  stiffest_->setSingleStep(kStiffnessStep);
+  stiffest_->setSpecialValueText(tr("as it can"));
+  stiffest_->setSuffix(tr(" N/m"));
+  stiffest_->setKeyboardTracking(false);
+  stiffest_->setToolTip(tr("Lower it where the sheet hums or trembles under the pen"));
+  stiffest_->setAccessibleName(tr("Stiffest sheet"));
+  plane_->setTextFormat(Qt::PlainText);
+  scale_->setRange(qRound(100 * kSmallestSheetScale), qRound(100 * kLargestSheetScale));
+  scale_->setSingleStep(kPercentStep);
+  scale_->setSuffix(tr(" %"));
+  scale_->setKeyboardTracking(false);
+  scale_->setToolTip(
+      tr("100 %: a millimetre of the hand is one of the sheet. 200 %: it is two, and the hand has "
+         "half the way."));
+  scale_->setAccessibleName(tr("Size of a movement on the sheet"));
+  fit_->setToolTip(
+      tr("The middle of the drawing area on the middle of the sheet, and so large "
+         "that the whole sheet can be reached"));
+  make_form();
+}
+
+void DeviceSettings::make_form() {
+  size_ = beside(scale_, fit_, this);
+  QFormLayout* form = form_;
+  form->setContentsMargins(0, 0, 0, 0);
+  form->setFieldGrowthPolicy(QFormLayout::FieldsStayAtSizeHint);
+  form->setRowWrapPolicy(QFormLayout::WrapLongRows);
+  form->addRow(tr("&Name"), name_);
+  form->addRow(tr("&Hand"), hand_);
+  form->addRow(tr("&Largest force"), limit_);
+  form->addRow(tr("S&tiffest sheet"), stiffest_);
+  form->addRow(tr("Drawing plane"), plane_);
+  form->addRow(QString(), calibrate_);
+  form->addRow(tr("S&ize on the sheet"), size_);
+  connect(name_, &QLineEdit::editingFinished, this, &DeviceSettings::set_name);
+  connect(hand_, &QComboBox::activated, this, &DeviceSettings::set_hand);
+  connect(limit_, &QDoubleSpinBox::valueChanged, this, &DeviceSettings::set_limit);
+  connect(stiffest_, &QSpinBox::valueChanged, this, &DeviceSettings::set_stiffest);
+  connect(calibrate_, &QPushButton::clicked, this, &DeviceSettings::calibrate);
+  connect(scale_, &QSpinBox::valueChanged, this,
+          [this](int percent) { set_scale(0.01 * percent); });
+  connect(fit_, &QPushButton::clicked, this, &DeviceSettings::fit);
+}
+
+/// What is kept, if it can be read; else it is told.
+std::optional<DeviceProfile> DeviceSettings::profile() {
+  Result<DeviceProfile> profile = profile_of(studio_.device().info().id);
+  if (profile) return *std::move(profile);
+  Q_EMIT studio_.refused(QString::fromStdString(profile.error().message));
+  return std::nullopt;
+}
+
+void DeviceSettings::keep(const DeviceProfile& profile) {
+  if (const Result<void> kept = keep_profile(profile); !kept) {
+    Q_EMIT studio_.refused(QString::fromStdString(kept.error().message));
+    return tell();
+  }
+  studio_.follow(profile);
+}
+
+void DeviceSettings::tell() {
+  const PenDeviceInfo& info = studio_.device().info();
+  const Result<DeviceProfile> kept = profile_of(info.id);
+  const DeviceProfile profile = kept.value_or(DeviceProfile{});
+  const QSignalBlocker quiet_limit(limit_), quiet_stiffest(stiffest_), quiet_scale(scale_);
+  if (!name_->hasFocus()) name_->setText(QString::fromStdString(profile.name));
+  const DriverWatch* watch = DriverWatch::the();
+  const PenDeviceInfo* seen = watch ? watch->find(info.id) : nullptr;
+  name_->setPlaceholderText(seen ? seen->label : info.label);
+  hand_->setCurrentIndex(profile.left_handed ? 1 : 0);
+  // Of the device itself: what is set already must not lower what may be set.
+  const double most = most_of(info.capabilities);
+  limit_->setMaximum(std::max(most, kLeastForceLimitN));
+  limit_->setValue(std::min(profile.force_limit_n.value_or(most), studio_.force_limit()));
+  limit_->setEnabled(info.capabilities.has_force());
+  const double stiffest = info.capabilities.max_stiffness_n_per_m;
+  if (stiffest > 0.0) stiffest_->setMaximum(std::max(int(stiffest), stiffest_->minimum()));
+  stiffest_->setValue(profile.stiffness_cap_n_per_m ? qRound(*profile.stiffness_cap_n_per_m)
+                                                    : stiffest_->minimum());
+  stiffest_->setEnabled(info.capabilities.has_force());
+  for (QWidget* row : {static_cast<QWidget*>(hand_), static_cast<QWidget*>(plane_),
+                       static_cast<QWidget*>(calibrate_), size_}) {
+    form_->setRowVisible(row, info.has_own_frame);
+  }
+  tell_plane(profile);
+}
+
+void DeviceSettings::tell_plane(const DeviceProfile& profile) {
+  const PlaneCalibration plane = studio_.device().calibration();
+  if (!profile.plane) {
+    plane_->setText(tr("Not set yet: as such a device usually stands."));
+  } else if (profile.area) {
+    plane_->setText(tr("Set: %L1 × %L2 mm.")
+                        .arg(profile.area->width_mm, 0, 'f', 0)
+                        .arg(profile.area->height_mm, 0, 'f', 0));
+  } else {
+    plane_->setText(tr("Set."));
+  }
+  scale_->setValue(qRound(100.0 * plane.scale()));
+}
+
+void DeviceSettings::set_name() {
+  std::optional<DeviceProfile> kept = profile();
+  const std::string name = name_->text().simplified().toStdString();
+  if (!kept || kept->name == name) return;
+  kept->name = name;
+  keep(*kept);
+}
+
+void DeviceSettings::set_hand(int index) {
+  std::optional<DeviceProfile> kept = profile();
+  if (!kept || kept->left_handed == (index == 1)) return;
+  forget_planes_of_another(*kept, studio_.device().info().serial.toStdString());
+  switch_hand(*kept);
+  keep(*kept);
+}
+
+void DeviceSettings::set_limit(double limit) {
+  std::optional<DeviceProfile> kept = profile();
+  if (!kept) return;
+  const double most = most_of(studio_.device().info().capabilities);
+  kept->force_limit_n = limit < most - 0.5 * kLimitStep ? std::optional(limit) : std::nullopt;
+  // Said here, it is said for this hand: the general limit must not hold it back.
+  if (limit > studio_.force_limit()) {
+    studio_.set_force_limit(limit);
+    Settings::the().set(QString::fromLatin1(feel_keys::kForceLimit), studio_.force_limit());
+  }
+  keep(*kept);
+}
+
+void DeviceSettings::set_stiffest(int n_per_m) {
+  std::optional<DeviceProfile> kept = profile();
+  if (!kept) return;
+  kept->stiffness_cap_n_per_m =
+      n_per_m > stiffest_->minimum() ? std::optional<double>(n_per_m) : std::nullopt;
+  keep(*kept);
+}
+
+void DeviceSettings::fit() {
+  set_scale(std::nullopt);
+}
+
+void DeviceSettings::set_scale(std::optional<double> scale) {
+  std::optional<DeviceProfile> kept = profile();
+  if (!kept) return;
+  const PlaneCalibration plane = studio_.device().calibration();
+  forget_planes_of_another(*kept, studio_.device().info().serial.toStdString());
+  const DrawingArea area =
+      kept->area.value_or(reach_of(plane, studio_.device().info().capabilities));
+  kept->plane = fit_to_page(plane, area, studio_.page().area(), scale);
+  keep(*kept);
+}
+
+void DeviceSettings::calibrate() {
+  CalibrationDialog::run(studio_, this);
+}
+
+}  // namespace felt::desktop

@@ -1,0 +1,75 @@
+#pragma once
+
+#include <QSignalSpy>
+#include <QTemporaryDir>
+#include <QWidget>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "desktop/engine/actions.h"
+#include "desktop/engine/studio.h"
+#include "desktop/files/file_actions.h"
+#include "desktop/files/testing/scripted_dialogs.h"
+#include "felt/material/material_file.h"
+#include "felt/stroke/testing/random_stroke.h"
+
+namespace felt::desktop {
+
+/// A medium that Feltline does not bring.
+inline Medium soft_chalk(double friction) {
+  Medium medium = *find_medium("charcoal");
+  medium.id = "soft-chalk";
+  medium.label = "Soft chalk";
+  medium.friction = friction;
+  return medium;
+}
+
+/// A window with a studio on a virtual clock and a person who answers by script, for tests.
+struct TestDesk {
+  TestDesk() : TestDesk(StudioOptions{.live = false}) {}
+  explicit TestDesk(StudioOptions options) : studio(std::move(options)) {
+    auto scripted = std::make_unique<ScriptedDialogs>();
+    person = scripted.get();
+    files = new FileActions(studio, actions, &window, std::move(scripted));
+  }
+
+  /// `count` random strokes, as one step.
+  void draw(std::uint64_t seed, int count = 3) {
+    Sketch sketch;
+    for (int i = 0; i < count; ++i) {
+      sketch.push_back(
+          {"s", felt::testing::random_stroke(1000 * seed + static_cast<std::uint64_t>(i))});
+    }
+    studio.import(QStringLiteral("test"), sketch);
+  }
+  /// Saves for the first time, under this name.
+  void save_as(const char* name) {
+    person->next = at(name);
+    ASSERT_TRUE(files->save());
+    files->finish_writing();
+  }
+  /// One stroke of that medium, which need not be known.
+  void draw_with(const std::string& medium) {
+    StrokeData data = felt::testing::straight_stroke({10, 10}, {90, 40}, 2.0, 3.0).data();
+    data.material = medium;
+    studio.import(QStringLiteral("test"), Sketch{{"s", Stroke::create(std::move(data)).value()}});
+  }
+  /// The texts of materials that a file of the drawing would have now.
+  [[nodiscard]] std::vector<std::string> texts() const { return files->drawing().materials; }
+  [[nodiscard]] QString at(const char* name) const {
+    return folder.filePath(QString::fromUtf8(name));
+  }
+  void journal_flush() const { files->journal()->flush(); }
+  [[nodiscard]] const Document& document() const { return studio.session().document(); }
+
+  QTemporaryDir folder;
+  Studio studio;
+  QWidget window;
+  Actions actions{&window};
+  ScriptedDialogs* person = nullptr;
+  FileActions* files = nullptr;
+};
+
+}  // namespace felt::desktop

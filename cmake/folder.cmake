@@ -1,0 +1,127 @@
+# felt_folder(PATH [FLAT] [QT] [SOURCES generated...] [DEPENDS folders...] [LIBRARIES ...]
+#             [PRIVATE_LIBRARIES ...] [TEST_LIBRARIES ...])
+#
+# Declares the folder PATH (a/b) with all that lies in and below it:
+#   *.cc, *.h    the static library felt_a_b, installed as feltline::a_b
+#   *_test.cc    the GoogleTest program a_b_test, linked with this library and no more, so that a
+#                forbidden dependency does not link
+#   *_bench.cc   the Google Benchmark program a_b_bench
+#   testing/     what only tests and benchmarks use; its sources become felt_a_b_testing
+#   make_*.cc    programs of their own, which the caller declares
+#
+#   FLAT               without the folders below, which are declared on their own
+#   QT                 a folder of the desktop program: not installed, linked with Qt
+#   SOURCES            generated sources
+#   DEPENDS            folders to link besides those of tests/checks/layers/rules.txt
+#   LIBRARIES          libraries that its headers show
+#   PRIVATE_LIBRARIES  libraries that only its sources use
+#   TEST_LIBRARIES     libraries that only its tests and benchmarks use
+include(GNUInstallDirs)
+
+# FELT_MAY_INCLUDE_layer: what the rules allow, and so what is linked.
+set(felt_rules ${PROJECT_SOURCE_DIR}/tests/checks/layers/rules.txt)
+set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${felt_rules})
+file(STRINGS ${felt_rules} felt_rule_lines REGEX "^layer ")
+foreach(line IN LISTS felt_rule_lines)
+  string(REGEX MATCHALL "[a-z_]+" words "${line}")
+  list(POP_FRONT words _ layer)
+  set(FELT_MAY_INCLUDE_${layer} ${words})
+endforeach()
+
+function(felt_folder path)
+  cmake_parse_arguments(ARG "FLAT;QT" ""
+    "SOURCES;DEPENDS;LIBRARIES;PRIVATE_LIBRARIES;TEST_LIBRARIES" ${ARGN})
+  string(REPLACE "/" "_" name ${FELT_FOLDER_PREFIX}${path})
+  string(REGEX REPLACE "/.*" "" layer ${path})
+  set(target felt_${name})
+  set(recurse GLOB_RECURSE)
+  if(ARG_FLAT)
+    set(recurse GLOB)
+  endif()
+  file(${recurse} files CONFIGURE_DEPENDS ${path}/*.cc ${path}/*.h)
+  set(tests ${files})
+  list(FILTER tests INCLUDE REGEX "_test\\.cc$")
+  set(benches ${files})
+  list(FILTER benches INCLUDE REGEX "_bench\\.cc$")
+  list(FILTER files EXCLUDE REGEX "_(test|bench)\\.cc$|/make_[a-z_]+\\.cc$")
+  set(testing ${files})
+  list(FILTER testing INCLUDE REGEX "/testing/.*\\.cc$")
+  list(FILTER files EXCLUDE REGEX "/testing/")
+  set(headers ${files})
+  list(FILTER headers INCLUDE REGEX "\\.h$")
+  list(FILTER files EXCLUDE REGEX "\\.h$")
+
+  add_library(${target} STATIC ${files} ${ARG_SOURCES})
+  list(APPEND ARG_DEPENDS ${FELT_MAY_INCLUDE_${layer}})
+  list(TRANSFORM ARG_DEPENDS PREPEND felt_)
+  target_link_libraries(${target} PUBLIC ${ARG_DEPENDS} ${ARG_LIBRARIES}
+    PRIVATE $<BUILD_INTERFACE:felt_flags> ${ARG_PRIVATE_LIBRARIES})
+  if(ARG_QT)
+    felt_qt_folder(${target} ${headers})
+    set(test_main felt_desktop_test_main)
+  else()
+    felt_library_folder(${target} ${name} ${headers})
+    set_property(GLOBAL APPEND PROPERTY FELT_LIBRARIES ${ARG_LIBRARIES} ${ARG_PRIVATE_LIBRARIES})
+  endif()
+
+  set(test_libraries ${target} ${ARG_TEST_LIBRARIES})
+  if(testing AND (FELT_TESTS OR FELT_BENCHMARKS))
+    add_library(${target}_testing STATIC ${testing})
+    target_link_libraries(${target}_testing PUBLIC ${target} PRIVATE felt_flags)
+    list(PREPEND test_libraries ${target}_testing)
+  endif()
+  if(FELT_TESTS AND tests)
+    felt_test(${name}_test SOURCES ${tests} LIBRARIES ${test_libraries} ${test_main})
+  endif()
+  if(FELT_BENCHMARKS AND benches)
+    find_package(benchmark REQUIRED)
+    add_executable(${name}_bench ${benches})
+    target_link_libraries(${name}_bench PRIVATE felt_flags ${test_libraries}
+      benchmark::benchmark_main)
+  endif()
+endfunction()
+
+# What a folder of the library is beyond its sources: installed, under its name.
+function(felt_library_folder target name)
+  add_library(feltline::${name} ALIAS ${target})
+  set_target_properties(${target} PROPERTIES EXPORT_NAME ${name})
+  felt_quick_library(${target})
+  target_compile_features(${target} PUBLIC cxx_std_20)
+  target_sources(${target} PUBLIC FILE_SET HEADERS BASE_DIRS ${PROJECT_SOURCE_DIR}/src FILES ${ARGN})
+  install(TARGETS ${target} EXPORT feltline-targets
+    FILE_SET HEADERS COMPONENT dev
+    ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT dev)
+  # packaging.cmake writes from these what users of the installed library must find and link.
+  set_property(GLOBAL APPEND PROPERTY FELT_LAYERS ${name})
+endfunction()
+
+# What a folder of the desktop program is beyond its sources.
+function(felt_qt_folder target)
+  target_sources(${target} PRIVATE ${ARGN})
+  set_target_properties(${target} PROPERTIES AUTOMOC ON)
+  felt_quick_room(${target})
+  target_include_directories(${target} PUBLIC ${PROJECT_SOURCE_DIR}/apps)
+  target_compile_definitions(${target} PUBLIC FELT_VERSION="${PROJECT_VERSION}"
+    QT_NO_KEYWORDS QT_NO_CAST_FROM_BYTEARRAY)
+  target_link_libraries(${target} PUBLIC Qt6::Widgets)
+endfunction()
+
+# felt_test(NAME SOURCES ... LIBRARIES ...): a GoogleTest program, each case its own CTest entry.
+function(felt_test name)
+  cmake_parse_arguments(ARG "" "" "SOURCES;LIBRARIES" ${ARGN})
+  find_package(GTest REQUIRED)
+  find_package(rapidcheck REQUIRED)
+  include(GoogleTest)
+  add_executable(${name} ${ARG_SOURCES})
+  target_link_libraries(${name} PRIVATE felt_flags ${ARG_LIBRARIES} GTest::gmock GTest::gtest_main
+    rapidcheck)
+  target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR})
+  set(is_desktop FALSE)
+  if("felt_desktop_test_main" IN_LIST ARG_LIBRARIES)
+    set(is_desktop TRUE)
+    set_target_properties(${name} PROPERTIES AUTOMOC ON)
+  endif()
+  felt_quick_test(${name} ${is_desktop})
+  gtest_discover_tests(${name} WORKING_DIRECTORY ${PROJECT_SOURCE_DIR} DISCOVERY_TIMEOUT 60
+    PROPERTIES TIMEOUT 300)
+endfunction()

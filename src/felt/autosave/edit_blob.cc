@@ -1,0 +1,185 @@
+#include "felt/autosave/edit_blob.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <unordered_map>
+#include <utility>
+
+#include "felt/store/byte_stream.h"
+#include "felt/store/stroke_blob.h"
+
+namespace felt {
+namespace {
+
+constexpr std::uint8_t kVersion = 1;
+constexpr std::size_t kMaxNameBytes = 4096;
+constexpr std::uint8_t kIsThere = 1, kVisible = 2, kLocked = 4;  // flags
+constexpr std::size_t kLeastChangeBytes = 9;
+
+tl::unexpected<Error> damaged(const char* what) {
+  return fail(ErrorCode::kInvalidData, what);
+}
+
+Result<void> write_stroke(ByteWriter& out, const StrokeChange& c) {
+  out.u64(c.id.value);
+  out.u8(c.after ? kIsThere : 0);
+  if (!c.after) return {};
+  std::string shape;
+  if (auto ok = append_stroke_blob(shape, *c.after); !ok) return ok;
+  out.u64(c.after_place.layer.value);
+  out.u64(c.after_place.index);
+  out.text(shape);
+  return {};
+}
+
+void write_layer(ByteWriter& out, const LayerChange& c) {
+  out.u64(c.id.value);
+  if (!c.after) {
+    out.u8(0);
+    return;
+  }
+  out.u8(static_cast<std::uint8_t>(kIsThere | (c.after->visible ? kVisible : 0) |
+                                   (c.after->locked ? kLocked : 0)));
+  out.u64(c.after_index);
+  out.text(c.after->name);
+}
+
+Result<StrokeChange> read_stroke(ByteReader& in) {
+  StrokeChange c;
+  c.id = {in.u64()};
+  if (in.u8() == 0) return c;
+  c.after_place.layer = {in.u64()};
+  c.after_place.index = in.u64();
+  const std::string_view shape = in.text(kMaxStrokeBlobBytes);
+  if (!in.ok()) return damaged("the edit is cut off within a stroke");
+  Result<Stroke> stroke = read_stroke_blob(shape);
+  if (!stroke) return tl::unexpected(with_context(stroke.error(), "stroke"));
+  c.after = std::make_shared<const Stroke>(*std::move(stroke));
+  return c;
+}
+
+LayerChange read_layer(ByteReader& in) {
+  LayerChange c;
+  c.id = {in.u64()};
+  const std::uint8_t flags = in.u8();
+  if (flags == 0) return c;
+  c.after_index = in.u64();
+  c.after = LayerState{std::string(in.text(kMaxNameBytes)), (flags & kVisible) != 0,
+                       (flags & kLocked) != 0};
+  return c;
+}
+
+/// Where the strokes that change stand now: one walk over the layers for many, a look-up for few.
+Result<void> find_strokes(const Document& document, std::vector<StrokeChange>& changes) {
+  constexpr std::size_t kFew = 8;
+  std::unordered_map<std::uint64_t, StrokePlace> places;
+  if (changes.size() > kFew) {
+    for (const Layer& layer : document.layers()) {
+      for (std::size_t i = 0; i < layer.strokes.size(); ++i) {
+        places[layer.strokes[i].value] = {layer.id, i};
+      }
+    }
+  }
+  for (StrokeChange& c : changes) {
+    c.before = document.find(c.id);
+    if (!c.before && !c.after) return damaged("the edit removes a stroke that is not there");
+    if (!c.before) continue;
+    c.before_place = places.empty() ? document.place(c.id) : places[c.id.value];
+  }
+  return {};
+}
+
+Result<void> find_layers(const Document& document, std::vector<LayerChange>& changes) {
+  const std::span<const Layer> layers = document.layers();
+  for (LayerChange& c : changes) {
+    const auto found = std::find_if(layers.begin(), layers.end(),
+                                    [&c](const Layer& layer) { return layer.id == c.id; });
+    if (found == layers.end() && !c.after) {
+      return damaged("the edit removes a layer that is not there");
+    }
+    if (found == layers.end()) continue;
+    c.before = found->state();
+    c.before_index = static_cast<std::size_t>(found - layers.begin());
+  }
+  return {};
+}
+
+}  // namespace
+
+Result<void> append_edit_blob(std::string& out, const Edit& edit) {
+  ByteWriter writer(out);
+  writer.u8(kVersion);
+  writer.text(std::string_view(edit.label).substr(0, kMaxNameBytes));
+  writer.u32(static_cast<std::uint32_t>(edit.layers.size()));
+  for (const LayerChange& c : edit.layers) write_layer(writer, c);
+  writer.u32(static_cast<std::uint32_t>(edit.changes.size()));
+  for (const StrokeChange& c : edit.changes) {
+    if (auto ok = write_stroke(writer, c); !ok) return ok;
+  }
+  return {};
+}
+
+namespace {
+
+/// What the bytes say, without what was there before.
+Result<Edit> parse(std::string_view bytes) {
+  ByteReader in(bytes);
+  if (in.u8() != kVersion) return damaged("the edit is of an unknown version");
+  Edit edit;
+  edit.label = std::string(in.text(kMaxNameBytes));
+  const std::uint32_t layers = in.u32();
+  if (!in.has(layers, kLeastChangeBytes)) return damaged("the edit is cut off");
+  for (std::uint32_t i = 0; i < layers; ++i) edit.layers.push_back(read_layer(in));
+  const std::uint32_t strokes = in.u32();
+  if (!in.has(strokes, kLeastChangeBytes)) return damaged("the edit is cut off");
+  edit.changes.reserve(strokes);
+  for (std::uint32_t i = 0; i < strokes; ++i) {
+    Result<StrokeChange> change = read_stroke(in);
+    if (!change) return tl::unexpected(change.error());
+    edit.changes.push_back(*std::move(change));
+  }
+  if (!in.ok() || in.left() > 0) return damaged("the edit is cut off, or longer than it says");
+  return edit;
+}
+
+/// One change, as an edit of its own.
+void force(StrokeChange change, Document& document) {
+  change.before = document.find(change.id);
+  if (!change.before && !change.after) return;
+  if (change.before) change.before_place = document.place(change.id);
+  if (change.after && change.before) {
+    change.after_place = change.before_place;
+  } else if (change.after) {
+    const Layer* layer = document.layer(change.after_place.layer);
+    if (!layer) layer = &document.layers().back();
+    change.after_place = {layer->id, layer->strokes.size()};
+  }
+  Edit edit;
+  edit.changes.push_back(std::move(change));
+  static_cast<void>(document.apply(edit));
+}
+
+}  // namespace
+
+Result<Edit> read_edit_blob(std::string_view bytes, const Document& document) {
+  Result<Edit> edit = parse(bytes);
+  if (!edit) return edit;
+  if (auto ok = find_strokes(document, edit->changes); !ok) return tl::unexpected(ok.error());
+  if (auto ok = find_layers(document, edit->layers); !ok) return tl::unexpected(ok.error());
+  return edit;
+}
+
+Result<void> apply_what_fits(std::string_view bytes, Document& document) {
+  Result<Edit> edit = parse(bytes);
+  if (!edit) return tl::unexpected(edit.error());
+  for (const LayerChange& change : edit->layers) {
+    if (!change.after || document.layer(change.id)) continue;
+    Edit add;
+    add.layers.push_back({change.id, std::nullopt, change.after, 0, document.layers().size()});
+    static_cast<void>(document.apply(add));
+  }
+  for (StrokeChange& change : edit->changes) force(std::move(change), document);
+  return {};
+}
+
+}  // namespace felt

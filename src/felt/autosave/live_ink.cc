@@ -1,0 +1,249 @@
+#include "felt/autosave/live_ink.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "felt/io/events/event_writer.h"
+#include "felt/material/material_file.h"
+#include "felt/store/byte_stream.h"
+
+namespace felt {
+namespace {
+
+constexpr std::size_t kMaxScriptBytes = std::size_t{1} << 20;  // of a context
+constexpr std::size_t kMaxMarks = std::size_t{1} << 26;
+constexpr std::size_t kMostUntold = std::size_t{1} << 20;  // 17 min at 1 kHz
+constexpr std::size_t kSampleBytes = 8 + 4 * 8 + 4;
+constexpr std::size_t kLeaningBytes = kSampleBytes + 8;
+constexpr std::size_t kLeastSelectedBytes = 12;
+
+PenSample sample_of(const Event& event, const PenEvent& pen) {
+  PenSample sample;
+  sample.time_ns = event.time_ns;
+  sample.position = pen.position;
+  sample.pressure = pen.pressure;
+  sample.buttons = pen.buttons;
+  sample.lean_deg = pen.lean_deg;
+  return sample;
+}
+
+/// NaN is none.
+double number_or_nan(std::optional<double> value) {
+  return value.value_or(std::numeric_limits<double>::quiet_NaN());
+}
+std::optional<double> unless_nan(double value) {
+  return std::isnan(value) ? std::nullopt : std::optional(value);
+}
+
+void append_sample(ByteWriter& out, const PenSample& sample, LiveKind kind) {
+  out.u64(static_cast<std::uint64_t>(sample.time_ns));
+  out.f64(sample.position.x);
+  out.f64(sample.position.y);
+  out.f64(sample.position.z);
+  out.f64(number_or_nan(sample.pressure));
+  out.u32(sample.buttons);
+  if (kind == LiveKind::kLeaning) out.f64(number_or_nan(sample.lean_deg));
+}
+
+PenSample read_sample(ByteReader& in, LiveKind kind) {
+  PenSample sample;
+  sample.time_ns = static_cast<std::int64_t>(in.u64());
+  sample.position = {in.f64(), in.f64(), in.f64()};
+  sample.pressure = unless_nan(in.f64());
+  sample.buttons = in.u32();
+  if (kind == LiveKind::kLeaning) sample.lean_deg = unless_nan(in.f64());
+  return sample;
+}
+
+}  // namespace
+
+void LiveInk::begin() {
+  close();
+  options_.clear();
+  materials_.clear();
+  tool_.clear();
+  layer_ = {};
+  selection_ = {};
+  air_.clear();
+  untold_.clear();
+  contact_ = {};
+}
+
+void LiveInk::context(const Event& event) {
+  if (const auto* tool = std::get_if<SelectTool>(&event.what)) tool_ = tool->id;
+  if (const auto* option = std::get_if<SetOption>(&event.what))
+    options_[option->id] = option->value;
+  if (const auto* device = std::get_if<UseDevice>(&event.what)) device_ = *device;
+  if (const auto* told = std::get_if<UseMaterial>(&event.what)) {
+    if (const Result<AnyMaterial> material = read_material(told->text)) {
+      materials_[material_key(*material)] = told->text;
+    }
+  }
+  if (const auto* layer = std::get_if<LayerEvent>(&event.what)) {
+    if (layer->what == LayerEvent::Do::kUse) layer_ = layer->layer;
+  }
+}
+
+void LiveInk::told(const Event& event, bool gesture_in_work) {
+  told_ns_ = std::max(told_ns_, event.time_ns);
+  while (!untold_.empty() && untold_.front().time_ns <= told_ns_) untold_.pop_front();
+  const auto* pen = std::get_if<PenEvent>(&event.what);
+  if (!pen) {
+    context(event);
+    if (open_) append_event_line(events_, event);
+    return;
+  }
+  const PenSample sample = sample_of(event, *pen);
+  const bool touches = contact_.update(sample) == Contact::Change::kTouched;
+  if (touches && !open_) open();
+  if (in_contact(sample)) last_contact_ns_ = event.time_ns;
+  if (!open_) {
+    // With the pen down, what came of its gesture is known: the rest of it does nothing, and must
+    // not look like another one.
+    if (contact_.is_down()) return air_.clear();
+    air_.push_back(event);
+    if (air_.size() > kAirSamples) air_.pop_front();
+    return;
+  }
+  append_event_line(events_, event);
+  if (event.time_ns - last_contact_ns_ > kNothingCameNs && !gesture_in_work) close();
+}
+
+void LiveInk::edit() {
+  close();
+  air_.clear();
+}
+
+void LiveInk::sample(const PenSample& sample) {
+  if (sample.time_ns > told_ns_ && untold_.size() < kMostUntold) untold_.push_back(sample);
+}
+
+/// Some option names the material of this key.
+bool LiveInk::is_chosen(std::string_view key) const {
+  const std::string_view id = key.substr(key.find(' ') + 1);
+  return std::any_of(options_.begin(), options_.end(), [&](const auto& option) {
+    const auto* text = std::get_if<std::string>(&option.second);
+    return text && *text == id;
+  });
+}
+
+/// What the ink of this gesture depends on besides the document, as events.
+void LiveInk::open() {
+  open_ = true;
+  const std::int64_t time_ns = air_.empty() ? 0 : air_.front().time_ns;
+  std::string script;
+  const auto add = [&](decltype(Event::what) what) {
+    append_event_line(script, {time_ns, std::move(what)});
+  };
+  if (device_) add(*device_);
+  if (!tool_.empty()) add(SelectTool{tool_});
+  for (const auto& [key, text] : materials_) {
+    if (is_chosen(key)) add(UseMaterial{text});
+  }
+  for (const auto& [id, value] : options_) add(SetOption{id, value});
+  if (layer_) add(LayerEvent{LayerEvent::Do::kUse, layer_, {}});
+  for (const Event& event : air_) append_event_line(script, event);
+  air_.clear();
+  context_.clear();
+  ByteWriter out(context_);
+  out.text(script);
+  out.u32(static_cast<std::uint32_t>(selection_.strokes().size()));
+  for (const auto& [id, marks] : selection_.strokes()) {
+    out.u64(id.value);
+    out.text({reinterpret_cast<const char*>(marks.data()), marks.size()});
+  }
+  // Where the session was told nothing yet, the script has no later event than these.
+  last_contact_ns_ = std::max(last_contact_ns_, told_ns_);
+}
+
+void LiveInk::close() {
+  if (open_ || !chunks_.empty()) clear_ = true;
+  open_ = false;
+  context_.clear();
+  events_.clear();
+  chunks_.clear();
+  bytes_ = 0;
+  kept_ns_ = INT64_MIN;
+}
+
+/// The pen comes down in what the session was not told. What of it is the end of a gesture that is
+/// over is no overhang.
+bool LiveInk::overhang_touches() {
+  Contact contact = contact_;
+  std::size_t over = 0;
+  for (std::size_t i = 0; i < untold_.size(); ++i) {
+    if (contact.update(untold_[i]) == Contact::Change::kTouched) {
+      untold_.erase(untold_.begin(), untold_.begin() + static_cast<std::ptrdiff_t>(over));
+      return true;
+    }
+    if (contact.is_down()) over = i + 1;
+  }
+  return false;
+}
+
+void LiveInk::keep(Changes& changes, LiveKind kind, std::string bytes) {
+  if (bytes_ + bytes.size() > kMostBytes) return;
+  bytes_ += bytes.size();
+  chunks_.push_back({kind, std::move(bytes)});
+  changes.chunks.push_back(chunks_.back());
+}
+
+LiveInk::Changes LiveInk::take() {
+  if (!open_) {
+    if (overhang_touches()) {
+      open();
+    } else {
+      while (untold_.size() > kAirSamples) untold_.pop_front();
+    }
+  }
+  Changes changes;
+  changes.clear = std::exchange(clear_, false);
+  if (!open_) return changes;
+  if (!context_.empty()) keep(changes, LiveKind::kContext, std::exchange(context_, {}));
+  if (!events_.empty()) keep(changes, LiveKind::kEvents, std::exchange(events_, {}));
+  std::string samples;
+  ByteWriter out(samples);
+  const bool leans = std::any_of(untold_.begin(), untold_.end(), [](const PenSample& sample) {
+    return sample.lean_deg.has_value();
+  });
+  const LiveKind kind = leans ? LiveKind::kLeaning : LiveKind::kSamples;
+  for (const PenSample& sample : untold_) {
+    if (sample.time_ns > kept_ns_) append_sample(out, sample, kind);
+  }
+  if (!untold_.empty()) kept_ns_ = std::max(kept_ns_, untold_.back().time_ns);
+  if (!samples.empty()) keep(changes, kind, std::move(samples));
+  return changes;
+}
+
+Result<void> read_live_chunk(LiveKind kind, std::string_view bytes, LiveStretch& stretch) {
+  const auto damaged = [] {
+    return fail(ErrorCode::kInvalidData, "the gesture in work is damaged");
+  };
+  if (kind == LiveKind::kEvents) {
+    stretch.script += bytes;
+    return {};
+  }
+  ByteReader in(bytes);
+  if (kind == LiveKind::kSamples || kind == LiveKind::kLeaning) {
+    if (bytes.size() % (kind == LiveKind::kLeaning ? kLeaningBytes : kSampleBytes) != 0) {
+      return damaged();
+    }
+    while (in.left() > 0) stretch.overhang.push_back(read_sample(in, kind));
+    return {};
+  }
+  if (kind != LiveKind::kContext) return damaged();
+  stretch.script = std::string(in.text(kMaxScriptBytes));
+  const std::uint32_t count = in.u32();
+  if (!in.has(count, kLeastSelectedBytes)) return damaged();
+  for (std::uint32_t i = 0; i < count; ++i) {
+    const StrokeId id{in.u64()};
+    const std::string_view marks = in.text(kMaxMarks);
+    if (in.ok()) stretch.selection.set(id, {marks.begin(), marks.end()});
+  }
+  if (!in.ok() || in.left() > 0) return damaged();
+  return {};
+}
+
+}  // namespace felt

@@ -1,0 +1,372 @@
+#include "felt/autosave/recovery.h"
+
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <system_error>
+#include <utility>
+
+#include "felt/io/events/event_reader.h"
+#include "felt/session/session.h"
+#include "felt/store/byte_stream.h"
+#include "felt/autosave/edit_blob.h"
+#include "felt/autosave/live_ink.h"
+#include "felt/autosave/store_reader.h"
+#include "felt/autosave/working_rows.h"
+#include "felt/autosave/working_store.h"
+#include "felt/tools/tool.h"
+
+namespace felt {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// When a file was written last, seconds since 1970; 0 where it is not there.
+std::int64_t changed_at(const std::string& path) {
+  struct stat info {};
+  return ::stat(path.c_str(), &info) == 0 ? std::int64_t{info.st_mtime} : 0;
+}
+
+std::int64_t store_changed_at(const std::string& folder) {
+  const std::string path = folder + '/' + kWorkingStoreFile;
+  return std::max(changed_at(path), changed_at(path + "-wal"));
+}
+
+/// A folder with a copy of a store, which goes with it.
+class StoreCopy {
+ public:
+  static Result<StoreCopy> of(const std::string& folder) {
+    std::error_code error;
+    const fs::path temporary = fs::temp_directory_path(error);
+    std::string why;
+    for (const fs::path& place : {fs::path(folder).parent_path(), temporary}) {
+      StoreCopy copy;
+      const Result<void> made = copy.make(place.string(), folder);
+      if (made) return copy;
+      why = made.error().message;
+    }
+    return fail(ErrorCode::kIo, folder + ": cannot be copied: " + why);
+  }
+  StoreCopy(StoreCopy&& other) noexcept
+      : folder_(std::exchange(other.folder_, {})), lock_(std::move(other.lock_)) {}
+  StoreCopy& operator=(StoreCopy&& other) = delete;
+  ~StoreCopy() {
+    if (!folder_.empty()) static_cast<void>(remove_store_folder(folder_));
+  }
+  [[nodiscard]] std::string path() const { return folder_ + '/' + kCopiedStoreFile; }
+
+ private:
+  StoreCopy() = default;
+
+  Result<void> make(const std::string& place, const std::string& from) {
+    std::string name = place + "/copy-XXXXXX";
+    if (!::mkdtemp(name.data())) return fail(ErrorCode::kIo, place + ": cannot be written to");
+    folder_ = name;
+    // Locked, so that whoever clears away what dead processes left leaves it alone.
+    Result<FolderLock> lock = FolderLock::take(folder_);
+    if (!lock) return tl::unexpected(lock.error());
+    lock_ = *std::move(lock);
+    const std::string store = from + '/' + kWorkingStoreFile;
+    for (const char* end : {"", "-wal"}) {
+      std::error_code error;
+      const bool there = fs::exists(store + end, error);
+      if (error) return fail(ErrorCode::kIo, store + end + ": " + error.message());
+      if (*end != '\0' && !there) continue;
+      fs::copy_file(store + end, path() + end, error);
+      if (error) return fail(ErrorCode::kIo, store + end + ": " + error.message());
+    }
+    return {};
+  }
+
+  std::string folder_;
+  std::optional<FolderLock> lock_;
+};
+
+/// Puts a drawing together from the rows of a store.
+class Assembly {
+ public:
+  explicit Assembly(const StoreReader& store, std::vector<std::string> problems) : store_(store) {
+    out_.problems = std::move(problems);
+  }
+
+  Result<RecoveredDrawing> run() {
+    read_about();
+    read_base();
+    read_edits();
+    use_about();
+    if (store_.ran_out_of_memory()) return fail(ErrorCode::kIo, "not enough memory");
+    if (failure_) return tl::unexpected(*failure_);
+    read_live();
+    if (store_.ran_out_of_memory()) return fail(ErrorCode::kIo, "not enough memory");
+    return std::move(out_);
+  }
+
+ private:
+  struct Generation {
+    std::int64_t id = 0, serial = 0, parts = 0;
+  };
+
+  /// What is damaged is left out. What fails for another reason (memory) may be whole another time.
+  void note(const Error& error) {
+    if (error.code == ErrorCode::kIo && !failure_) failure_ = error;
+  }
+
+  void problem(std::string what) { out_.problems.push_back(std::move(what)); }
+
+  void read_about() {
+    bool whole = true;
+    const bool all = store_.rows("about", "id", "crc, bytes", 1, [&](const Statement& row) {
+      whole = false;
+      if (row_crc(1, 0, row.blob(2)) != row.integer(1)) return;
+      Result<WorkingAbout> about = read_about_row(row.blob(2));
+      if (!about) return note(about.error());
+      about_ = *std::move(about);
+      whole = about_.has_value();
+    });
+    if (!whole || !all)
+      problem("what the drawing is called, its page and its colours could not be read");
+    if (!about_) return;
+    out_.name = about_->name;
+    out_.path = about_->path;
+  }
+
+  static Result<WorkingAbout> read_about_row(std::string_view bytes) {
+    return felt::read_about(bytes);
+  }
+
+  /// The newest base that is whole.
+  std::optional<Generation> find_generation() {
+    std::optional<Generation> found;
+    store_.rows("generation", "id", "serial, parts, crc", 0, [&found](const Statement& row) {
+      const Generation row_says{row.integer(0), row.integer(1), row.integer(2)};
+      std::string parts;
+      ByteWriter(parts).u64(static_cast<std::uint64_t>(row_says.parts));
+      const std::int64_t crc = row_crc(static_cast<std::uint64_t>(row_says.id),
+                                       static_cast<std::uint64_t>(row_says.serial), parts);
+      if (crc == row.integer(3)) found = row_says;
+    });
+    return found;
+  }
+
+  void read_base() {
+    if (const auto generation = find_generation()) {
+      first_serial_ = generation->serial;
+      return read_parts(generation->id, generation->parts);
+    }
+    // The process died while a drawing that it had just opened was copied.
+    if (!out_.path.empty()) {
+      if (Result<StoredDrawing> file = read_felt(out_.path)) {
+        out_.drawing = *std::move(file);
+        return problem("the drawing was not copied wholly yet: this is " + out_.path +
+                       " as it is now, with what was changed since it was opened");
+      }
+    }
+    read_parts(1, 0);
+    problem("the drawing was not copied wholly yet: strokes that it began with are missing");
+  }
+
+  /// `parts`: as many as there should be; 0: as many as there are.
+  void read_parts(std::int64_t generation, std::int64_t parts) {
+    std::map<std::int64_t, std::string> rows;
+    const auto first = base_row(static_cast<std::uint64_t>(generation), 0);
+    store_.rows("base", "id", "crc, bytes", first, [&](const Statement& row) {
+      const std::int64_t part = row.integer(0) - first;
+      if (part >= std::int64_t{1} << 32) return;
+      const std::int64_t crc = row_crc(static_cast<std::uint64_t>(generation),
+                                       static_cast<std::uint64_t>(part), row.blob(2));
+      if (crc == row.integer(1)) rows.emplace(part, row.blob(2));
+    });
+    std::int64_t lost = parts > 0 ? parts - static_cast<std::int64_t>(rows.size()) : 0;
+    if (const auto head = rows.find(0); head != rows.end()) {
+      if (Result<StoredDrawing> drawing = read_base_head(head->second)) {
+        out_.drawing = *std::move(drawing);
+      } else {
+        ++lost;
+        note(drawing.error());
+      }
+    }
+    Edit edit;
+    std::map<LayerId, std::size_t> places;
+    for (const auto& [part, bytes] : rows) {
+      if (part == 0) continue;
+      if (Result<BaseRun> run = read_base_run(bytes)) {
+        add_run(*std::move(run), edit, places);
+      } else {
+        ++lost;
+      }
+    }
+    const Result<void> done = out_.drawing.document.apply(edit);
+    if (!done) problem("the strokes that it began with do not fit: " + done.error().message);
+    if (lost > 0) {
+      problem("of the drawing as it was before the last changes, " + std::to_string(lost) + " of " +
+              std::to_string(parts) + " parts could not be read");
+    }
+  }
+
+  void add_run(BaseRun run, Edit& edit, std::map<LayerId, std::size_t>& places) const {
+    const Document& document = out_.drawing.document;
+    const LayerId layer = document.layer(run.layer) ? run.layer : document.layers().back().id;
+    for (auto& [id, stroke] : run.strokes) {
+      edit.changes.push_back({id, nullptr, std::move(stroke), {}, {layer, places[layer]++}});
+    }
+  }
+
+  void read_edits() {
+    std::int64_t next = first_serial_ + 1;
+    std::int64_t lost = 0, loose = 0;
+    const bool whole = store_.rows("edit", "serial", "crc, bytes", next, [&](const Statement& row) {
+      const std::int64_t serial = row.integer(0);
+      lost += serial - next;
+      next = serial + 1;
+      const std::string_view bytes = row.blob(2);
+      if (row_crc(static_cast<std::uint64_t>(serial), 0, bytes) != row.integer(1)) {
+        ++lost;
+        return;
+      }
+      ++out_.edits;
+      Document& document = out_.drawing.document;
+      const Result<Edit> edit = read_edit_blob(bytes, document);
+      if (edit && document.apply(*edit)) return;
+      if (apply_what_fits(bytes, document)) {
+        ++loose;
+      } else {
+        ++lost;
+      }
+    });
+    if (!whole && lost == 0) problem("changes at the end could not be read");
+    if (lost > 0) problem(std::to_string(lost) + " changes could not be read");
+    if (loose > 0) {
+      problem(std::to_string(loose) +
+              " changes were made to what is no longer there; their "
+              "strokes are there all the same");
+    }
+  }
+
+  void use_about() {
+    out_.has_changes = about_ ? about_->modified : out_.edits > 0;
+    if (about_) {
+      about_->head.document = std::move(out_.drawing.document);
+      out_.drawing = std::move(about_->head);
+    }
+    if (!out_.drawing.document.layer(out_.drawing.layer)) out_.drawing.layer = {};
+  }
+
+  void read_live() {
+    LiveStretch stretch;
+    bool good = true, any = false;
+    std::int64_t next = 0;
+    const bool whole =
+        store_.rows("live", "sequence", "kind, length, crc, bytes", 0, [&](const Statement& row) {
+          if (!good) return;
+          const std::int64_t sequence = row.integer(0), kind = row.integer(1);
+          const std::string_view bytes = row.blob(4);
+          good = (!any || sequence == next) && row.integer(2) == std::int64_t(bytes.size()) &&
+                 row.integer(3) == row_crc(static_cast<std::uint64_t>(sequence),
+                                           static_cast<std::uint64_t>(kind), bytes) &&
+                 kind == (any ? kind : std::int64_t(LiveKind::kContext)) &&
+                 read_live_chunk(static_cast<LiveKind>(kind), bytes, stretch);
+          next = sequence + 1;
+          any = true;
+        });
+    if (!whole || !good) problem("of the line that was being drawn the end could not be read");
+    if (!stretch.script.empty()) play(stretch);
+  }
+
+  /// Draws the gesture that was in work from its samples.
+  void play(LiveStretch& stretch) {
+    SessionOptions options;
+    options.document = std::move(out_.drawing.document);
+    options.selection = std::move(stretch.selection);
+    Session session(make_tools(), std::move(options));
+    std::int64_t told_ns = INT64_MIN;
+    ScriptSink sink;
+    sink.event = [&](const Event& event) {
+      told_ns = std::max(told_ns, event.time_ns);
+      Result<void> done = session.apply(event);
+      // The layer in use may have gone with the last edit, before its successor was told: then the
+      // highest one is in use, here as there.
+      if (!done && std::holds_alternative<LayerEvent>(event.what)) done = {};
+      return done;
+    };
+    // An error ends it there, with the ink so far.
+    if (const Result<void> done = read_script("line", read_text(stretch.script), sink); !done) {
+      problem("the line that was being drawn could not be drawn to its end: " +
+              done.error().message);
+    }
+    for (const PenSample& sample : stretch.overhang) {
+      if (sample.time_ns <= told_ns) continue;
+      told_ns = sample.time_ns;
+      if (!session.sample(sample)) break;
+    }
+    static_cast<void>(session.finish());
+    out_.last_sample_ns = told_ns;
+    out_.has_changes = out_.has_changes || session.edit_count() > 0;
+    out_.drawing.document = session.document();
+  }
+
+  const StoreReader& store_;
+  RecoveredDrawing out_;
+  std::optional<WorkingAbout> about_;
+  std::optional<Error> failure_;
+  std::int64_t first_serial_ = 0;
+};
+
+}  // namespace
+
+Result<void> AbandonedStore::remove() && {
+  return remove_store_folder(folder);
+}
+
+std::vector<AbandonedStore> find_abandoned(const std::vector<std::string>& roots) {
+  std::vector<AbandonedStore> found;
+  for (const std::string& root : roots) {
+    std::error_code error, end;
+    for (fs::directory_iterator at(root, end); !end && at != fs::directory_iterator();
+         at.increment(end)) {
+      const fs::directory_entry& entry = *at;
+      if (!entry.is_directory(error) || entry.is_symlink(error)) continue;
+      std::string folder = entry.path().string();
+      Result<FolderLock> lock = FolderLock::take(folder);
+      if (!lock) continue;  // its process lives
+      const fs::file_status there = fs::status(folder + '/' + kWorkingStoreFile, error);
+      // What cannot be looked at may be a drawing.
+      if (there.type() == fs::file_type::none) continue;
+      if (fs::exists(there)) {
+        const std::int64_t when = store_changed_at(folder);
+        found.push_back({std::move(folder), *std::move(lock), when});
+      } else {
+        static_cast<void>(remove_store_folder(folder));
+      }
+    }
+  }
+  std::sort(found.begin(), found.end(), [](const AbandonedStore& a, const AbandonedStore& b) {
+    return std::pair(a.changed_at_s, a.folder) > std::pair(b.changed_at_s, b.folder);
+  });
+  return found;
+}
+
+Result<RecoveredDrawing> recover_store(const std::string& folder) {
+  const Result<StoreCopy> copy = StoreCopy::of(folder);
+  if (!copy) return tl::unexpected(copy.error());
+  std::vector<std::string> problems;
+  const Result<StoreReader> store = StoreReader::open(copy->path(), problems);
+  if (!store) return tl::unexpected(with_context(store.error(), folder));
+  Result<RecoveredDrawing> out = Assembly(*store, std::move(problems)).run();
+  if (!out) return tl::unexpected(with_context(out.error(), folder));
+  out->changed_at_s = store_changed_at(folder);
+  // Recordings, and what a newer Feltline keeps, never change while one draws: they are still in
+  // the person's file. Without it there is the drawing at least.
+  if (out->drawing.extras.empty() && !out->path.empty()) {
+    if (Result<StoredDrawing> file = read_felt(out->path)) {
+      out->drawing.extras = std::move(file->extras);
+    }
+  }
+  return out;
+}
+
+}  // namespace felt

@@ -1,0 +1,179 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "felt/document/document.h"
+#include "felt/stroke/testing/random_stroke.h"
+
+namespace felt::testing {
+
+/// Random edits that fit a document, for property tests: strokes made, removed, replaced and moved
+/// between layers, layers made, removed, renamed and moved. The same seed gives the same edits.
+class RandomEdits {
+ public:
+  explicit RandomEdits(std::uint64_t seed) : seed_(seed), random_(seed) {}
+
+  Edit next(const Document& document) {
+    read(document);
+    Edit edit;
+    edit.label = "edit " + std::to_string(++count_);
+    const auto before = orders_;
+    const auto layers_before = layers_;
+    for (int k = random_.pick(0, 4); k > 0; --k) remove_stroke();
+    if (random_.chance(0.2)) remove_layer();
+    if (random_.chance(0.2)) add_layer(document);
+    if (random_.chance(0.2)) change_layers();
+    for (int k = random_.pick(0, 2); k > 0; --k) move_stroke();
+    for (int k = random_.pick(0, 5); k > 0; --k) add_stroke(document.new_id(made_++));
+    for (int k = random_.pick(0, 2); k > 0; --k) replace_stroke();
+    write_strokes(document, before, edit);
+    write_layers(layers_before, edit);
+    return edit;
+  }
+
+  StrokePtr stroke() {
+    return std::make_shared<const Stroke>(random_stroke(1000 * seed_ + strokes_++));
+  }
+
+ private:
+  using Orders = std::vector<std::pair<LayerId, std::vector<StrokeId>>>;
+  using Layers = std::vector<std::pair<LayerId, LayerState>>;
+
+  void read(const Document& document) {
+    orders_.clear();
+    layers_.clear();
+    changed_.clear();
+    made_ = 0;
+    for (const Layer& l : document.layers()) {
+      orders_.push_back({l.id, l.strokes});
+      layers_.push_back({l.id, l.state()});
+    }
+  }
+
+  std::size_t any(std::size_t size) {
+    return static_cast<std::size_t>(random_.pick(0, static_cast<int>(size) - 1));
+  }
+  std::vector<StrokeId>& any_layer() { return orders_[any(orders_.size())].second; }
+
+  void remove_stroke() {
+    auto& strokes = any_layer();
+    if (!strokes.empty()) {
+      strokes.erase(strokes.begin() + static_cast<std::ptrdiff_t>(any(strokes.size())));
+    }
+  }
+  void add_stroke(StrokeId id) {
+    auto& strokes = any_layer();
+    strokes.insert(strokes.begin() + static_cast<std::ptrdiff_t>(any(strokes.size() + 1)), id);
+  }
+  void move_stroke() {
+    auto& strokes = any_layer();
+    if (strokes.empty()) return;
+    const std::size_t i = any(strokes.size());
+    const StrokeId id = strokes[i];
+    strokes.erase(strokes.begin() + static_cast<std::ptrdiff_t>(i));
+    add_stroke(id);
+  }
+  void replace_stroke() {
+    auto& strokes = any_layer();
+    if (!strokes.empty()) changed_.push_back(strokes[any(strokes.size())]);
+  }
+  void remove_layer() {
+    if (layers_.size() < 2) return;
+    const std::size_t i = any(layers_.size());
+    orders_.erase(orders_.begin() + static_cast<std::ptrdiff_t>(i));
+    layers_.erase(layers_.begin() + static_cast<std::ptrdiff_t>(i));
+  }
+  void add_layer(const Document& document) {
+    const LayerId id = document.new_layer_id();
+    const auto i = static_cast<std::ptrdiff_t>(any(layers_.size() + 1));
+    orders_.insert(orders_.begin() + i, {id, {}});
+    layers_.insert(layers_.begin() + i, {id, {"Layer " + std::to_string(id.value)}});
+  }
+  void change_layers() {
+    std::swap(layers_[any(layers_.size())], layers_[any(layers_.size())]);
+    LayerState& state = layers_[any(layers_.size())].second;
+    state.visible = random_.chance(0.5);
+    state.locked = random_.chance(0.5);
+    state.name += "'";
+  }
+
+  static std::vector<std::pair<StrokeId, StrokePlace>> places(const Orders& orders) {
+    std::vector<std::pair<StrokeId, StrokePlace>> result;
+    for (const auto& [layer, strokes] : orders) {
+      for (std::size_t i = 0; i < strokes.size(); ++i) result.push_back({strokes[i], {layer, i}});
+    }
+    return result;
+  }
+
+  void write_strokes(const Document& document, const Orders& before, Edit& edit) {
+    const auto was = places(before), is = places(orders_);
+    const auto find = [](const auto& list, StrokeId id) {
+      for (const auto& entry : list) {
+        if (entry.first == id) return &entry;
+      }
+      return static_cast<decltype(list.data())>(nullptr);
+    };
+    for (const auto& [id, place] : was) {
+      StrokeChange c{id, document.find(id), nullptr, place, {}};
+      if (const auto* now = find(is, id)) {
+        const bool replaced = std::find(changed_.begin(), changed_.end(), id) != changed_.end();
+        if (now->second == place && !replaced && random_.chance(0.9)) continue;
+        c.after = replaced ? stroke() : c.before;
+        c.after_place = now->second;
+      }
+      edit.changes.push_back(c);
+    }
+    for (const auto& [id, place] : is) {
+      if (!find(was, id)) edit.changes.push_back({id, nullptr, stroke(), {}, place});
+    }
+  }
+
+  void write_layers(const Layers& before, Edit& edit) {
+    if (before == layers_) return;
+    const auto index = [](const Layers& list, LayerId id) {
+      std::size_t i = 0;
+      while (i < list.size() && list[i].first != id) ++i;
+      return i;
+    };
+    for (std::size_t i = 0; i < before.size(); ++i) {
+      LayerChange c{before[i].first, before[i].second, std::nullopt, i, 0};
+      const std::size_t now = index(layers_, c.id);
+      if (now < layers_.size()) {
+        c.after = layers_[now].second;
+        c.after_index = now;
+      }
+      edit.layers.push_back(c);
+    }
+    for (std::size_t i = 0; i < layers_.size(); ++i) {
+      if (index(before, layers_[i].first) < before.size()) continue;
+      edit.layers.push_back({layers_[i].first, std::nullopt, layers_[i].second, 0, i});
+    }
+  }
+
+  std::uint64_t seed_;
+  RandomStroke random_;
+  std::uint64_t count_ = 0, strokes_ = 0, made_ = 0;
+  Orders orders_;
+  Layers layers_;
+  std::vector<StrokeId> changed_;
+};
+
+/// What must hold of every document: each stroke in one layer, once; layers with ids; find, place
+/// and layer_of agree.
+inline bool is_consistent(const Document& document) {
+  std::size_t count = 0;
+  for (const Layer& layer : document.layers()) {
+    if (!layer.id || document.layer(layer.id) != &layer) return false;
+    for (std::size_t i = 0; i < layer.strokes.size(); ++i, ++count) {
+      const StrokeId id = layer.strokes[i];
+      if (!document.find(id) || document.place(id) != StrokePlace{layer.id, i}) return false;
+      if (document.layer_of(id) != layer.id) return false;
+    }
+  }
+  return count == document.stroke_count() && !document.layers().empty();
+}
+
+}  // namespace felt::testing

@@ -1,0 +1,109 @@
+#include "felt/haptics/bricks/drawing_feel.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "felt/haptics/safety/safety_motors.h"
+#include "felt/haptics/safety/safety_stages.h"
+
+namespace felt {
+namespace {
+
+constexpr double kOneSpring = 300.0;
+constexpr double kQuietStepN = 0.025;  // what one step of the sensor may change
+constexpr double kSoftest = 200.0;
+constexpr double kLeastB = 0.5;
+constexpr double kSpeedFilterS = 1.0 / (6.283185307179586 * 100.0);  // as in plane.cc
+
+double period_s(const Capabilities& device) noexcept {
+  return 1e-9 * static_cast<double>(device.period_ns);
+}
+
+// Springs and dampers that answer one step of the sensor with kQuietStepN at most, each.
+struct QuietLimits {
+  double stiffness_n_per_m = std::numeric_limits<double>::infinity();
+  double damping_n_s_per_m = std::numeric_limits<double>::infinity();
+};
+
+QuietLimits quiet_limits(const Capabilities& device) noexcept {
+  if (!(device.position_step_mm > 0.0)) return {};
+  const double step_m = 1e-3 * device.position_step_mm;
+  const double seen_over_s = kSpeedFilterS + period_s(device);
+  return {std::max(kQuietStepN / step_m, kSoftest),
+          std::max(kQuietStepN * seen_over_s / step_m, kLeastB)};
+}
+
+}  // namespace
+
+double stiffness_budget_n_per_m(const Capabilities& device) noexcept {
+  return stiffness_budget_n_per_m(limits_for(device));
+}
+
+PlaneOptions plane_for(const SurfaceMaterial& surface, const Capabilities& device) noexcept {
+  PlaneOptions plane{surface.stiffness_n_per_m, surface.damping_n_s_per_m};
+  const QuietLimits quiet = quiet_limits(device);
+  double hardest = std::min(stiffness_budget_n_per_m(device), quiet.stiffness_n_per_m);
+  if (device.max_stiffness_n_per_m > 0.0) {
+    hardest = std::min(hardest, 0.9 * device.max_stiffness_n_per_m);
+  }
+  const double share = std::sqrt(std::min(surface.stiffness_n_per_m / kHardestNPerM, 1.0));
+  plane.stiffness_n_per_m = std::min(plane.stiffness_n_per_m, share * hardest);
+  if (device.max_damping_n_s_per_m > 0.0) {
+    plane.damping_n_s_per_m = std::min(plane.damping_n_s_per_m, device.max_damping_n_s_per_m);
+  }
+  if (period_s(device) < 0.0005) {
+    plane.damping_n_s_per_m =
+        std::min(plane.damping_n_s_per_m, 2.0 / std::max(1.0, device.sheet_scale));
+  }
+  plane.damping_n_s_per_m = std::min(plane.damping_n_s_per_m, quiet.damping_n_s_per_m);
+  return plane;
+}
+
+FrictionOptions friction_for(const Medium& tool, const SurfaceMaterial& surface,
+                             const Capabilities& device) noexcept {
+  const double budget = stiffness_budget_n_per_m(device);
+  const QuietLimits quiet = quiet_limits(device);
+  const double stiffness = std::min(
+      {tool.bristle_n_per_m, quiet.stiffness_n_per_m, std::max(budget - kOneSpring, 0.5 * budget)});
+  const double damping = tool.bristle_n_s_per_m * stiffness / tool.bristle_n_per_m;
+  return {.coefficient = friction_of(tool, surface),
+          .stiffness_n_per_m = stiffness,
+          .damping_n_s_per_m = std::min(damping, quiet.damping_n_s_per_m)};
+}
+
+double firm_push_n(const Capabilities& device) noexcept {
+  constexpr double kMostN = 2.0, kLeastN = 0.2, kSlides = 0.6;
+  const SafetyLimits limits = limits_for(device);
+  double held_n = sustained_force_n(limits);
+  if (limits.peak_force_n > 0.0) held_n = std::min(held_n, limits.peak_force_n);
+  return std::clamp(held_n / std::sqrt(1.0 + kSlides * kSlides), kLeastN, kMostN);
+}
+
+double flattening_push_n(const Capabilities& device) noexcept {
+  constexpr double kMostN = 2.0, kLeastN = 0.2, kShareOfContinuous = 1.2;
+  if (!(device.continuous_force_n > 0.0)) return kMostN;
+  return std::clamp(kShareOfContinuous * device.continuous_force_n, kLeastN, kMostN);
+}
+
+TextureOptions texture_for(const Medium& tool, const SurfaceMaterial& surface,
+                           const Capabilities& device, TextureLaw law) noexcept {
+  const FrictionOptions friction = friction_for(tool, surface, device);
+  return {.law = law,
+          .strength = tool.grain,
+          .wear = tool.wear,
+          .firm_push_n = flattening_push_n(device),
+          .friction = friction.coefficient,
+          .bristle_n_per_m = friction.stiffness_n_per_m,
+          .period_s = period_s(device)};
+}
+
+SheetForce make_sheet_force(const SurfaceMaterial& surface, const Medium& tool,
+                            const Capabilities& device, const HeightField* grain,
+                            TextureLaw law) noexcept {
+  return SheetForce(Plane(plane_for(surface, device)),
+                    Texture(grain, texture_for(tool, surface, device, law)),
+                    Friction(friction_for(tool, surface, device)));
+}
+
+}  // namespace felt

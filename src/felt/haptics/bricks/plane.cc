@@ -1,0 +1,54 @@
+#include "felt/haptics/bricks/plane.h"
+
+#include <algorithm>
+
+namespace felt {
+namespace {
+
+constexpr std::int64_t kGapNs = 20'000'000;
+constexpr double kFastestMmPerS = 500.0;
+constexpr double kSpeedFilterS = 1.0 / (6.283185307179586 * 100.0);
+
+void follow_speed(const PenSample& sample, ForceMemory& memory) noexcept {
+  const double z_mm = sample.position.z;
+  // The subtraction of two hostile times would overflow: compare instead.
+  const bool fresh = memory.has_last_z && sample.time_ns >= memory.last_z_time_ns &&
+                     sample.time_ns - kGapNs <= memory.last_z_time_ns;
+  // Backward Euler, as VelocityFilter; written so that no division by dt turns the jitter of a
+  // short tick into speed.
+  const double way_mm = z_mm - memory.last_z_mm;
+  memory.normal_speed_mm_per_s = fresh ? (kSpeedFilterS * memory.normal_speed_mm_per_s + way_mm) /
+                                             (kSpeedFilterS + memory.dt_s)
+                                       : 0.0;
+  memory.last_z_mm = z_mm;
+  memory.last_z_time_ns = sample.time_ns;
+  memory.has_last_z = true;
+}
+
+}  // namespace
+
+Force Plane::operator()(const PenSample& sample, ForceMemory& memory) const noexcept {
+  follow_speed(sample, memory);
+  // First the share of the budget, then the cap: where the chain has counted the cap already, it is
+  // not to be taken twice.
+  double stiffness = options_.stiffness_n_per_m * memory.scale.normal;
+  if (memory.material_cap_n_per_m > 0.0) {
+    stiffness = std::min(stiffness, memory.material_cap_n_per_m);
+  }
+  const double depth = depth_mm(sample);
+  const double speed = std::clamp(memory.normal_speed_mm_per_s, -kFastestMmPerS, kFastestMmPerS);
+
+  memory.spring_force_n = 1e-3 * stiffness * depth;
+  memory.normal_force_n =
+      depth > 0.0 ? std::max(0.0, memory.spring_force_n - 1e-3 * options_.damping_n_s_per_m * speed)
+                  : 0.0;
+  const Force force{0.0, 0.0, memory.normal_force_n};
+  memory.terms.add("plane", force);
+  return force;
+}
+
+Slopes Plane::slopes() const noexcept {
+  return {.normal_n_per_m = options_.stiffness_n_per_m};
+}
+
+}  // namespace felt

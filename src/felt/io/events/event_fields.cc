@@ -1,0 +1,363 @@
+#include "felt/io/events/event_fields.h"
+
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "felt/geometry/lean.h"
+#include "felt/io/events/event_words.h"
+#include "felt/material/material_file.h"
+
+namespace felt::json {
+namespace {
+
+constexpr NumberLimit kEventTimeLimit = {limits::kMaxEventTimeMs, "1e9"};
+constexpr NumberLimit kPeriodLimit = {1000.0, "1000"};
+constexpr std::uint64_t kMostCounted = 1000;
+
+/// A number at `key`, into `out`.
+Result<void> parse_number(Value& value, const char* key, NumberLimit limit, double& out) {
+  const std::string_view token = token_of(value);
+  if (read_number(value, limit, out)) return {};
+  return tl::unexpected(with_context(number_error(token, limit), key));
+}
+
+template <double Vec3::*Axis>
+Result<void> parse_axis(Value& value, const char* key, EventFields& out) {
+  return parse_number(value, key, kCoordinateLimit, out.position.*Axis);
+}
+
+Result<void> parse_time(Value& value, EventFields& out) {
+  double ms = 0.0;
+  if (Result<void> read = parse_number(value, "t_ms", kEventTimeLimit, ms); !read) return read;
+  if (ms < 0.0) return bad("t_ms: is before the start of the session, which is 0");
+  out.time_ns = std::llround(ms * 1e6);
+  return {};
+}
+
+Result<void> parse_pressure(Value& value, EventFields& out) {
+  if (token_of(value) == "null") return {};
+  double pressure = 0.0;
+  if (Result<void> read = parse_number(value, "pressure", kCoordinateLimit, pressure); !read) {
+    return read;
+  }
+  // Drivers overshoot their own range by a little; a pressure has no meaning outside 0..1.
+  out.pressure = std::fmin(std::fmax(pressure, 0.0), 1.0);
+  return {};
+}
+
+Result<void> parse_buttons(Value& value, EventFields& out) {
+  const std::string_view token = token_of(value);
+  std::uint64_t bits = 0;
+  if (token.size() > limits::kMaxNumberChars || value.get_uint64().get(bits) ||
+      bits > std::numeric_limits<std::uint32_t>::max()) {
+    return bad("buttons: " + excerpt(token) + " is not a whole number from 0 to 4294967295");
+  }
+  out.buttons = static_cast<std::uint32_t>(bits);
+  return {};
+}
+
+Result<void> parse_lean(Value& value, EventFields& out) {
+  const std::string_view token = token_of(value);
+  if (token == "null") return {};
+  double lean_deg = 0.0;
+  if (Result<void> read = parse_number(value, "lean", kCoordinateLimit, lean_deg); !read) {
+    return read;
+  }
+  if (lean_deg < 0.0 || lean_deg > kMostLeanDeg) {
+    return bad("lean: " + excerpt(token) + " is no angle from 0 to 90 degrees");
+  }
+  out.lean_deg = lean_deg;
+  return {};
+}
+
+Result<void> parse_text(Value& value, const char* key, std::string& out,
+                        std::size_t max_bytes = limits::kMaxNameBytes) {
+  Result<std::string> text = read_name(value, max_bytes);
+  if (!text) return tl::unexpected(with_context(text.error(), key));
+  if (text->empty()) return bad(std::string(key) + ": is empty");
+  if (text->find('\0') != std::string::npos) return bad(std::string(key) + ": holds a NUL");
+  out = std::move(*text);
+  return {};
+}
+
+Result<void> parse_option_value(Value& value, EventFields& out) {
+  const std::string_view token = token_of(value);
+  if (!token.empty() && token[0] == '"') {
+    Result<std::string> text = read_name(value);
+    if (!text) return tl::unexpected(with_context(text.error(), "value"));
+    out.value = std::move(*text);
+    return {};
+  }
+  if (token == "true" || token == "false") {
+    const Result<bool> is_on = read_bool(value);
+    if (!is_on) return tl::unexpected(with_context(is_on.error(), "value"));
+    out.value = *is_on;
+    return {};
+  }
+  double number = 0.0;
+  if (!read_number(value, kCoordinateLimit, number)) {
+    const Error error = number_error(token, kCoordinateLimit);
+    if (error.code == ErrorCode::kLimitExceeded)
+      return tl::unexpected(with_context(error, "value"));
+    return bad("value: " + excerpt(token) + " is not a number, a string, true or false");
+  }
+  out.value = number;
+  return {};
+}
+
+/// A word of a list into the enumeration with the same order.
+template <class Enum, std::size_t N>
+Result<void> parse_word(Value& value, const char* key, const std::array<std::string_view, N>& words,
+                        Enum& out) {
+  std::string text;
+  if (Result<void> read = parse_text(value, key, text); !read) return read;
+  std::string known;
+  for (std::size_t i = 0; i < N; ++i) {
+    if (words[i] == text) {
+      out = static_cast<Enum>(i);
+      return {};
+    }
+    known += (known.empty() ? "" : ", ") + std::string(words[i]);
+  }
+  return bad(std::string(key) + ": \"" + excerpt(text) + "\" is not one of " + known);
+}
+
+Result<void> parse_layer(Value& value, EventFields& out) {
+  const std::string_view token = token_of(value);
+  if (token.size() > limits::kMaxNumberChars || value.get_uint64().get(out.layer.value) ||
+      !out.layer) {
+    return bad("id: " + excerpt(token) + " is not a layer, a whole number from 1 on");
+  }
+  return {};
+}
+
+/// A quantity of a device that is never negative.
+template <double Capabilities::*Quantity>
+Result<void> parse_quantity(Value& value, const char* key, EventFields& out) {
+  double& number = out.device.*Quantity;
+  if (Result<void> read = parse_number(value, key, kCoordinateLimit, number); !read) return read;
+  if (number < 0.0) return bad(std::string(key) + ": is negative");
+  return {};
+}
+
+/// A whole number from 0 on, small enough to count axes and ticks.
+template <int Capabilities::*Count>
+Result<void> parse_count(Value& value, const char* key, EventFields& out) {
+  const std::string_view token = token_of(value);
+  std::uint64_t count = 0;
+  if (token.size() > limits::kMaxNumberChars || value.get_uint64().get(count) ||
+      count > kMostCounted) {
+    return bad(std::string(key) + ": " + excerpt(token) + " is not a whole number from 0 to 1000");
+  }
+  out.device.*Count = static_cast<int>(count);
+  return {};
+}
+
+Result<void> parse_period(Value& value, EventFields& out) {
+  double ms = 0.0;
+  if (Result<void> read = parse_number(value, "period_ms", kPeriodLimit, ms); !read) return read;
+  out.device.period_ns = std::llround(ms * 1e6);
+  if (out.device.period_ns > 0) return {};
+  return bad("period_ms: is not more than 0");
+}
+
+Result<void> parse_senses_pressure(Value& value, EventFields& out) {
+  const Result<bool> senses = read_bool(value);
+  if (!senses) return tl::unexpected(with_context(senses.error(), "senses_pressure"));
+  out.device.senses_pressure = *senses;
+  return {};
+}
+
+Result<void> parse_defaults(Value& value, EventFields& out) {
+  const std::string_view token = token_of(value);
+  std::uint64_t version = 0;
+  if (token.size() > limits::kMaxNumberChars || value.get_uint64().get(version) || version == 0) {
+    return bad("defaults: " + excerpt(token) + " is not a whole number from 1 on");
+  }
+  if (version > kOptionDefaults) {
+    return bad("defaults: " + excerpt(token) + " is of a newer version of Feltline");
+  }
+  out.defaults = static_cast<int>(version);
+  return {};
+}
+
+Result<void> parse_select(Value& value, EventFields& out) {
+  const Result<bool> select = read_bool(value);
+  if (!select) return tl::unexpected(with_context(select.error(), "select"));
+  out.select = *select;
+  return {};
+}
+
+Result<void> parse_index(Value& value, EventFields& out) {
+  const std::string_view token = token_of(value);
+  std::uint64_t index = 0;
+  if (token.size() > limits::kMaxNumberChars || value.get_uint64().get(index)) {
+    return bad("index: " + excerpt(token) + " is not a place, a whole number from 0 on");
+  }
+  out.index = index;
+  return {};
+}
+
+using EventField = Field<EventFields>;
+
+/// Read before the others, to know which they are.
+constexpr EventField kEvent = {"event", true, [](Value& v, EventFields&) -> Result<void> {
+                                 const Result<EventName> name = parse_event_name(v);
+                                 if (!name) return tl::unexpected(name.error());
+                                 return {};
+                               }};
+constexpr EventField kTime = {"t_ms", true, parse_time};
+constexpr EventField kId = {"id", true,
+                            [](Value& v, EventFields& e) { return parse_text(v, "id", e.id); }};
+
+constexpr std::array kPlainFields = {kEvent, kTime};
+constexpr std::array kToolFields = {kEvent, kTime, kId};
+constexpr std::array kOptionFields = {kEvent, kTime, kId,
+                                      EventField{"value", true, parse_option_value}};
+constexpr std::array kImportFields = {
+    kEvent, kTime,
+    EventField{"path", true,
+               [](Value& v, EventFields& e) { return parse_text(v, "path", e.path); }},
+    EventField{"select", false, parse_select}};
+constexpr std::array kSelectFields = {
+    kEvent, kTime, EventField{"what", true, [](Value& v, EventFields& e) {
+                                return parse_word(v, "what", kSelectionWords, e.selection);
+                              }}};
+constexpr std::array kLayerFields = {
+    kEvent,
+    kTime,
+    EventField{"do", true,
+               [](Value& v, EventFields& e) { return parse_word(v, "do", kLayerWords, e.action); }},
+    EventField{"id", false, parse_layer},
+    EventField{"index", false, parse_index},
+    EventField{"name", false,
+               [](Value& v, EventFields& e) { return parse_text(v, "name", e.name); }}};
+constexpr std::array kMaterialFields = {
+    kEvent, kTime, EventField{"text", true, [](Value& v, EventFields& e) {
+                                return parse_text(v, "text", e.text, kMaxMaterialBytes);
+                              }}};
+constexpr std::array kPoseFields = {
+    kEvent,
+    kTime,
+    EventField{"x", true, [](Value& v, EventFields& e) { return parse_axis<&Vec3::x>(v, "x", e); }},
+    EventField{"y", true, [](Value& v, EventFields& e) { return parse_axis<&Vec3::y>(v, "y", e); }},
+    EventField{"z", false,
+               [](Value& v, EventFields& e) {
+                 e.has_z = true;
+                 return parse_axis<&Vec3::z>(v, "z", e);
+               }},
+    EventField{"pressure", false, parse_pressure},
+    EventField{"buttons", false, parse_buttons},
+    EventField{"lean", false, parse_lean},
+};
+
+constexpr std::array kRestyleFields = {
+    kEvent,
+    kTime,
+    EventField{"color", false,
+               [](Value& v, EventFields& e) { return parse_text(v, "color", e.color); }},
+    EventField{"medium", false,
+               [](Value& v, EventFields& e) { return parse_text(v, "medium", e.medium); }},
+};
+
+constexpr std::array kDeviceFields = {
+    kEvent,
+    kTime,
+    EventField{"sensed_axes", false,
+               [](Value& v, EventFields& e) {
+                 return parse_count<&Capabilities::sensed_axes>(v, "sensed_axes", e);
+               }},
+    EventField{"actuated_axes", false,
+               [](Value& v, EventFields& e) {
+                 return parse_count<&Capabilities::actuated_axes>(v, "actuated_axes", e);
+               }},
+    EventField{"max_force_n", false,
+               [](Value& v, EventFields& e) {
+                 return parse_quantity<&Capabilities::max_force_n>(v, "max_force_n", e);
+               }},
+    EventField{"continuous_force_n", false,
+               [](Value& v, EventFields& e) {
+                 return parse_quantity<&Capabilities::continuous_force_n>(v, "continuous_force_n",
+                                                                          e);
+               }},
+    EventField{"advised_force_n", false,
+               [](Value& v, EventFields& e) {
+                 return parse_quantity<&Capabilities::advised_force_n>(v, "advised_force_n", e);
+               }},
+    EventField{"max_stiffness_n_per_m", false,
+               [](Value& v, EventFields& e) {
+                 return parse_quantity<&Capabilities::max_stiffness_n_per_m>(
+                     v, "max_stiffness_n_per_m", e);
+               }},
+    EventField{"max_damping_n_s_per_m", false,
+               [](Value& v, EventFields& e) {
+                 return parse_quantity<&Capabilities::max_damping_n_s_per_m>(
+                     v, "max_damping_n_s_per_m", e);
+               }},
+    EventField{"position_step_mm", false,
+               [](Value& v, EventFields& e) {
+                 return parse_quantity<&Capabilities::position_step_mm>(v, "position_step_mm", e);
+               }},
+    EventField{"period_ms", false, parse_period},
+    EventField{"delay_ticks", false,
+               [](Value& v, EventFields& e) {
+                 return parse_count<&Capabilities::delay_ticks>(v, "delay_ticks", e);
+               }},
+    EventField{"senses_pressure", false, parse_senses_pressure},
+    EventField{"defaults", false, parse_defaults},
+    EventField{"sheet_scale", false,
+               [](Value& v, EventFields& e) {
+                 return parse_quantity<&Capabilities::sheet_scale>(v, "sheet_scale", e);
+               }},
+};
+
+struct NamedEvent {
+  std::string_view text;
+  EventName name;
+  std::span<const EventField> fields;
+};
+constexpr NamedEvent kEvents[] = {
+    {"tool", EventName::kTool, kToolFields},
+    {"option", EventName::kOption, kOptionFields},
+    {"pen", EventName::kPen, kPoseFields},
+    {"hand", EventName::kHand, kPoseFields},
+    {"undo", EventName::kUndo, kPlainFields},
+    {"redo", EventName::kRedo, kPlainFields},
+    {"cancel", EventName::kCancel, kPlainFields},
+    {"import", EventName::kImport, kImportFields},
+    {"select", EventName::kSelect, kSelectFields},
+    {"delete", EventName::kDelete, kPlainFields},
+    {"duplicate", EventName::kDuplicate, kPlainFields},
+    {"restyle", EventName::kRestyle, kRestyleFields},
+    {"layer", EventName::kLayer, kLayerFields},
+    {"device", EventName::kDevice, kDeviceFields},
+    {"material", EventName::kMaterial, kMaterialFields},
+};
+
+}  // namespace
+
+Result<EventName> parse_event_name(Value& value) {
+  const std::string_view token = token_of(value);
+  std::string_view text;
+  if (const auto error = value.get_string().get(text)) {
+    if (error == simdjson::INCORRECT_TYPE) {
+      return bad("event: " + excerpt(token) + " is not a string");
+    }
+    return tl::unexpected(with_context(syntax_error(error), "event"));
+  }
+  for (const NamedEvent& event : kEvents) {
+    if (event.text == text) return event.name;
+  }
+  std::string known;
+  for (const NamedEvent& event : kEvents) {
+    known += (known.empty() ? "" : ", ") + std::string(event.text);
+  }
+  return bad("event: \"" + excerpt(text) + "\" is not one of " + known);
+}
+
+std::span<const Field<EventFields>> fields_of(EventName name) noexcept {
+  return kEvents[static_cast<std::size_t>(name)].fields;
+}
+
+}  // namespace felt::json

@@ -1,0 +1,66 @@
+#pragma once
+
+/// The keys of event lines, each parsed into its field. Private to this layer. Errors start with
+/// the key.
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "felt/geometry/vec3.h"
+#include "felt/io/ndjson/ndjson_object.h"
+#include "felt/session/event.h"
+
+namespace felt::json {
+
+/// What the keys of an event line may say, whichever event it is.
+struct EventFields {
+  std::int64_t time_ns = 0;
+  std::string id;
+  OptionValue value;
+  Vec3 position;
+  bool has_z = false;
+  std::optional<double> pressure;
+  std::uint32_t buttons = 0;
+  std::optional<double> lean_deg;
+  std::string path;
+  bool select = false;
+  int defaults = 1;  ///< of recordings that do not name them
+  SelectStrokes::What selection{};
+  LayerEvent::Do action{};
+  LayerId layer;
+  std::string name;
+  Capabilities device;
+  std::optional<std::size_t> index;
+  std::string text;
+  std::string color;
+  std::string medium;
+};
+
+/// The kinds of events, by their name in the file.
+enum class EventName {
+  kTool,
+  kOption,
+  kPen,
+  kHand,
+  kUndo,
+  kRedo,
+  kCancel,
+  kImport,
+  kSelect,
+  kDelete,
+  kDuplicate,
+  kRestyle,
+  kLayer,
+  kDevice,
+  kMaterial
+};
+
+/// Error: none of ours.
+Result<EventName> parse_event_name(Value& value);
+
+/// The keys of one kind of event, `event` and `t_ms` among them.
+std::span<const Field<EventFields>> fields_of(EventName name) noexcept;
+
+}  // namespace felt::json

@@ -1,0 +1,226 @@
+#include "felt/io/events/event_reader.h"
+
+#include <optional>
+#include <utility>
+
+#include "felt/io/events/event_fields.h"
+#include "felt/io/ndjson/ndjson_parser.h"
+
+namespace felt {
+namespace {
+
+using json::EventFields;
+using json::EventName;
+using json::Value;
+
+/// Bytes of lines that read_script holds at a time.
+constexpr std::size_t kBatchBytes = std::size_t{64} << 10;
+
+/// What a look at the keys says about a line.
+struct Glance {
+  std::optional<EventName> event;
+  bool is_other = false;  ///< a stroke or a header: NdjsonParser's
+};
+
+/// Only what means something to it.
+LayerEvent layer_event(EventFields&& fields) {
+  using Do = LayerEvent::Do;
+  LayerEvent event{fields.action, fields.layer};
+  if (event.what == Do::kAdd) event.layer = {};
+  if (event.what == Do::kAdd || event.what == Do::kRename) event.name = std::move(fields.name);
+  if (event.what == Do::kMove) event.index = fields.index.value_or(0);
+  return event;
+}
+
+Event event_of(EventName name, EventFields&& fields) {
+  Event event;
+  event.time_ns = fields.time_ns;
+  switch (name) {
+    case EventName::kTool:
+      event.what = SelectTool{std::move(fields.id)};
+      break;
+    case EventName::kOption:
+      event.what = SetOption{std::move(fields.id), std::move(fields.value)};
+      break;
+    case EventName::kPen:
+      event.what = PenEvent{fields.position, fields.pressure, fields.buttons, fields.lean_deg};
+      break;
+    case EventName::kHand:
+      event.what = HandEvent{fields.position, fields.pressure, fields.buttons, fields.lean_deg};
+      break;
+    case EventName::kUndo:
+      event.what = UndoEvent{};
+      break;
+    case EventName::kRedo:
+      event.what = RedoEvent{};
+      break;
+    case EventName::kCancel:
+      event.what = CancelEvent{};
+      break;
+    case EventName::kImport:
+      event.what = ImportEvent{std::move(fields.path), fields.select};
+      break;
+    case EventName::kSelect:
+      event.what = SelectStrokes{fields.selection};
+      break;
+    case EventName::kDelete:
+      event.what = DeleteEvent{};
+      break;
+    case EventName::kDuplicate:
+      event.what = DuplicateEvent{};
+      break;
+    case EventName::kRestyle:
+      event.what = RestyleEvent{std::move(fields.color), std::move(fields.medium)};
+      break;
+    case EventName::kLayer:
+      event.what = layer_event(std::move(fields));
+      break;
+    case EventName::kDevice:
+      event.what = UseDevice{fields.device, fields.defaults};
+      break;
+    case EventName::kMaterial:
+      event.what = UseMaterial{std::move(fields.text)};
+      break;
+  }
+  return event;
+}
+
+/// Without z only the pressure says whether the pen touches.
+Result<void> check_pose(EventName name, const EventFields& fields) {
+  const bool is_pose = name == EventName::kPen || name == EventName::kHand;
+  if (!is_pose || fields.has_z || fields.pressure) return {};
+  return json::bad("key \"z\" is missing, and there is no pressure");
+}
+
+/// Which keys a layer event needs depends on what it does.
+Result<void> check_layer(EventName name, const EventFields& fields) {
+  if (name != EventName::kLayer) return {};
+  if (fields.action != LayerEvent::Do::kAdd && !fields.layer) {
+    return json::bad("key \"id\" is missing");
+  }
+  if (fields.action == LayerEvent::Do::kRename && fields.name.empty()) {
+    return json::bad("key \"name\" is missing");
+  }
+  if (fields.action == LayerEvent::Do::kMove && !fields.index) {
+    return json::bad("key \"index\" is missing");
+  }
+  return {};
+}
+
+std::string milliseconds(std::int64_t time_ns) {
+  std::string text = std::to_string(static_cast<double>(time_ns) / 1e6);
+  text.erase(text.find_last_not_of('0') + 1);
+  if (text.back() == '.') text.pop_back();
+  return text;
+}
+
+}  // namespace
+
+struct EventReader::State {
+  simdjson::ondemand::parser parser;
+  NdjsonParser strokes;
+  std::int64_t last_ns = 0;
+
+  /// Values other than that of "event" are passed over unread.
+  Result<Glance> look(const NdjsonLine& line) {
+    Glance seen;
+    const auto take = [&seen](std::string_view key, Value value) -> Result<void> {
+      if (key == "points" || key == "feltline") seen.is_other = true;
+      if (key != "event" || seen.event) return {};
+      const Result<EventName> name = json::parse_event_name(value);
+      if (!name) return tl::unexpected(name.error());
+      seen.event = *name;
+      return {};
+    };
+    if (Result<void> walked = json::for_each_member(parser, line, take); !walked) {
+      return tl::unexpected(walked.error());
+    }
+    return seen;
+  }
+
+  Result<Event> event(const NdjsonLine& line, EventName name) {
+    EventFields values;
+    json::Fields<EventFields> fields(json::fields_of(name), values);
+    Result<void> read = json::for_each_member(
+        parser, line,
+        [&fields](std::string_view key, Value value) { return fields.take(key, value); });
+    if (read) read = fields.finish();
+    if (read) read = check_pose(name, values);
+    if (read) read = check_layer(name, values);
+    if (!read) return tl::unexpected(read.error());
+    if (values.time_ns < last_ns) {
+      return json::bad("t_ms: " + milliseconds(values.time_ns) + " is before " +
+                       milliseconds(last_ns) + ", the time of the event before");
+    }
+    last_ns = values.time_ns;
+    return event_of(name, std::move(values));
+  }
+};
+
+EventReader::EventReader() : state_(std::make_unique<State>()) {}
+EventReader::~EventReader() = default;
+EventReader::EventReader(EventReader&&) noexcept = default;
+EventReader& EventReader::operator=(EventReader&&) noexcept = default;
+
+Result<ScriptLineKind> EventReader::read(const NdjsonLine& line, Event& event, RawStroke& stroke) {
+  const Result<Glance> seen = state_->look(line);
+  if (!seen) return tl::unexpected(seen.error());
+  if (seen->event) {
+    Result<Event> read = state_->event(line, *seen->event);
+    if (!read) return tl::unexpected(read.error());
+    event = std::move(*read);
+    return ScriptLineKind::kEvent;
+  }
+  if (!seen->is_other) return json::bad("neither an event nor a stroke: no key \"event\"");
+  const Result<NdjsonKind> kind = state_->strokes.raw_stroke(line, stroke);
+  if (!kind) return tl::unexpected(kind.error());
+  return *kind == NdjsonKind::kHeader ? ScriptLineKind::kHeader : ScriptLineKind::kStroke;
+}
+
+namespace {
+
+Result<void> read_line(EventReader& reader, const NdjsonLine& line, const ScriptSink& sink) {
+  Event event;
+  RawStroke stroke;
+  const Result<ScriptLineKind> kind = reader.read(line, event, stroke);
+  if (!kind) return tl::unexpected(kind.error());
+  if (*kind == ScriptLineKind::kEvent) return sink.event(event);
+  if (*kind == ScriptLineKind::kHeader) return {};
+  if (sink.stroke) return sink.stroke(stroke);
+  return json::bad("a stroke, where only events are expected");
+}
+
+}  // namespace
+
+Result<void> read_script(const std::string& name, ReadBytes read, const ScriptSink& sink) {
+  LineReader lines(std::move(read));
+  LineBatch batch;
+  EventReader reader;
+  for (;;) {
+    const Result<bool> more = lines.fill(batch, kBatchBytes);
+    if (!more) return tl::unexpected(with_context(more.error(), name));
+    if (!*more) return {};
+    for (std::size_t i = 0; i < batch.size(); ++i) {
+      const NdjsonLine line = batch.line(i);
+      if (Result<void> done = read_line(reader, line, sink); !done) {
+        return tl::unexpected(
+            with_context(done.error(), name + ":" + std::to_string(line.number())));
+      }
+    }
+  }
+}
+
+Result<std::vector<Event>> read_events(const std::string& name, ReadBytes read) {
+  std::vector<Event> events;
+  ScriptSink sink;
+  sink.event = [&events](const Event& event) -> Result<void> {
+    events.push_back(event);
+    return {};
+  };
+  if (Result<void> done = read_script(name, std::move(read), sink); !done) {
+    return tl::unexpected(done.error());
+  }
+  return events;
+}
+
+}  // namespace felt

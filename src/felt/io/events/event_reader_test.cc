@@ -1,0 +1,317 @@
+#include "felt/io/events/event_reader.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace felt {
+namespace {
+
+using testing::HasSubstr;
+
+/// The first line of `text`.
+struct Read {
+  Event event;
+  RawStroke stroke;
+  ScriptLineKind kind = ScriptLineKind::kHeader;
+  std::string error;
+};
+
+Read read_line(std::string_view text) {
+  LineReader lines(read_text(text));
+  LineBatch batch;
+  Read read;
+  if (!lines.fill(batch, 1).value_or(false)) {
+    read.error = "no line";
+    return read;
+  }
+  EventReader reader;
+  const Result<ScriptLineKind> kind = reader.read(batch.line(0), read.event, read.stroke);
+  if (kind) {
+    read.kind = *kind;
+  } else {
+    read.error = kind.error().message;
+  }
+  return read;
+}
+
+Event event_of(std::string_view text) {
+  const Read read = read_line(text);
+  EXPECT_EQ(read.error, "") << text;
+  EXPECT_EQ(read.kind, ScriptLineKind::kEvent) << text;
+  return read.event;
+}
+
+std::string error_of(std::string_view text) {
+  return read_line(text).error;
+}
+
+TEST(EventReader, ReadsEveryKind) {
+  EXPECT_EQ(event_of(R"({"event":"tool","id":"pull","t_ms":1.5})"),
+            (Event{1'500'000, SelectTool{"pull"}}));
+  EXPECT_EQ(event_of(R"({"event":"option","id":"pull.radius_mm","value":20,"t_ms":0})"),
+            (Event{0, SetOption{"pull.radius_mm", 20.0}}));
+  EXPECT_EQ(event_of(R"({"event":"option","id":"a.b","value":true,"t_ms":0})"),
+            (Event{0, SetOption{"a.b", true}}));
+  EXPECT_EQ(event_of(R"({"event":"option","id":"a.b","value":"both","t_ms":0})"),
+            (Event{0, SetOption{"a.b", std::string("both")}}));
+  EXPECT_EQ(event_of(R"({"event":"pen","x":1,"y":-2.5,"z":0.25,"t_ms":2})"),
+            (Event{2'000'000, PenEvent{{1, -2.5, 0.25}, {}, 0}}));
+  EXPECT_EQ(event_of(R"({"event":"hand","x":1,"y":2,"z":-1,"pressure":0.5,"buttons":3,"t_ms":2})"),
+            (Event{2'000'000, HandEvent{{1, 2, -1}, 0.5, 3}}));
+  EXPECT_EQ(event_of(R"({"event":"undo","t_ms":3})"), (Event{3'000'000, UndoEvent{}}));
+  EXPECT_EQ(event_of(R"({"event":"redo","t_ms":3})"), (Event{3'000'000, RedoEvent{}}));
+  EXPECT_EQ(event_of(R"({"event":"cancel","t_ms":3})"), (Event{3'000'000, CancelEvent{}}));
+  EXPECT_EQ(event_of(R"({"event":"import","path":"a/b.ndjson","t_ms":3})"),
+            (Event{3'000'000, ImportEvent{"a/b.ndjson"}}));
+  EXPECT_EQ(event_of(R"({"event":"delete","t_ms":3})"), (Event{3'000'000, DeleteEvent{}}));
+  EXPECT_EQ(event_of(R"({"event":"duplicate","t_ms":3})"), (Event{3'000'000, DuplicateEvent{}}));
+  EXPECT_EQ(event_of(R"({"event":"restyle","medium":"chalk","t_ms":3})"),
+            (Event{3'000'000, RestyleEvent{.medium = "chalk"}}));
+  EXPECT_EQ(event_of(R"({"event":"select","what":"invert","t_ms":3})"),
+            (Event{3'000'000, SelectStrokes{SelectStrokes::What::kInvert}}));
+}
+
+TEST(EventReader, ReadsWhatIsDoneToLayers) {
+  using Do = LayerEvent::Do;
+  EXPECT_EQ(event_of(R"({"event":"layer","do":"add","t_ms":0})"), (Event{0, LayerEvent{}}));
+  EXPECT_EQ(event_of(R"({"event":"layer","do":"add","id":7,"name":"Ideas","t_ms":0})"),
+            (Event{0, LayerEvent{Do::kAdd, {}, "Ideas"}}))
+      << "a new layer gets its own id";
+  EXPECT_EQ(event_of(R"({"event":"layer","do":"rename","id":2,"name":"b","t_ms":0})"),
+            (Event{0, LayerEvent{Do::kRename, {2}, "b"}}));
+  EXPECT_EQ(event_of(R"({"event":"layer","do":"hide","id":18446744073709551615,"name":"b",)"
+                     R"("t_ms":0})"),
+            (Event{0, LayerEvent{Do::kHide, {18446744073709551615U}, ""}}));
+  EXPECT_EQ(event_of(R"({"event":"layer","do":"move","id":2,"index":3,"name":"b","t_ms":0})"),
+            (Event{0, LayerEvent{Do::kMove, {2}, "", 3}}));
+  EXPECT_EQ(event_of(R"({"event":"layer","do":"raise","id":2,"index":3,"t_ms":0})"),
+            (Event{0, LayerEvent{Do::kRaise, {2}, ""}}));
+  const std::pair<const char*, Do> kinds[] = {
+      {"remove", Do::kRemove}, {"show", Do::kShow},   {"lock", Do::kLock}, {"unlock", Do::kUnlock},
+      {"raise", Do::kRaise},   {"lower", Do::kLower}, {"use", Do::kUse}};
+  for (const auto& [word, what] : kinds) {
+    const std::string text =
+        R"({"event":"layer","id":3,"t_ms":0,"do":")" + std::string(word) + "\"}";
+    EXPECT_EQ(event_of(text), (Event{0, LayerEvent{what, {3}, ""}}));
+  }
+}
+
+TEST(EventReader, ReadsDevices) {
+  EXPECT_EQ(event_of(R"({"event":"device","t_ms":0})"), (Event{0, UseDevice{{}, 1}}));
+  EXPECT_EQ(event_of(R"({"event":"device","t_ms":0,"defaults":2})"), (Event{0, UseDevice{{}, 2}}));
+  EXPECT_EQ(error_of(R"({"event":"device","t_ms":0,"defaults":99})"),
+            "defaults: 99 is of a newer version of Feltline");
+  EXPECT_THAT(error_of(R"({"event":"device","t_ms":0,"defaults":0})"), HasSubstr("from 1 on"));
+  Capabilities can;
+  can.sensed_axes = 2;
+  can.max_force_n = 3.3;
+  can.period_ns = 250'000;
+  can.senses_pressure = true;
+  EXPECT_EQ(
+      event_of(R"({"event":"device","senses_pressure":true,"sensed_axes":2,"max_force_n":3.3,)"
+               R"("period_ms":0.25,"t_ms":0})"),
+      (Event{0, UseDevice{can, 1}}));
+  EXPECT_EQ(error_of(R"({"event":"device","max_force_n":-1,"t_ms":0})"),
+            "max_force_n: is negative");
+  EXPECT_EQ(error_of(R"({"event":"device","period_ms":0,"t_ms":0})"),
+            "period_ms: is not more than 0");
+  EXPECT_THAT(error_of(R"({"event":"device","sensed_axes":2.5,"t_ms":0})"),
+              HasSubstr("sensed_axes: 2.5 is not a whole number"));
+  EXPECT_THAT(error_of(R"({"event":"device","delay_ticks":1001,"t_ms":0})"),
+              HasSubstr("delay_ticks: 1001 is not a whole number"));
+  EXPECT_THAT(error_of(R"({"event":"device","senses_pressure":1,"t_ms":0})"),
+              HasSubstr("senses_pressure: "));
+}
+
+TEST(EventReader, SaysWhatIsWrongWithCommands) {
+  EXPECT_EQ(error_of(R"({"event":"select","t_ms":0})"), "key \"what\" is missing");
+  EXPECT_EQ(error_of(R"({"event":"select","what":"some","t_ms":0})"),
+            "what: \"some\" is not one of all, none, invert");
+  EXPECT_EQ(error_of(R"({"event":"layer","id":1,"t_ms":0})"), "key \"do\" is missing");
+  EXPECT_EQ(error_of(R"({"event":"layer","do":"fly","id":1,"t_ms":0})"),
+            "do: \"fly\" is not one of add, remove, rename, show, hide, lock, unlock, raise, "
+            "lower, use, move");
+  EXPECT_EQ(error_of(R"({"event":"layer","do":"hide","t_ms":0})"), "key \"id\" is missing");
+  EXPECT_EQ(error_of(R"({"event":"layer","do":"rename","id":1,"t_ms":0})"),
+            "key \"name\" is missing");
+  EXPECT_EQ(error_of(R"({"event":"layer","do":"rename","id":1,"name":"","t_ms":0})"),
+            "name: is empty");
+  EXPECT_EQ(error_of(R"({"event":"layer","do":"move","id":1,"t_ms":0})"),
+            "key \"index\" is missing");
+  for (const char* index : {"-1", "1.5", "\"1\"", "18446744073709551616", "null"}) {
+    EXPECT_EQ(error_of(R"({"event":"layer","do":"move","id":1,"t_ms":0,"index":)" +
+                       std::string(index) + "}"),
+              "index: " + std::string(index) + " is not a place, a whole number from 0 on");
+  }
+  for (const char* id : {"0", "-1", "1.5", "\"1\"", "18446744073709551616", "null"}) {
+    EXPECT_EQ(error_of(R"({"event":"layer","do":"hide","t_ms":0,"id":)" + std::string(id) + "}"),
+              "id: " + std::string(id) + " is not a layer, a whole number from 1 on");
+  }
+}
+
+TEST(EventReader, KeysInAnyOrderAndOthersIgnored) {
+  EXPECT_EQ(event_of(R"( { "z":-1 , "note":{"a":[1,null]}, "t_ms":7, "y":2, "id":[], "x":1,)"
+                     R"( "\u0065vent":"p\u0065n" } )"),
+            (Event{7'000'000, PenEvent{{1, 2, -1}, {}, 0}}));
+}
+
+TEST(EventReader, APenMayLean) {
+  const auto pen = [](const std::string& lean) {
+    return R"({"event":"pen","x":1,"y":2,"z":-1,"t_ms":0,"lean":)" + lean + "}";
+  };
+  EXPECT_EQ(event_of(pen("32.5")), (Event{0, PenEvent{{1, 2, -1}, {}, 0, 32.5}}));
+  EXPECT_EQ(event_of(pen("0")), (Event{0, PenEvent{{1, 2, -1}, {}, 0, 0.0}}));
+  EXPECT_EQ(event_of(pen("90")), (Event{0, PenEvent{{1, 2, -1}, {}, 0, 90.0}}));
+  EXPECT_EQ(event_of(pen("null")), (Event{0, PenEvent{{1, 2, -1}, {}, 0}}));
+  EXPECT_EQ(event_of(R"({"event":"hand","x":1,"y":2,"z":-1,"lean":45,"t_ms":0})"),
+            (Event{0, HandEvent{{1, 2, -1}, {}, 0, 45.0}}));
+  EXPECT_EQ(error_of(pen("-0.5")), "lean: -0.5 is no angle from 0 to 90 degrees");
+  EXPECT_EQ(error_of(pen("90.001")), "lean: 90.001 is no angle from 0 to 90 degrees");
+  EXPECT_EQ(error_of(pen("\"45\"")), "lean: \"45\" is not a number");
+  EXPECT_THAT(error_of(pen("1e99")), HasSubstr("lean: 1e99 is malformed, or larger than"));
+  EXPECT_THAT(error_of(pen("NaN")), HasSubstr("NaN"));
+  EXPECT_EQ(error_of(pen("[45]")), "lean: [ is not a number");
+  EXPECT_EQ(error_of(pen("true")), "lean: true is not a number");
+}
+
+TEST(EventReader, WithoutDepthPressureDecides) {
+  EXPECT_EQ(event_of(R"({"event":"pen","x":1,"y":2,"pressure":0.5,"t_ms":0})"),
+            (Event{0, PenEvent{{1, 2, 0}, 0.5, 0}}));
+  EXPECT_EQ(error_of(R"({"event":"pen","x":1,"y":2,"t_ms":0})"),
+            "key \"z\" is missing, and there is no pressure");
+  EXPECT_EQ(error_of(R"({"event":"hand","x":1,"y":2,"pressure":null,"t_ms":0})"),
+            "key \"z\" is missing, and there is no pressure");
+}
+
+TEST(EventReader, PressureIsClampedToItsRange) {
+  const Event above = event_of(R"({"event":"pen","x":1,"y":2,"z":0,"pressure":1.01,"t_ms":0})");
+  EXPECT_EQ(std::get<PenEvent>(above.what).pressure, 1.0);
+  const Event below = event_of(R"({"event":"pen","x":1,"y":2,"z":0,"pressure":-0.01,"t_ms":0})");
+  EXPECT_EQ(std::get<PenEvent>(below.what).pressure, 0.0);
+}
+
+TEST(EventReader, NamesTheKeyAndTheReason) {
+  EXPECT_EQ(
+      error_of(R"({"event":"fly","t_ms":0})"),
+      "event: \"fly\" is not one of tool, option, pen, hand, undo, redo, cancel, import, select, "
+      "delete, duplicate, restyle, layer, device, material");
+  EXPECT_EQ(error_of(R"({"event":7,"t_ms":0})"), "event: 7 is not a string");
+  EXPECT_EQ(error_of(R"({"event":"undo"})"), "key \"t_ms\" is missing");
+  EXPECT_EQ(error_of(R"({"event":"undo","t_ms":null})"), "t_ms: null is not a number");
+  EXPECT_EQ(error_of(R"({"event":"undo","t_ms":-1})"),
+            "t_ms: is before the start of the session, which is 0");
+  EXPECT_EQ(error_of(R"({"event":"undo","t_ms":1000000001})"),
+            "t_ms: 1000000001 is malformed, or larger than 1e9");
+  EXPECT_EQ(error_of(R"({"event":"undo","event":"undo","t_ms":0})"), "key \"event\" occurs twice");
+  EXPECT_EQ(error_of(R"({"event":"undo","t_ms":0,"t_ms":0})"), "key \"t_ms\" occurs twice");
+  EXPECT_EQ(error_of(R"({"event":"tool","t_ms":0})"), "key \"id\" is missing");
+  EXPECT_EQ(error_of(R"({"event":"tool","id":1,"t_ms":0})"), "id: 1 is not a string");
+  EXPECT_EQ(error_of(R"({"event":"tool","id":"","t_ms":0})"), "id: is empty");
+  EXPECT_EQ(error_of(R"({"event":"option","id":"a.b","t_ms":0})"), "key \"value\" is missing");
+  EXPECT_EQ(error_of(R"({"event":"option","id":"a.b","value":null,"t_ms":0})"),
+            "value: null is not a number, a string, true or false");
+  EXPECT_EQ(error_of(R"({"event":"option","id":"a.b","value":[1],"t_ms":0})"),
+            "value: [ is not a number, a string, true or false");
+  EXPECT_EQ(error_of(R"({"event":"pen","x":"1","y":2,"z":0,"t_ms":0})"),
+            "x: \"1\" is not a number");
+  EXPECT_EQ(error_of(R"({"event":"pen","x":NaN,"y":2,"z":0,"t_ms":0})"), "x: NaN is not a number");
+  EXPECT_EQ(error_of(R"({"event":"pen","x":1,"y":2e9,"z":0,"t_ms":0})"),
+            "y: 2e9 is malformed, or larger than 1e9");
+  EXPECT_EQ(error_of(R"({"event":"pen","x":1,"z":0,"t_ms":0})"), "key \"y\" is missing");
+  EXPECT_THAT(error_of(R"({"event":"pen","x":1,"y":2,"z":0,"buttons":-1,"t_ms":0})"),
+              HasSubstr("buttons: -1 is not a whole number"));
+  EXPECT_THAT(error_of(R"({"event":"pen","x":1,"y":2,"z":0,"buttons":4294967296,"t_ms":0})"),
+              HasSubstr("buttons: 4294967296 is not a whole number"));
+  EXPECT_EQ(error_of(R"({"event":"import","path":"a\u0000b","t_ms":0})"), "path: holds a NUL");
+  EXPECT_THAT(error_of(R"({"event":"undo","t_ms":0,"note":tru})"),
+              HasSubstr("note: tru is not a JSON value"));
+}
+
+TEST(EventReader, RefusesWhatIsNoJson) {
+  for (const char* text :
+       {"hello", "[1]", "{", R"({"event":"undo","t_ms":0)", R"({"event":"undo","t_ms":0}x)",
+        R"({"event":"undo","t_ms":0,})", R"({"event":"undo" "t_ms":0})", R"({"event":"un)",
+        R"({"event":"undo","t_ms":0,"note":tru})", R"({"event":"undo","t_ms":0,"note":1 2})"}) {
+    EXPECT_NE(error_of(text), "") << text;
+  }
+}
+
+TEST(EventReader, TellsStrokesAndHeaders) {
+  const Read stroke = read_line(R"({"id":"s1","points":[[1,2],[3,4]]})");
+  EXPECT_EQ(stroke.kind, ScriptLineKind::kStroke);
+  EXPECT_EQ(stroke.stroke.id, "s1");
+  EXPECT_EQ(stroke.stroke.samples.size(), 2U);
+  EXPECT_EQ(read_line(R"({"feltline":1,"unit":"mm"})").kind, ScriptLineKind::kHeader);
+  EXPECT_EQ(read_line(R"({"event":"undo","points":[[1,2]],"t_ms":0})").kind,
+            ScriptLineKind::kEvent);
+  EXPECT_EQ(error_of(R"({"points":[]})"), "points: is empty");
+  EXPECT_EQ(error_of(R"({"x":1})"), "neither an event nor a stroke: no key \"event\"");
+}
+
+TEST(ReadEvents, SaysWhereATimeRunsBackwards) {
+  const Result<std::vector<Event>> events =
+      read_events("a.ndjson", read_text("{\"event\":\"undo\",\"t_ms\":5}\n\n"
+                                        "{\"event\":\"undo\",\"t_ms\":5}\n"
+                                        "{\"event\":\"undo\",\"t_ms\":4.5}\n"));
+  ASSERT_FALSE(events);
+  EXPECT_EQ(events.error().message,
+            "a.ndjson:4: t_ms: 4.5 is before 5, the time of the event before");
+}
+
+TEST(ReadEvents, StrokesAreNoEvents) {
+  const Result<std::vector<Event>> events =
+      read_events("a.ndjson", read_text("{\"feltline\":1}\n{\"points\":[[1,2]]}\n"));
+  ASSERT_FALSE(events);
+  EXPECT_EQ(events.error().message, "a.ndjson:2: a stroke, where only events are expected");
+}
+
+TEST(ReadScript, GivesLinesInOrderAndPlacesTheErrorsOfTheSink) {
+  std::string seen;
+  ScriptSink sink;
+  sink.event = [&seen](const Event& event) -> Result<void> {
+    seen += event.time_ns == 9'000'000 ? "!" : "e";
+    if (event.time_ns == 9'000'000) return fail(ErrorCode::kNotFound, "no such tool");
+    return {};
+  };
+  sink.stroke = [&seen](const RawStroke&) -> Result<void> {
+    seen += "s";
+    return {};
+  };
+  const Result<void> done =
+      read_script("b",
+                  read_text("{\"event\":\"undo\",\"t_ms\":5}\n{\"points\":[[1,2]]}\n"
+                            "{\"event\":\"undo\",\"t_ms\":9}\n{\"event\":\"undo\",\"t_ms\":10}"),
+                  sink);
+  ASSERT_FALSE(done);
+  EXPECT_EQ(done.error().message, "b:3: no such tool");
+  EXPECT_EQ(seen, "es!");
+}
+
+TEST(ReadScript, HoldsAScriptOfAnyLengthALineAtATime) {
+  // 40 MiB without ever being held: the source makes it as it is read.
+  constexpr int kEvents = 1'000'000;
+  int made = 0, seen = 0;
+  std::string left;
+  const ReadBytes source = [&](std::span<char> into) -> Result<std::size_t> {
+    while (left.size() < into.size() && made < kEvents) {
+      left +=
+          "{\"event\":\"pen\",\"x\":1,\"y\":2,\"z\":0,\"t_ms\":" + std::to_string(made++) + "}\n";
+    }
+    const std::size_t count = std::min(left.size(), into.size());
+    std::copy_n(left.data(), count, into.data());
+    left.erase(0, count);
+    return count;
+  };
+  ScriptSink sink;
+  sink.event = [&seen](const Event& event) -> Result<void> {
+    if (event.time_ns != seen * std::int64_t{1'000'000}) return fail(ErrorCode::kInvalidData, "!");
+    ++seen;
+    return {};
+  };
+  const Result<void> done = read_script("c", source, sink);
+  EXPECT_TRUE(done) << done.error().message;
+  EXPECT_EQ(seen, kEvents);
+}
+
+}  // namespace
+}  // namespace felt

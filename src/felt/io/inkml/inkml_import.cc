@@ -1,0 +1,449 @@
+#include "felt/io/inkml/inkml_import.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "felt/geometry/lean.h"
+#include "felt/io/ink_of_points.h"
+#include "felt/io/inkml/inkml_model.h"
+#include "felt/io/inkml/inkml_settings.h"
+#include "felt/io/inkml/inkml_trace.h"
+#include "felt/io/xml/xml_input.h"
+
+namespace felt {
+namespace {
+
+using inkml::ChannelName;
+using inkml::Context;
+
+/// What Windows makes of pressure p and a brush of width W: W (0.25 + 1.5 p).
+constexpr double kLightest = 0.25, kHardest = 1.75;
+/// Full pressure of integers where no maximum is stated.
+constexpr double kUsualFullPressure = 32767.0;
+
+/// Where the values of ink stand in a point, and how much they are.
+struct Columns {
+  static constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
+  std::size_t x = kNone, y = kNone, force = kNone, time = kNone, width = kNone, tip = kNone,
+              eraser = kNone, tilt_x = kNone, tilt_y = kNone, elevation = kNone;
+  Affine to_mm;
+  double mm_per_width = 1.0, ms_per_time = 1.0;
+  double least_force = 0.0, full_force = 1.0;
+  double deg_per_tilt_x = 1.0, deg_per_tilt_y = 1.0, deg_per_elevation = 1.0;
+};
+
+/// How far the pen leans, as its elevation above the sheet or both of its tilts say.
+std::optional<double> lean_of(std::span<const double> v, const Columns& c) {
+  if (c.elevation != Columns::kNone) {
+    const double above_deg = std::fabs(v[c.elevation] * c.deg_per_elevation);
+    if (above_deg <= kMostLeanDeg) return kMostLeanDeg - above_deg;
+  }
+  if (c.tilt_x == Columns::kNone || c.tilt_y == Columns::kNone) return std::nullopt;
+  return lean_of_tilt(v[c.tilt_x] * c.deg_per_tilt_x, v[c.tilt_y] * c.deg_per_tilt_y);
+}
+
+/// The points of a stroke as they are gathered.
+struct Points {
+  std::vector<InkSample> samples;
+  std::vector<WidePoint> line;  // the same with widths, where the trace has them
+  bool has_force = false, is_erased = false;
+
+  void clear() {
+    samples.clear();
+    line.clear();
+    has_force = is_erased = false;
+  }
+};
+
+class InkmlReader {
+ public:
+  InkmlReader(const XmlInput& input, const ImportOptions& options)
+      : input_(input), ink_(solid_fit(options.fit)), settings_(input, report_) {}
+
+  Result<ImportedDrawing> read() {
+    const pugi::xml_node root = input_.root();
+    if (xml_local_name(root.name()) != "ink") {
+      return fail(ErrorCode::kInvalidData, "line " + std::to_string(input_.line_of(root)) +
+                                               ": is no InkML: it begins with '" + root.name() +
+                                               "'");
+    }
+    const std::string_view name = root.name();
+    prefix_ = name.substr(0, name.size() - 3);
+    felt_ = xml_prefix_of(root, inkml::kFeltNamespace);
+    if (!felt_.empty() && !inkml::read_sheet(root, felt_, drawing_)) {
+      notice(root, "carries a material that is none or too long; it was left out");
+    }
+    find_traces(root);
+    groups_.push_back({});
+    walk(root);
+    if (drawing_.layers.empty() && felt_.empty()) add_plain_layer();
+    return ImportedDrawing{std::move(drawing_), std::move(report_)};
+  }
+
+ private:
+  /// What holds inside an element that is being read.
+  struct Group {
+    Context context;
+    bool only_defines = false;  // inside of definitions
+    std::ptrdiff_t layer = -1;  // where ink goes to; -1: the layer of all that is in none
+  };
+
+  void notice(const pugi::xml_node& node, std::string what) {
+    report_.add(input_.line_of(node), XmlInput::describe(node), std::move(what));
+  }
+
+  // Files mix elements with and without the prefix of the root.
+  [[nodiscard]] bool is_ink(const pugi::xml_node& node) const {
+    const std::string_view name = node.name();
+    const std::string_view prefix = name.substr(0, name.size() - xml_local_name(name).size());
+    return prefix.empty() || prefix == "inkml:" || prefix == prefix_;
+  }
+
+  /// The next node in document order, `inside` or behind this one, below `root`; `leave` is called
+  /// for each element that ends on the way.
+  template <class Leave>
+  static pugi::xml_node next_node(pugi::xml_node node, const pugi::xml_node& root, bool inside,
+                                  Leave&& leave) {
+    if (inside && node.first_child()) return node.first_child();
+    if (inside) leave();
+    while (node != root && !node.next_sibling()) {
+      node = node.parent();
+      if (node != root) leave();
+    }
+    return node == root ? pugi::xml_node() : node.next_sibling();
+  }
+
+  // Traces that go on with an earlier one, and those that wait to be viewed.
+  void find_traces(const pugi::xml_node& root) {
+    for (pugi::xml_node node = root.first_child(); node;
+         node = next_node(node, root, true, [] {})) {
+      if (xml_local_name(node.name()) != "trace") continue;
+      if (const char* id = node.attribute("xml:id").value(); *id != '\0') by_id_.emplace(id, node);
+      const std::string_view prior = node.attribute("priorRef").value();
+      if (prior.size() > 1 && prior.front() == '#') followers_.emplace(prior.substr(1), node);
+    }
+  }
+
+  void walk(const pugi::xml_node& root) {
+    pugi::xml_node node = root.first_child();
+    while (node) {
+      const bool inside = enter(node);
+      node = next_node(node, root, inside, [&] { groups_.pop_back(); });
+    }
+  }
+
+  /// Takes an element in. True: go on inside, where a group of its own holds.
+  bool enter(const pugi::xml_node& node) {
+    if (node.type() != pugi::node_element) return false;
+    const std::string_view name = xml_local_name(node.name());
+    if (!is_ink(node)) {
+      notice(node, "is of another program and was left out");
+    } else if (name == "trace") {
+      if (!groups_.back().only_defines && !drawn_.count(node.hash_value())) read_trace(node);
+    } else if (name == "traceGroup") {
+      groups_.push_back(group_of(node));
+      return true;
+    } else if (name == "definitions") {
+      groups_.push_back(groups_.back());
+      groups_.back().only_defines = true;
+      return true;
+    } else if (name == "traceView") {
+      view(node);
+      groups_.push_back(groups_.back());
+      return true;
+    } else if (Context defined; settings_.define(node, defined)) {
+      if (!groups_.back().only_defines)
+        groups_.back().context = groups_.back().context.overlaid(defined);
+    } else if (name != "annotation" && name != "annotationXML") {
+      notice(node, "is unknown and was left out");
+    }
+    return false;
+  }
+
+  Group group_of(const pugi::xml_node& node) {
+    Group group = groups_.back();
+    group.context = group.context.overlaid(settings_.referred(node));
+    if (felt_.empty() || group.only_defines) return group;
+    const pugi::xml_attribute layer = node.attribute((felt_ + "layer").c_str());
+    if (!layer) return group;
+    const auto is = [&](const char* key, std::string_view value) {
+      return node.attribute((felt_ + key).c_str()).value() == value;
+    };
+    SketchLayer added;
+    added.name = layer.value();
+    if (added.name.size() > limits::kMaxNameBytes) {
+      notice(node, "has a name of more than 4096 bytes, which was left out");
+      added.name.clear();
+    }
+    added.visible = !is("visible", "false");
+    added.locked = is("locked", "true");
+    group.layer = static_cast<std::ptrdiff_t>(drawing_.layers.size());
+    drawing_.layers.push_back(std::move(added));
+    return group;
+  }
+
+  // A view of traces that are drawn anyway is no ink; one of traces in definitions draws them.
+  void view(const pugi::xml_node& node) {
+    const std::string_view ref = node.attribute("traceDataRef").value();
+    if (ref.empty() || groups_.back().only_defines) return;
+    const auto found = by_id_.find(ref.front() == '#' ? ref.substr(1) : ref);
+    if (found == by_id_.end()) return;
+    bool only_defined = false;
+    for (pugi::xml_node up = found->second.parent(); up; up = up.parent()) {
+      only_defined = only_defined || xml_local_name(up.name()) == "definitions";
+    }
+    if (!only_defined || drawn_.count(found->second.hash_value())) return;
+    if (node.attribute("from") || node.attribute("to")) {
+      notice(node, "shows a part of a trace; all of it was taken");
+    }
+    drawn_.insert(found->second.hash_value());
+    read_trace(found->second);
+  }
+
+  void read_trace(const pugi::xml_node& node) {
+    points_.clear();
+    Context context = groups_.back().context.overlaid(settings_.referred(node));
+    gather(node, context);
+    // What goes on with this trace belongs to the same stroke; each is taken once.
+    std::string_view id = node.attribute("xml:id").value();
+    while (!id.empty() && !followers_.empty()) {
+      const auto found = followers_.find(id);
+      if (found == followers_.end()) break;
+      const pugi::xml_node follower = found->second;
+      followers_.erase(found);
+      if (follower == node || !drawn_.insert(follower.hash_value()).second) break;
+      gather(follower, groups_.back().context.overlaid(settings_.referred(follower)));
+      id = follower.attribute("xml:id").value();
+    }
+    add_stroke(node, context);
+  }
+
+  void gather(const pugi::xml_node& node, const Context& context) {
+    const std::string_view type = node.attribute("type").value();
+    if (type == "penUp") {
+      notice(node, "was made with the pen off the paper and was left out");
+      return;
+    }
+    const inkml::Format& format = settings_.format(context);
+    const Columns& columns = columns_of(node, context);
+    if (columns.x == Columns::kNone || columns.y == Columns::kNone) {
+      notice(node, "has no X or no Y and was left out");
+      return;
+    }
+    const std::string text = xml_text_of(node);
+    InkmlTraceReader reader(text, format.channels.size());
+    const bool has_model = !felt_.empty() && node.attribute((felt_ + "points").c_str());
+    while (reader.next()) {
+      add_point(reader.values(), columns);
+      if (points_.samples.size() >= limits::kMaxStrokePoints && !has_model) cut(node, context);
+    }
+    if (!reader.problem().empty()) {
+      notice(node, reader.problem() + "; only the points before it were taken");
+    }
+  }
+
+  void add_point(std::span<const double> v, const Columns& c) {
+    const auto has = [&](std::size_t column) {
+      return column != Columns::kNone && !std::isnan(v[column]);
+    };
+    if (has(c.eraser) && v[c.eraser] > 0.5) points_.is_erased = true;
+    if (std::isnan(v[c.x]) || std::isnan(v[c.y]) || (has(c.tip) && v[c.tip] < 0.5)) return;
+    InkSample sample{apply(c.to_mm, Point{v[c.x], v[c.y]}), {}, {}};
+    if (has(c.force)) {
+      const double p = (v[c.force] - c.least_force) / (c.full_force - c.least_force);
+      sample.pressure = std::fmin(std::fmax(p, 0.0), 1.0);
+      points_.has_force = true;
+    }
+    if (has(c.time)) {
+      const double ms = v[c.time] * c.ms_per_time;
+      if (std::fabs(ms) <= limits::kMaxTimeMs) sample.time_ns = std::llround(ms * 1e6);
+    }
+    sample.lean_deg = lean_of(v, c);
+    if (has(c.width)) points_.line.push_back({sample.position, v[c.width] * c.mm_per_width});
+    points_.samples.push_back(sample);
+  }
+
+  // Worked out, and complained about, once for all traces of the same kind.
+  const Columns& columns_of(const pugi::xml_node& node, const Context& context) {
+    const std::array key = {context.format, context.source, context.transform, context.canvas};
+    const auto [place, is_new] = columns_.try_emplace(key);
+    if (is_new) place->second = find_columns(node, context);
+    return place->second;
+  }
+
+  Columns find_columns(const pugi::xml_node& node, const Context& context) {
+    Columns c;
+    const inkml::Format& format = settings_.format(context);
+    const std::vector<inkml::Resolution>& resolutions = settings_.resolutions(context);
+    double scale_x = 0.0, scale_y = 0.0;
+    for (std::size_t i = 0; i < format.channels.size(); ++i) {
+      const inkml::Channel& channel = format.channels[i];
+      const std::optional<double> scale = inkml::scale_of(channel, resolutions);
+      if (channel.name == ChannelName::kX || channel.name == ChannelName::kY) {
+        const double mm = scale.value_or(kInkmlMmPerUnknownUnit) * (channel.is_reversed ? -1 : 1);
+        const bool is_x = channel.name == ChannelName::kX;
+        if (!scale && is_x) {
+          notice(node, "does not say how long a unit is; it was taken as 1/96 inch");
+        }
+        (is_x ? c.x : c.y) = i;
+        (is_x ? scale_x : scale_y) = mm;
+      } else if (channel.name == ChannelName::kForce) {
+        c.force = i;
+        c.least_force = channel.least.value_or(0.0);
+        c.full_force = channel.most.value_or(channel.is_integer ? kUsualFullPressure : 1.0);
+        if (!(c.full_force > c.least_force)) c.force = Columns::kNone;
+      } else if (channel.name == ChannelName::kTime) {
+        c.time = i;
+        c.ms_per_time = scale.value_or(1.0);
+      } else if (channel.name == ChannelName::kWidth) {
+        c.width = i;
+        if (!scale) notice(node, "has widths without a unit; they were taken as mm");
+        c.mm_per_width = scale.value_or(1.0);
+      } else if (channel.name == ChannelName::kTiltX) {
+        c.tilt_x = i;
+        c.deg_per_tilt_x = scale.value_or(1.0);
+      } else if (channel.name == ChannelName::kTiltY) {
+        c.tilt_y = i;
+        c.deg_per_tilt_y = scale.value_or(1.0);
+      } else if (channel.name == ChannelName::kElevation) {
+        c.elevation = i;
+        c.deg_per_elevation = scale.value_or(1.0);
+      } else if (channel.name == ChannelName::kTip) {
+        c.tip = i;
+      } else if (channel.name == ChannelName::kEraser) {
+        c.eraser = i;
+      }
+    }
+    set_transform(context, scale_x, scale_y, c);
+    return c;
+  }
+
+  // Values are mapped to the canvas, if there is a transform, and then to mm by the units of the
+  // canvas, or of the device where the canvas has none.
+  void set_transform(const Context& context, double scale_x, double scale_y, Columns& c) const {
+    const Affine* transform = settings_.transform(context);
+    if (transform == nullptr) {
+      c.to_mm = scaling(scale_x, scale_y);
+      return;
+    }
+    if (const inkml::Format* canvas = settings_.canvas_format(context)) {
+      for (const inkml::Channel& channel : canvas->channels) {
+        const std::optional<double> mm = inkml::scale_of(channel, {});
+        if (!mm) continue;
+        const double signed_mm = *mm * (channel.is_reversed ? -1 : 1);
+        if (channel.name == ChannelName::kX) scale_x = signed_mm;
+        if (channel.name == ChannelName::kY) scale_y = signed_mm;
+      }
+    }
+    c.to_mm = then(*transform, scaling(scale_x, scale_y));
+    c.mm_per_width *= std::sqrt(std::fabs(determinant(*transform)));
+  }
+
+  // A trace that is too long becomes several strokes; the next begins where this one ends.
+  void cut(const pugi::xml_node& node, const Context& context) {
+    notice(node, "has more points than a stroke takes (" +
+                     std::to_string(limits::kMaxStrokePoints) + "); it became several strokes");
+    const InkSample last = points_.samples.back();
+    const std::vector<WidePoint> width(points_.line.end() - (points_.line.empty() ? 0 : 1),
+                                       points_.line.end());
+    add_stroke(node, context);
+    points_.clear();
+    points_.samples.push_back(last);
+    points_.line = width;
+    points_.has_force = last.pressure.has_value();
+  }
+
+  void add_stroke(const pugi::xml_node& node, const Context& context) {
+    if (points_.samples.empty()) {
+      if (std::string_view(node.attribute("type").value()) != "penUp") {
+        notice(node, "has no points and was left out");
+      }
+      return;
+    }
+    if (points_.is_erased) {
+      notice(node, "was made with the eraser end and was left out");
+      return;
+    }
+    const inkml::Brush* brush = settings_.brush(context);
+    const Rgba color = brush != nullptr ? brush->color : Rgba{};
+    std::optional<Result<SketchStroke>> exact = inkml::read_model(node, felt_, points_.line, color);
+    if (exact && *exact) {
+      layer().strokes.push_back(**std::move(exact));
+      return;
+    }
+    if (exact) notice(node, exact->error().message);
+    Result<StrokeData> data = ink(brush);
+    if (data) data->color = color;
+    Result<Stroke> stroke = data ? Stroke::create(*std::move(data)) : tl::unexpected(data.error());
+    if (!stroke) {
+      notice(node, "was left out: " + stroke.error().message);
+      return;
+    }
+    const char* id =
+        node.attribute("xml:id") ? node.attribute("xml:id").value() : node.attribute("id").value();
+    ++stroke_count_;
+    const bool named = *id != '\0' && std::string_view(id).size() <= limits::kMaxNameBytes;
+    layer().strokes.push_back(
+        {named ? std::string(id) : "s" + std::to_string(stroke_count_), *std::move(stroke)});
+  }
+
+  Result<StrokeData> ink(const inkml::Brush* brush) {
+    if (points_.line.size() == points_.samples.size()) return ink_.of_line(points_.line);
+    if (brush == nullptr || !brush->width_mm) return ink_.of_samples(points_.samples);
+    WidthMapOptions widths;
+    const double width_mm = *brush->width_mm;
+    const bool varies = points_.has_force && !brush->ignores_pressure;
+    widths.min_mm = std::max(kMinWidthMm, width_mm * (varies ? kLightest : 1.0));
+    widths.max_mm = std::max(widths.min_mm, width_mm * (varies ? kHardest : 1.0));
+    return ink_.of_samples(points_.samples, widths);
+  }
+
+  /// The layer that ink goes to: that of the group, or one for all that is in none.
+  SketchLayer& layer() {
+    std::ptrdiff_t index = groups_.back().layer;
+    if (index < 0 && loose_layer_ < 0) {
+      loose_layer_ = static_cast<std::ptrdiff_t>(drawing_.layers.size());
+      add_plain_layer();
+    }
+    if (index < 0) index = loose_layer_;
+    return drawing_.layers[static_cast<std::size_t>(index)];
+  }
+
+  void add_plain_layer() {
+    SketchLayer added;
+    added.name = "Layer " + std::to_string(drawing_.layers.size() + 1);
+    drawing_.layers.push_back(std::move(added));
+  }
+
+  const XmlInput& input_;
+  InkOfPoints ink_;
+  LayeredSketch drawing_;
+  ImportReport report_;
+  inkml::Settings settings_;
+  std::string prefix_, felt_;
+  std::vector<Group> groups_;
+  std::map<std::string, pugi::xml_node, std::less<>> by_id_;
+  std::multimap<std::string, pugi::xml_node, std::less<>> followers_;
+  std::set<std::size_t> drawn_;
+  std::map<std::array<int, 4>, Columns> columns_;
+  Points points_;
+  std::ptrdiff_t loose_layer_ = -1;
+  std::int64_t stroke_count_ = 0;
+};
+
+}  // namespace
+
+Result<ImportedDrawing> import_inkml(std::string_view bytes, const ImportOptions& options) {
+  const Result<XmlInput> input = XmlInput::parse(bytes);
+  if (!input) return tl::unexpected(input.error());
+  return InkmlReader(*input, options).read();
+}
+
+}  // namespace felt

@@ -1,0 +1,94 @@
+#pragma once
+
+/// What an InkML file says about its traces: brushes, formats, transforms, contexts. Private to
+/// this layer.
+
+#include <map>
+#include <optional>
+#include <pugixml.hpp>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "felt/geometry/affine.h"
+#include "felt/io/import.h"
+#include "felt/io/inkml/inkml_format.h"
+#include "felt/io/xml/xml_input.h"
+#include "felt/stroke/stroke.h"
+
+namespace felt::inkml {
+
+/// What a pen draws with.
+struct Brush {
+  Rgba color{};
+  std::optional<double> width_mm;
+  bool ignores_pressure = false;
+};
+
+/// An input device.
+struct Source {
+  int format = -1;
+  std::vector<Resolution> resolutions;
+};
+
+/// What holds for a trace: indices into the tables of Settings, -1 where nothing is said.
+struct Context {
+  int format = -1, source = -1, brush = -1, transform = -1, canvas = -1;
+
+  /// `more` where it says something, else this.
+  [[nodiscard]] Context overlaid(const Context& more) const noexcept;
+};
+
+/// Everything that a file has defined so far, by its ids.
+class Settings {
+ public:
+  /// Notices go to `report`.
+  Settings(const XmlInput& input, ImportReport& report) : input_(input), report_(report) {}
+
+  /// True for an element that defines something; it is taken in, and the place of what it defines
+  /// in `defined`: a context with that alone set.
+  bool define(const pugi::xml_node& node, Context& defined);
+
+  /// What the attributes contextRef, brushRef, traceFormatRef, ... of an element refer to.
+  Context referred(const pugi::xml_node& node);
+
+  /// The format of a context; X and Y where it has none.
+  [[nodiscard]] const Format& format(const Context& context) const;
+  [[nodiscard]] const std::vector<Resolution>& resolutions(const Context& context) const;
+  [[nodiscard]] const Brush* brush(const Context& context) const;
+  /// Maps values of a trace to values of its canvas; none: they are the same.
+  [[nodiscard]] const Affine* transform(const Context& context) const;
+  /// The format of the canvas, if it has one.
+  [[nodiscard]] const Format* canvas_format(const Context& context) const;
+
+ private:
+  using Ids = std::map<std::string, int, std::less<>>;
+
+  void notice(const pugi::xml_node& node, std::string what);
+  int find(const pugi::xml_node& node, const char* attribute, const Ids& ids);
+  static void remember(const pugi::xml_node& node, Ids& ids, int index);
+  Context read_context(const pugi::xml_node& node);
+  int read_brush(const pugi::xml_node& node);
+  void read_property(const pugi::xml_node& node, Brush& brush);
+  void read_color(const pugi::xml_node& node, Brush& brush);
+  int add_format(const pugi::xml_node& node);
+  int read_source(const pugi::xml_node& node);
+  int read_canvas(const pugi::xml_node& node);
+  int read_transform(const pugi::xml_node& node);
+  std::optional<Affine> read_mapping(const pugi::xml_node& node);
+
+  const XmlInput& input_;
+  ImportReport& report_;
+  std::vector<Format> formats_;
+  std::vector<Source> sources_;
+  std::vector<Brush> brushes_;
+  std::vector<Affine> transforms_;
+  std::vector<int> canvases_;  // the format of each, or -1
+  std::vector<Context> contexts_;
+  std::vector<Affine> mappings_;
+  Ids format_ids_, source_ids_, brush_ids_, transform_ids_, canvas_ids_, context_ids_, mapping_ids_;
+  const Format default_format_ = default_format();
+  const std::vector<Resolution> no_resolutions_;
+};
+
+}  // namespace felt::inkml

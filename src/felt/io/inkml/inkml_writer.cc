@@ -1,0 +1,166 @@
+#include "felt/io/inkml/inkml_writer.h"
+
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <map>
+#include <utility>
+#include <vector>
+
+#include "felt/io/inkml/inkml_model.h"
+#include "felt/io/limits.h"
+#include "felt/io/xml/xml_text.h"
+#include "felt/stroke/color_text.h"
+#include "felt/stroke/outline/flatten.h"
+
+namespace felt {
+namespace {
+
+// On the grid, so that the sum of what is read is that of what was written.
+void append_step(std::string& out, double mm) {
+  const double on_grid = std::round(mm * inkml::kStepsPerMm) / inkml::kStepsPerMm;
+  std::array<char, 40> text;
+  const auto end = std::to_chars(text.data(), text.data() + text.size(),
+                                 on_grid == 0.0 ? 0.0 : on_grid, std::chars_format::fixed)
+                       .ptr;
+  out.append(text.data(), end);
+}
+
+/// Part 0 is the head with the definitions; then the strokes, the layers' tags with the first and
+/// the last of each.
+class InkmlParts final : public DrawingParts {
+ public:
+  explicit InkmlParts(DrawingView drawing)
+      : drawing_(std::move(drawing)), ranges_(stroke_ranges(drawing_)) {}
+
+  Result<void> begin() {
+    head_ = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<ink xmlns=\"";
+    head_ += inkml::kInkmlNamespace;
+    head_ += "\" xmlns:felt=\"";
+    head_ += inkml::kFeltNamespace;
+    head_ += '"';
+    if (auto ok = inkml::append_sheet(head_, drawing_); !ok) return ok;
+    head_ += ">\n";
+    add_definitions();
+    return {};
+  }
+
+  [[nodiscard]] std::size_t count() const override { return ranges_.size() + 1; }
+
+  Result<void> make(std::size_t i, DrawingPart& out) const override {
+    out.clear();
+    if (i == 0) {
+      out.bytes = head_;
+      return {};
+    }
+    const StrokeRange& range = ranges_[i - 1];
+    const LayerView& layer = drawing_.layers[range.layer];
+    if (range.first == 0) {
+      if (auto ok = append_layer(out.bytes, layer); !ok) return ok;
+    }
+    Buffers buffers;
+    for (std::size_t k = range.first; k < range.last; ++k) {
+      const std::string number = std::to_string(range.before + (k - range.first) + 1);
+      if (auto ok = append(out.bytes, layer.id(k), layer.stroke(k), number, buffers); !ok) {
+        return tl::unexpected(with_context(ok.error(), "stroke " + number));
+      }
+    }
+    if (range.last == layer.count) out.bytes += "</traceGroup>\n";
+    return {};
+  }
+
+  std::string tail() override { return "</ink>\n"; }
+
+ private:
+  struct Buffers {
+    std::vector<Dab> dabs{};
+    std::vector<WidePoint> trace{};
+  };
+
+  void add_definitions() {
+    head_ +=
+        "<definitions>\n<context xml:id=\"mm\">\n<inkSource xml:id=\"felt\">\n<traceFormat>\n"
+        "<channel name=\"X\" type=\"decimal\" units=\"mm\"/>\n"
+        "<channel name=\"Y\" type=\"decimal\" units=\"mm\"/>\n"
+        "<channel name=\"W\" type=\"decimal\" units=\"mm\"/>\n</traceFormat>\n</inkSource>\n"
+        "</context>\n";
+    for (const LayerView& layer : drawing_.layers) {
+      for (std::size_t i = 0; i < layer.count; ++i) add_brush(layer.stroke(i).color());
+    }
+    head_ += "</definitions>\n";
+  }
+
+  void add_brush(Rgba color) {
+    const std::array key = {color.r, color.g, color.b, color.a};
+    const auto [place, is_new] = brushes_.emplace(key, static_cast<int>(brushes_.size()) + 1);
+    if (!is_new) return;
+    head_ += "<brush xml:id=\"b" + std::to_string(place->second) +
+             "\">\n<brushProperty name=\"color\" value=\"" +
+             color_to_text({color.r, color.g, color.b, 255}) + "\"/>\n";
+    if (color.a != 255) {
+      head_ += "<brushProperty name=\"transparency\" value=\"" + std::to_string(255 - color.a) +
+               "\"/>\n";
+    }
+    head_ += "</brush>\n";
+  }
+
+  static Result<void> append_layer(std::string& out, const LayerView& layer) {
+    if (layer.name.size() > limits::kMaxNameBytes) {
+      return fail(ErrorCode::kLimitExceeded,
+                  "a layer's name of more than 4096 bytes cannot be written");
+    }
+    out += "<traceGroup contextRef=\"#mm\" felt:layer=\"";
+    if (auto ok = append_xml_attribute(out, layer.name); !ok) {
+      return tl::unexpected(with_context(ok.error(), "a layer's name"));
+    }
+    out += '"';
+    if (!layer.visible) out += " felt:visible=\"false\"";
+    if (layer.locked) out += " felt:locked=\"true\"";
+    out += ">\n";
+    return {};
+  }
+
+  Result<void> append(std::string& out, std::string_view id, const Stroke& stroke,
+                      const std::string& number, Buffers& buffers) const {
+    const Rgba c = stroke.color();
+    auto& [dabs, trace] = buffers;
+    trace.clear();
+    flatten(stroke, kTraceToleranceMm, dabs);
+    for (const Dab& dab : dabs) trace.push_back({dab.center, 2.0 * dab.radius_mm});
+    out += "<trace xml:id=\"t" + number + "\" brushRef=\"#b" +
+           std::to_string(brushes_.at({c.r, c.g, c.b, c.a})) + '"';
+    if (auto ok = inkml::append_model(out, id, stroke, trace); !ok) return ok;
+    out += '>';
+    for (std::size_t i = 0; i < trace.size(); ++i) {
+      if (i > 0) out += ", ";
+      append_step(out, trace[i].position.x);
+      out += ' ';
+      append_step(out, trace[i].position.y);
+      out += ' ';
+      append_step(out, trace[i].width_mm);
+    }
+    out += "</trace>\n";
+    return {};
+  }
+
+  DrawingView drawing_;
+  std::vector<StrokeRange> ranges_;
+  std::string head_;
+  std::map<std::array<std::uint8_t, 4>, int> brushes_;
+};
+
+}  // namespace
+
+Result<std::unique_ptr<DrawingParts>> inkml_parts(DrawingView drawing) {
+  auto parts = std::make_unique<InkmlParts>(std::move(drawing));
+  if (auto ok = parts->begin(); !ok) return tl::unexpected(ok.error());
+  return parts;
+}
+
+Result<std::string> inkml_text(const LayeredSketch& drawing) {
+  const Result<std::unique_ptr<DrawingParts>> parts = inkml_parts(view_of(drawing));
+  if (!parts) return tl::unexpected(parts.error());
+  return bytes_of(**parts);
+}
+
+}  // namespace felt

@@ -1,0 +1,151 @@
+#include "felt/io/ndjson/ndjson_writer.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+
+#include "felt/geometry/lean.h"
+#include "felt/io/limits.h"
+#include "felt/stroke/color_text.h"
+#include "felt/stroke/width_profile.h"
+
+namespace felt {
+namespace {
+
+/// Appends `items` as a JSON array, each by `append(item)`.
+template <class Range, class Append>
+void append_array(std::string& out, const Range& items, Append&& append) {
+  out += '[';
+  bool first = true;
+  for (const auto& item : items) {
+    if (!first) out += ',';
+    first = false;
+    append(item);
+  }
+  out += ']';
+}
+
+void append_numbers(std::string& out, std::span<const double> numbers) {
+  append_array(out, numbers, [&out](double number) { append_number(out, number); });
+}
+
+void append_segments(std::string& out, const std::vector<Point>& points) {
+  out += '[';
+  for (std::size_t k = 0; k + 3 < points.size(); k += 3) {
+    if (k > 0) out += ',';
+    const Point *a = &points[k], *b = a + 1, *c = a + 2, *d = a + 3;
+    append_numbers(out, std::array{a->x, a->y, b->x, b->y, c->x, c->y, d->x, d->y});
+  }
+  out += ']';
+}
+
+/// Milliseconds that read back as the same nanoseconds.
+double milliseconds(std::int64_t time_ns) {
+  return static_cast<double>(time_ns) / 1e6;
+}
+
+}  // namespace
+
+Result<void> check_sketch_numbers(const StrokeData& data) {
+  const auto fits = [](double number) { return std::fabs(number) <= limits::kMaxSketchNumber; };
+  const bool is_fine = std::all_of(data.points.begin(), data.points.end(),
+                                   [&](Point p) { return fits(p.x) && fits(p.y); }) &&
+                       std::all_of(data.widths.begin(), data.widths.end(),
+                                   [&](const WidthKnot& knot) { return fits(knot.width_mm); });
+  if (is_fine) return {};
+  return fail(ErrorCode::kLimitExceeded, "reaches farther than 1e10 mm, which .ndjson cannot hold");
+}
+
+void append_sketch_line(std::string& out, std::string_view id, const StrokeData& data) {
+  out += R"({"id":)";
+  append_json_string(out, id);
+  out += data.closed ? R"(,"closed":true,"segments":)" : R"(,"closed":false,"segments":)";
+  append_segments(out, data.points);
+  out += R"(,"joints":)";
+  append_array(out, data.joints, [&out](JointKind kind) {
+    out += kind == JointKind::kSmooth ? R"("smooth")" : R"("corner")";
+  });
+  out += R"(,"widths":)";
+  append_array(out, data.widths, [&out](const WidthKnot& knot) {
+    append_numbers(out, std::array{knot.u, knot.width_mm});
+  });
+  if (has_own_tone(data.widths)) {
+    out += R"(,"tones":)";
+    append_array(out, data.widths,
+                 [&out](const WidthKnot& knot) { append_number(out, knot.tone); });
+  }
+  static const StrokeData kDefault;
+  if (data.material != kDefault.material) {
+    out += R"(,"material":)";
+    append_json_string(out, data.material);
+  }
+  if (!(data.color == kDefault.color)) {
+    out += R"(,"color":)";
+    append_json_string(out, color_to_text(data.color));
+  }
+  out += "}\n";
+}
+
+void append_raw_line(std::string& out, std::string_view id, std::span<const InkSample> samples) {
+  const auto has_time = [](const InkSample& s) { return s.time_ns.has_value(); };
+  const auto has_pressure = [](const InkSample& s) { return s.pressure.has_value(); };
+  const auto lean_of = [](const InkSample& s) { return clean_lean(s.lean_deg); };
+  const bool leans = std::any_of(samples.begin(), samples.end(), lean_of);
+  const bool times = leans || std::any_of(samples.begin(), samples.end(), has_time);
+  const bool pressures = times || std::any_of(samples.begin(), samples.end(), has_pressure);
+  const auto append_optional = [&out](bool present, double number) {
+    out += ',';
+    present ? append_number(out, number) : void(out += "null");
+  };
+  out += R"({"id":)";
+  append_json_string(out, id);
+  out += R"(,"points":)";
+  append_array(out, samples, [&](const InkSample& sample) {
+    out += '[';
+    append_number(out, sample.position.x);
+    out += ',';
+    append_number(out, sample.position.y);
+    if (pressures) append_optional(has_pressure(sample), sample.pressure.value_or(0.0));
+    if (times) append_optional(has_time(sample), milliseconds(sample.time_ns.value_or(0)));
+    if (const std::optional<double> lean_deg = lean_of(sample)) {
+      out += R"(,{"lean":)";
+      append_number(out, *lean_deg);
+      out += '}';
+    }
+    out += ']';
+  });
+  out += "}\n";
+}
+
+void append_header_line(std::string& out) {
+  out += R"({"feltline":1,"unit":"mm"})"
+         "\n";
+}
+
+void append_number(std::string& out, double number) {
+  std::array<char, 32> text;  // the longest shortest double has 24 characters
+  const auto [end, error] = std::to_chars(text.data(), text.data() + text.size(), number);
+  out.append(text.data(), end);
+}
+
+void append_json_string(std::string& out, std::string_view text) {
+  constexpr std::string_view kDigits = "0123456789abcdef";
+  out += '"';
+  for (char c : text) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (c == '"' || c == '\\') {
+      out += '\\';
+      out += c;
+    } else if (byte < 0x20) {
+      out += "\\u00";
+      out += kDigits[byte >> 4];
+      out += kDigits[byte & 15];
+    } else {
+      out += c;
+    }
+  }
+  out += '"';
+}
+
+}  // namespace felt

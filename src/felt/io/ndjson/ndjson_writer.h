@@ -1,0 +1,37 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "felt/base/result.h"
+#include "felt/io/ndjson/ndjson_record.h"
+
+namespace felt {
+
+/// Each function appends one line, terminator included, to `out`. Keys come in a fixed order and
+/// numbers in the shortest form that reads back as the same double, whatever the locale, so equal
+/// values give equal bytes. Ids and materials must be UTF-8.
+
+/// {"id":..,"closed":..,"segments":..,"joints":..,"widths":..}, then "material" and "color" where
+/// they are not the default ones.
+void append_sketch_line(std::string& out, std::string_view id, const StrokeData& data);
+
+/// Fails if a line could not be read back: a number of the stroke is larger than
+/// limits::kMaxSketchNumber.
+Result<void> check_sketch_numbers(const StrokeData& data);
+
+/// {"id":..,"points":[[x,y,pressure|null,t_ms|null],...]}; both last parts are left out when no
+/// sample has them.
+void append_raw_line(std::string& out, std::string_view id, std::span<const InkSample> samples);
+
+/// {"feltline":1,"unit":"mm"}
+void append_header_line(std::string& out);
+
+/// The shortest text that reads back as the same finite double.
+void append_number(std::string& out, double number);
+
+/// Quoted and escaped as JSON.
+void append_json_string(std::string& out, std::string_view text);
+
+}  // namespace felt

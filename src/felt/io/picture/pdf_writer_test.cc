@@ -1,0 +1,98 @@
+#include "felt/io/picture/pdf_writer.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <cstdlib>
+#include <filesystem>
+
+#include "felt/base/read_file.h"
+#include "felt/io/picture/png.h"
+#include "felt/render/page.h"
+#include "felt/stroke/testing/random_stroke.h"
+
+namespace felt {
+namespace {
+
+namespace fs = std::filesystem;
+using ::testing::HasSubstr;
+
+Sketch random_sketch(std::uint64_t seed, int count) {
+  Sketch sketch;
+  for (int i = 0; i < count; ++i) {
+    StrokeData data =
+        felt::testing::random_stroke(1000 * seed + static_cast<std::uint64_t>(i)).data();
+    for (Point& p : data.points) p = {20.0 + p.x, 20.0 + p.y};
+    sketch.push_back({"s" + std::to_string(i), Stroke::create(std::move(data)).value()});
+  }
+  return sketch;
+}
+
+/// Every object begins where the table of the file says.
+TEST(PdfWriter, TheTableFindsEveryObject) {
+  for (std::uint64_t seed = 0; seed < 20; ++seed) {
+    const std::string pdf = pdf_text(random_sketch(seed, static_cast<int>(seed)), {}).value();
+    const std::size_t start = std::stoul(pdf.substr(pdf.rfind("startxref") + 10));
+    ASSERT_EQ(pdf.substr(start, 5), "xref\n");
+    const std::size_t first = pdf.find("65535 f \n", start) + 9;
+    for (std::size_t i = 0; i < 5; ++i) {
+      const std::size_t at = std::stoul(pdf.substr(first + 20 * i, 10));
+      EXPECT_EQ(pdf.substr(at, 7), std::to_string(i + 1) + " 0 obj");
+    }
+    ASSERT_NE(pdf.find("/Length 5 0 R"), std::string::npos);
+    const std::size_t length = std::stoul(pdf.substr(pdf.find("\n5 0 obj\n") + 9));
+    const std::size_t stream = pdf.find("stream\n") + 7;
+    EXPECT_EQ(pdf.substr(stream + length, 9), "endstream");
+    EXPECT_EQ(pdf, pdf_text(random_sketch(seed, static_cast<int>(seed)), {}).value());
+  }
+}
+
+TEST(PdfWriter, ThePageHasItsTrueSize) {
+  const std::string pdf = pdf_text({}, {.sheet = Rect{0.0, 0.0, 210.0, 297.0}}).value();
+  EXPECT_THAT(pdf, HasSubstr("/MediaBox [0 0 595.2756 841.8898 ]"));
+}
+
+TEST(PdfWriter, WhatCannotBeAPageIsAnError) {
+  EXPECT_FALSE(pdf_text({}, {.sheet = Rect{0.0, 0.0, 6000.0, 10.0}}));
+  EXPECT_FALSE(pdf_text({}, {.sheet = Rect{0.0, 0.0, 0.0, 10.0}}));
+  EXPECT_FALSE(pdf_text({}, {.tolerance_mm = 0.0}));
+  EXPECT_THAT(write_pdf("/nowhere/a.pdf", {}, {}).error().message, HasSubstr("/nowhere/a.pdf"));
+}
+
+/// Another program's picture of the file is ours.
+TEST(PdfWriter, AnotherProgramSeesTheSameInk) {
+  if (std::system("pdftoppm -v >/dev/null 2>&1") != 0) {
+    GTEST_SKIP() << "pdftoppm is not installed (package poppler-utils)";
+  }
+  std::string folder = (fs::temp_directory_path() / "felt-pdf-XXXXXX").string();
+  ASSERT_NE(::mkdtemp(folder.data()), nullptr);
+  constexpr double kDpi = 150.0;
+  const Rect sheet{0.0, 0.0, 60.96, 60.96};  // 360 pixels
+  for (std::uint64_t seed = 0; seed < 5; ++seed) {
+    const Sketch sketch = random_sketch(seed, 8);
+    const std::string pdf = folder + "/a.pdf";
+    const Rgba paper{255, 250, 240, 255};
+    ASSERT_TRUE(write_pdf(pdf, sketch, {.sheet = sheet, .paper = paper}));
+    ASSERT_EQ(
+        std::system(("pdftoppm -r 150 -png -singlefile " + pdf + " " + folder + "/a").c_str()), 0);
+    Result<PngPicture> theirs =
+        decode_png(read_file(folder + "/a.png", std::size_t{1} << 26).value());
+    ASSERT_TRUE(theirs);
+    Image ours = render_page(sketch, {.dpi = kDpi, .sheet = sheet, .paper = paper}).value();
+    ASSERT_EQ(theirs->image.width(), ours.width());
+    ASSERT_EQ(theirs->image.height(), ours.height());
+    double sum = 0.0;
+    for (int y = 0; y < ours.height(); ++y) {
+      for (int x = 0; x < ours.width(); ++x) {
+        sum += std::abs(int{ours.at(x, y).r} - int{theirs->image.at(x, y).r});
+      }
+    }
+    // Edges differ by how programs smooth them; a shift of a pixel would be ten times as much.
+    EXPECT_LT(sum / (ours.width() * ours.height()), 1.5) << "seed " << seed;
+  }
+  fs::remove_all(folder);
+}
+
+}  // namespace
+}  // namespace felt

@@ -1,0 +1,97 @@
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <functional>
+#include <map>
+#include <set>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "felt/io/svg/svg_variables.h"
+
+namespace pugi {
+class xml_node;
+}
+
+namespace felt {
+
+/// One "property: value" of CSS.
+struct SvgDeclaration {
+  std::string_view name;
+  std::string_view value;
+  bool important = false;
+};
+
+/// Takes "name: value; ..." apart. What is none is skipped.
+void svg_declarations(std::string_view text,
+                      const std::function<void(const SvgDeclaration&)>& found);
+
+/// CSS without its comments.
+std::string svg_without_comments(std::string_view css);
+
+/// The rules of the style elements of a file. Selectors: type, *, #id, .class, [attribute] with its
+/// operators, :first-child, :last-child, :only-child, :root, and the four combinators. Rules with
+/// others, and those inside of @media and its like, are left out and counted.
+class SvgStyleSheet {
+ public:
+  static constexpr std::size_t kMostSelectors = 100000;
+
+  /// Appends the text of a style element.
+  void add(std::string_view css);
+
+  /// Every declaration that applies to an element; `precedence` is greater where it wins over
+  /// another one. Which of two equal ones comes first is not said.
+  /// False: the steps that matching may take in this file are used up, and rules no longer apply.
+  bool match(const pugi::xml_node& node,
+             const std::function<void(const SvgDeclaration&, std::uint64_t precedence)>& found);
+
+  [[nodiscard]] bool empty() const noexcept { return rules_.empty(); }
+  /// Keeps a value for as long as the sheet lives; "" once those of a file are 16 MiB.
+  std::string_view keep(std::string_view value);
+  /// The custom properties of the root, which hold wherever no others do.
+  [[nodiscard]] const SvgVariables& root_variables() const noexcept { return root_variables_; }
+  void set_root_variables(SvgVariables variables) { root_variables_ = std::move(variables); }
+  /// Bytes of variables that may still be read for this file.
+  [[nodiscard]] std::size_t& variable_bytes_left() noexcept { return variable_bytes_left_; }
+  /// Rules and @-rules that were left out.
+  [[nodiscard]] std::int64_t left_out() const noexcept { return left_out_; }
+
+ private:
+  struct Attribute {
+    std::string_view name, value;
+    char relation = 0;  ///< 0: is there; '=', '~', '|', '^', '$', '*'
+  };
+  /// What one element has to be: "rect.leaf:first-child".
+  struct Compound {
+    char combinator = ' ';  ///< how the one before it relates: ' ', '>', '+', '~'
+    std::string_view type, id;
+    std::vector<std::string_view> classes;
+    std::vector<Attribute> attributes;
+    bool first_child = false, last_child = false, root = false;
+  };
+  struct Rule {
+    std::vector<Compound> compounds;  ///< the last is the element itself
+    std::uint64_t precedence = 0;
+    std::string_view body;
+  };
+  class Parser;
+
+  bool matches(const Rule& rule, pugi::xml_node node);
+  bool is_like(const Compound& compound, const pugi::xml_node& node);
+
+  std::deque<std::string> texts_;  ///< what the views look at
+  std::vector<Rule> rules_;
+  std::map<std::string_view, std::vector<std::uint32_t>> by_id_, by_class_, by_type_;
+  std::vector<std::uint32_t> for_all_;
+  SvgVariables root_variables_;
+  std::set<std::string, std::less<>> kept_;
+  std::size_t kept_bytes_ = 0;
+  std::size_t variable_bytes_left_ = std::size_t{256} << 20;
+  std::int64_t left_out_ = 0;
+  std::int64_t steps_left_ = 20'000'000;
+};
+
+}  // namespace felt

@@ -1,0 +1,400 @@
+// SVG of other programs: what becomes ink, what becomes a notice, and where it ends.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "felt/io/svg/svg_import.h"
+#include "felt/io/svg/svg_limits.h"
+#include "felt/io/svg/svg_writer.h"
+
+namespace felt {
+namespace {
+
+using ::testing::HasSubstr;
+
+/// A document whose user unit is a millimetre.
+std::string svg(const std::string& inside) {
+  return "<svg xmlns='http://www.w3.org/2000/svg' xmlns:xlink='http://www.w3.org/1999/xlink' "
+         "xmlns:inkscape='http://www.inkscape.org/namespaces/inkscape' "
+         "xmlns:sodipodi='http://sodipodi.sourceforge.net/DTD/sodipodi-0.dtd' "
+         "width='100mm' height='80mm' viewBox='0 0 100 80'>\n" +
+         inside + "</svg>";
+}
+
+ImportedDrawing imported(const std::string& text) {
+  Result<ImportedDrawing> result = import_svg(text);
+  EXPECT_TRUE(result) << result.error().message;
+  return result ? *std::move(result) : ImportedDrawing();
+}
+
+std::string notices(const ImportedDrawing& drawing) {
+  std::string text;
+  for (const ImportNotice& n : drawing.report.notices()) text += notice_text(n) + "\n";
+  return text;
+}
+
+Sketch strokes(const ImportedDrawing& drawing) {
+  Sketch all;
+  for (const SketchLayer& layer : drawing.drawing.layers) {
+    all.insert(all.end(), layer.strokes.begin(), layer.strokes.end());
+  }
+  return all;
+}
+
+constexpr const char* kLine =
+    " fill='none' stroke='#102030' stroke-width='2' stroke-linecap='round' "
+    "stroke-linejoin='round'";
+
+TEST(SvgForeign, CurvesAreTakenAsTheyAre) {
+  const ImportedDrawing drawing = imported(svg("<path id='leaf'" + std::string(kLine) +
+                                               " d='M1 2C3 4 5 6 7 8S11 12 13 2l0 10'/><path" +
+                                               kLine + " d='M20 20h10v10z'/>"));
+  EXPECT_TRUE(drawing.report.empty()) << notices(drawing);
+  const Sketch ink = strokes(drawing);
+  ASSERT_EQ(ink.size(), 2U);
+  const StrokeData& d = ink[0].stroke.data();
+  EXPECT_EQ(ink[0].id, "leaf");
+  EXPECT_EQ(d.points[1], (Point{3, 4}));
+  EXPECT_EQ(d.points[4], (Point{9, 10}));
+  EXPECT_EQ(d.points[6], (Point{13, 2}));
+  EXPECT_EQ(d.joints, (std::vector<JointKind>{JointKind::kSmooth, JointKind::kCorner}));
+  EXPECT_EQ(d.widths, (std::vector<WidthKnot>{{0, 2}, {3, 2}}));
+  EXPECT_EQ(d.color, (Rgba{0x10, 0x20, 0x30, 255}));
+  EXPECT_TRUE(ink[1].stroke.closed());
+  EXPECT_EQ(ink[1].stroke.segment_count(), 3);
+  ASSERT_TRUE(drawing.drawing.page);
+  EXPECT_EQ(drawing.drawing.page->area(), (Rect{0, 0, 100, 80}));
+}
+
+TEST(SvgForeign, ShortSegmentsGoIntoTheirNeighbours) {
+  // A circle of 400 pieces of 0.03 mm, a dot, and a curve with a standing still.
+  std::string d = "M12 10";
+  for (int i = 1; i < 400; ++i) {
+    const double a = 6.283185307179586 * i / 400.0;
+    d += "L" + std::to_string(10 + 2 * std::cos(a)) + " " + std::to_string(10 + 2 * std::sin(a));
+  }
+  const ImportedDrawing drawing =
+      imported(svg("<path" + std::string(kLine) + " d='" + d + "z'/><path" + kLine +
+                   " d='M40 40h0.01'/><path" + kLine + " d='M50 50h5v0l0.02 0h5'/>"));
+  const Sketch ink = strokes(drawing);
+  ASSERT_EQ(ink.size(), 3U) << notices(drawing);
+  EXPECT_TRUE(ink[0].stroke.closed());
+  for (double u = 0.0; u <= ink[0].stroke.segment_count(); u += 0.25) {
+    EXPECT_NEAR(distance(ink[0].stroke.position(u), {10, 10}), 2.0, 0.05);
+  }
+  EXPECT_NEAR(distance(ink[1].stroke.position(0.5), {40.005, 40}), 0.0, 1e-9);
+  EXPECT_EQ(ink[2].stroke.segment_count(), 2);
+  EXPECT_EQ(ink[2].stroke.data().points.back(), (Point{60.02, 50}));
+  EXPECT_THAT(notices(drawing), HasSubstr("shorter than 0.05 mm"));
+}
+
+TEST(SvgForeign, StretchedPensAreAsWideAsTheyGo) {
+  const ImportedDrawing drawing =
+      imported(svg("<g transform='scale(3 1)'><path" + std::string(kLine) + " d='M1 1h5'/><path" +
+                   kLine + " d='M10 1v5'/><path" + kLine +
+                   " d='M10 10h5v5'/><circle cx='20' cy='30' r='5'" + kLine + "/></g>"));
+  const Sketch ink = strokes(drawing);
+  ASSERT_EQ(ink.size(), 4U);
+  EXPECT_NEAR(ink[0].stroke.width_mm(0.5), 2.0, 1e-9);
+  EXPECT_NEAR(ink[1].stroke.width_mm(0.5), 6.0, 1e-9);
+  EXPECT_NEAR(ink[2].stroke.width_mm(0.5), 2.0, 1e-9);
+  EXPECT_NEAR(ink[2].stroke.width_mm(1.5), 6.0, 1e-9);
+  EXPECT_NEAR(ink[3].stroke.width_mm(0.0), 6.0, 1e-9);
+  EXPECT_NEAR(ink[3].stroke.width_mm(1.0), 2.0, 1e-9);
+  EXPECT_THAT(notices(drawing), HasSubstr("stretched in one direction"));
+}
+
+TEST(SvgForeign, DashesAreStrokes) {
+  const ImportedDrawing drawing =
+      imported(svg("<path" + std::string(kLine) +
+                   " stroke-dasharray='6 4' stroke-dashoffset='2' d='M10 10h30'/>"));
+  const Sketch ink = strokes(drawing);
+  ASSERT_EQ(ink.size(), 4U);
+  EXPECT_NEAR(ink[0].stroke.data().points.back().x, 14.0, 1e-9);
+  EXPECT_NEAR(ink[1].stroke.data().points.front().x, 18.0, 1e-9);
+  EXPECT_NEAR(ink[1].stroke.data().points.back().x, 24.0, 1e-9);
+  EXPECT_NEAR(ink[3].stroke.data().points.back().x, 40.0, 1e-9);
+  EXPECT_EQ(ink[3].id, "path1-4");
+}
+
+TEST(SvgForeign, FillingsBecomeEdges) {
+  const ImportedDrawing drawing = imported(
+      svg("<path id='a' fill='teal' d='M10 10h10v10'/>\n<circle fill='navy' stroke='red' r='9' "
+          "cx='50' cy='50' stroke-linejoin='round'/>"));
+  const Sketch ink = strokes(drawing);
+  ASSERT_EQ(ink.size(), 2U);
+  EXPECT_TRUE(ink[0].stroke.closed());
+  EXPECT_EQ(ink[0].stroke.color(), (Rgba{0, 128, 128, 255}));
+  EXPECT_EQ(ink[0].stroke.width_mm(0.0), 0.35);
+  EXPECT_EQ(ink[1].stroke.color(), (Rgba{255, 0, 0, 255}));
+  EXPECT_THAT(notices(drawing), HasSubstr("line 2: path 'a' is filled and has no line"));
+  EXPECT_THAT(notices(drawing), HasSubstr("line 3: circle has a filling, which was left out"));
+}
+
+TEST(SvgForeign, SaysWhatItLeavesOut) {
+  const ImportedDrawing drawing = imported(svg(
+      "<text id='title'>x</text>\n<text>y</text>\n<image/>\n<script>a()</script>\n<g "
+      "filter='url(#f)' "
+      "mask='url(#m)' clip-path='url(#c)'/>\n<path" +
+      std::string(kLine) +
+      " marker-end='url(#m)' d='M1 1h9'><animate/></path><use xlink:href='other.svg#a'/><use "
+      "xlink:href='#none'/><path visibility='hidden' d='M1 1h9'/><rect fill='url(#g)' width='9' "
+      "height='9'/><linearGradient id='g'><stop stop-color='red'/></linearGradient><foreignObject/>"
+      "<path stroke='red' d='M1 1h9x'/>"));
+  const std::string text = notices(drawing);
+  for (const char* expected :
+       {"line 2: text 'title' is no ink and was left out (and 3 more like it)",
+        "line 5: script was left out: nothing moves", "line 6: g has a filter",
+        "line 6: g has a mask", "line 6: g is cut to a clip path", "line 7: path has markers",
+        "it is in another file", "what it repeats is not in the file", "is hidden in the file",
+        "mean colour of its stops", "as far as it can be read: no command at character 7",
+        "has flat or square ends"}) {
+    EXPECT_THAT(text, HasSubstr(expected));
+  }
+  const Sketch ink = strokes(drawing);
+  ASSERT_EQ(ink.size(), 3U);
+  EXPECT_EQ(ink[1].stroke.color(), (Rgba{255, 0, 0, 255}));
+}
+
+TEST(SvgForeign, LayersOfInkscape) {
+  const std::string path = "<path" + std::string(kLine) + " d='M1 1h9'/>";
+  const ImportedDrawing drawing = imported(svg(
+      path + "<g inkscape:groupmode='layer' inkscape:label='Back' sodipodi:insensitive='true'>" +
+      path + "<g inkscape:groupmode='layer' inkscape:label='Sub' style='display:none'>" + path +
+      "</g>" + path + "</g>" + path));
+  std::vector<std::string> layers;
+  for (const SketchLayer& l : drawing.drawing.layers) {
+    layers.push_back(l.name + (l.visible ? "" : " hidden") + (l.locked ? " locked" : "") + " " +
+                     std::to_string(l.strokes.size()));
+  }
+  EXPECT_THAT(layers, ::testing::ElementsAre("Ink 1", "Back locked 1", "Sub hidden locked 1",
+                                             "Back locked 1", "Ink 1"));
+}
+
+TEST(SvgForeign, PageAndPaper) {
+  const auto page = [](const std::string& head, const std::string& inside = "") {
+    return imported("<svg xmlns='http://www.w3.org/2000/svg' " + head + ">" + inside + "</svg>")
+        .drawing.page;
+  };
+  EXPECT_EQ(page("width='210mm' height='297mm'")->area(), (Rect{0, 0, 210, 297}));
+  EXPECT_NEAR(page("width='960' height='96px'")->width_mm, 254.0, 1e-9);
+  EXPECT_NEAR(page("viewBox='5 5 960 480'")->height_mm, 127.0, 1e-9);
+  EXPECT_FALSE(page(""));
+  EXPECT_FALSE(page("width='9mm' height='90mm'"));
+  EXPECT_FALSE(page("width='6m' height='90mm'"));
+  EXPECT_EQ(page("width='96' height='96'", "<rect width='100%' height='100%' fill='#123'/>")->paper,
+            (Rgba{0x11, 0x22, 0x33, 255}));
+  EXPECT_EQ(page("width='96' height='96' style='background-color:#abc'")->paper.b, 0xcc);
+}
+
+std::string power_stroke(const std::string& effect, const std::string& path) {
+  return svg("<defs><inkscape:path-effect id='e' effect='powerstroke' " + effect +
+             "/></defs><path id='p' fill='teal' d='M0 0h9v9z' inkscape:path-effect='#e' "
+             "inkscape:original-d='" +
+             path + "'/>");
+}
+
+TEST(SvgForeign, PowerStrokesHaveTheirWidths) {
+  const ImportedDrawing linear =
+      imported(power_stroke("interpolator_type='Linear' offset_points='0.5,1 | 1.25,2'",
+                            "M10 10C13 10 17 10 20 10L30 20"));
+  EXPECT_TRUE(linear.report.empty()) << notices(linear);
+  const Stroke stroke = strokes(linear).at(0).stroke;
+  EXPECT_EQ(stroke.data().widths, (std::vector<WidthKnot>{{0, 2}, {0.5, 2}, {1.25, 4}, {2, 4}}));
+  EXPECT_EQ(stroke.color(), (Rgba{0, 128, 128, 255}));
+  const ImportedDrawing johan = imported(power_stroke(
+      "interpolator_type='CubicBezierJohan' scale_width='2' end_linecap_type='zerowidth' "
+      "offset_points='0,1 | 1,2'",
+      "M10 10L20 10L30 20"));
+  EXPECT_THAT(notices(johan), HasSubstr("CubicBezierJohan, which were sampled"));
+  const Stroke sampled = strokes(johan).at(0).stroke;
+  EXPECT_EQ(sampled.width_mm(0.0), 4.0);
+  EXPECT_EQ(sampled.width_mm(1.0), 8.0);
+  EXPECT_NEAR(sampled.width_mm(0.5), 6.0, 1e-9);
+  EXPECT_EQ(sampled.width_mm(2.0), kMinWidthMm);
+  const ImportedDrawing ring =
+      imported(power_stroke("offset_points='1,1 | 3,2'", "M10 10h10v10h-10z"));
+  EXPECT_NEAR(strokes(ring).at(0).stroke.width_mm(0.0), 3.0, 1e-9);
+  EXPECT_NEAR(strokes(ring).at(0).stroke.width_mm(4.0), 3.0, 1e-9);
+  const ImportedDrawing broken = imported(power_stroke("offset_points=''", "M10 10h10"));
+  EXPECT_THAT(notices(broken), HasSubstr("has lost its variable width"));
+  EXPECT_EQ(strokes(broken).size(), 1U);
+}
+
+TEST(SvgForeign, DepthEndsInAnError) {
+  const auto nested = [](int depth) {
+    std::string text;
+    for (int i = 1; i < depth; ++i) text += "<g>";
+    for (int i = 1; i < depth; ++i) text += "</g>";
+    return import_svg("<svg>" + text + "</svg>");
+  };
+  EXPECT_TRUE(nested(255));
+  EXPECT_TRUE(nested(256));
+  ASSERT_FALSE(nested(257));
+  EXPECT_EQ(nested(257).error().code, ErrorCode::kLimitExceeded);
+  EXPECT_FALSE(nested(60000));
+}
+
+TEST(SvgForeign, AttributesOfAnElementEndInAnError) {
+  const auto with = [](std::size_t count) {
+    std::string text = "<svg>\n<g";
+    for (std::size_t i = 0; i < count; ++i) text += " a" + std::to_string(i) + "=''";
+    return import_svg(text + "/></svg>");
+  };
+  EXPECT_TRUE(with(limits::kMaxSvgAttributes - 1));
+  EXPECT_TRUE(with(limits::kMaxSvgAttributes));
+  ASSERT_FALSE(with(limits::kMaxSvgAttributes + 1));
+  EXPECT_THAT(with(limits::kMaxSvgAttributes + 1).error().message, HasSubstr("line 2: g has more"));
+}
+
+TEST(SvgForeign, ElementsEndInAnError) {
+  std::string text = "<svg><defs>";
+  text.reserve(9'000'000);
+  for (int i = 0; i < 1'999'998; ++i) text += "<a/>";
+  EXPECT_TRUE(import_svg(text + "</defs></svg>"));
+  const auto over = import_svg(text + "<a/></defs></svg>");
+  ASSERT_FALSE(over);
+  EXPECT_EQ(over.error().code, ErrorCode::kLimitExceeded);
+}
+
+TEST(SvgForeign, EntitiesAddLittle) {
+  const auto with = [](std::size_t bytes, int times) {
+    std::string text =
+        "<!DOCTYPE svg [<!ENTITY e \"" + std::string(bytes, 'x') + "\">]>\n<svg><desc>";
+    for (int i = 0; i < times; ++i) text += "&e;";
+    return import_svg(text + "</desc></svg>");
+  };
+  constexpr std::size_t kMost = limits::kMaxSvgEntityBytes;
+  EXPECT_TRUE(with(kMost / 8 - 1, 8));
+  EXPECT_TRUE(with(kMost / 8, 8));
+  EXPECT_FALSE(with(kMost / 8, 9));
+  // Entities inside of entities; a billion laughs are refused.
+  const ImportedDrawing nested = imported(
+      "<!DOCTYPE svg [<!ENTITY c 'red'><!ENTITY st 'stroke:&c;'>]>\n<svg "
+      "xmlns='http://www.w3.org/2000/svg'><path style='&st;' d='M1 1h9'/></svg>");
+  ASSERT_EQ(strokes(nested).size(), 1U);
+  EXPECT_EQ(strokes(nested)[0].stroke.color(), (Rgba{255, 0, 0, 255}));
+  std::string laughs = "<!DOCTYPE svg [<!ENTITY a \"ha\">";
+  for (char c = 'b'; c <= 'z'; ++c) {
+    const std::string before = std::string("&") + static_cast<char>(c - 1) + ";";
+    laughs += std::string("<!ENTITY ") + c + " \"" + before + before + before + before + "\">";
+  }
+  const auto laughed = import_svg(laughs + "]><svg><desc>&z;&z;</desc></svg>");
+  ASSERT_FALSE(laughed);
+  EXPECT_EQ(laughed.error().code, ErrorCode::kLimitExceeded);
+  EXPECT_TRUE(
+      import_svg("<!DOCTYPE svg [<!ENTITY x SYSTEM \"file:///etc/passwd\">]><svg>&x;</svg>"));
+  EXPECT_FALSE(import_svg("<!DOCTYPE svg [<!ENTITY x 'a'><svg/>"));
+}
+
+TEST(SvgForeign, RepeatingElementsEnds) {
+  // Ten levels of ten: 10^10 of the last one.
+  std::string text;
+  for (int level = 0; level < 10; ++level) {
+    text += "<g id='l" + std::to_string(level) + "'>";
+    for (int i = 0; i < 10; ++i) text += "<use xlink:href='#l" + std::to_string(level + 1) + "'/>";
+    text += "</g>";
+  }
+  const ImportedDrawing bomb = imported(svg(text + "<path id='l10'" + kLine + " d='M1 1h9'/>"));
+  EXPECT_THAT(notices(bomb), HasSubstr("'use' repeats more than is taken"));
+  EXPECT_LE(strokes(bomb).size(), static_cast<std::size_t>(limits::kMaxSvgUseElements));
+  const ImportedDrawing cycle = imported(
+      svg("<g id='a'><use xlink:href='#b'/></g><g id='b'><use xlink:href='#a'/></g><use id='c' "
+          "xlink:href='#c'/>"));
+  EXPECT_THAT(notices(cycle), HasSubstr("it repeats itself"));
+  // One long path, repeated: the curves of all of them are bounded.
+  std::string path = "M0 0";
+  for (int i = 0; i < 20000; ++i) path += "l9 9";
+  text = "<path id='p'" + std::string(kLine) + " d='" + path + "'/>";
+  for (int i = 0; i < 2000; ++i) text += "<use xlink:href='#p'/>";
+  const std::string long_file = svg(text);
+  std::size_t segments = 0;
+  const ImportedDrawing many = imported(long_file);
+  for (const SketchStroke& s : strokes(many)) {
+    segments += static_cast<std::size_t>(s.stroke.segment_count());
+  }
+  EXPECT_LE(segments, limits::kSpareSvgSegments + long_file.size() / 2);
+  EXPECT_THAT(notices(many), HasSubstr("more curves than are taken"));
+}
+
+/// What costs time without being an element that is repeated: each of these would take minutes.
+TEST(SvgForeign, HiddenWorkIsCounted) {
+  const auto times = [](const std::string& text, int count) {
+    std::string all;
+    for (int i = 0; i < count; ++i) all += text;
+    return all;
+  };
+  const std::string uses = times("<use xlink:href='#p'/>", 20000);
+  const std::string line(kLine), cdata = times("<![CDATA[]]>", 60000);
+  EXPECT_FALSE(strokes(imported(svg("<path id='p'" + line + " d='M1 1h9'>" +
+                                    times("<desc/>", 60000) + "</path>" + uses)))
+                   .empty());
+  imported(svg("<g id='p'>" + cdata + "</g>" + uses));
+  imported(svg("<defs><switch id='p'>" + times("<q/>", 60000) + "</switch></defs>" + uses));
+  imported(svg("<linearGradient id='g'>" + times("<q/>", 60000) + "</linearGradient>" +
+               times("<rect fill='url(#g)' width='9' height='9'/>", 20000)));
+  imported(svg("<style>rect:first-child{fill:red} rect+rect{fill:blue}</style>" + cdata +
+               times("<g>" + std::string("<![CDATA[]]>") + "<rect width='9' height='9'/></g>", 9) +
+               times("<rect width='9' height='9'/>", 20000)));
+  imported(svg("<style>path:last-child{fill:red}</style><path id='p'" + line + " d='M1 1h9'/>" +
+               cdata + uses));
+}
+
+TEST(SvgForeign, UseReachesItsLimit) {
+  const auto uses = [](std::int64_t count) {
+    std::string text = "<path id='p' d='M1 1h9' stroke='red'/>";
+    for (std::int64_t i = 0; i < count; ++i) text += "<use xlink:href='#p'/>";
+    return strokes(imported(svg(text))).size();
+  };
+  const auto most = static_cast<std::size_t>(limits::kMaxSvgUseElements);
+  EXPECT_EQ(uses(limits::kMaxSvgUseElements - 1), most);
+  EXPECT_EQ(uses(limits::kMaxSvgUseElements), most + 1);
+  EXPECT_EQ(uses(limits::kMaxSvgUseElements + 1), most + 1);
+}
+
+TEST(SvgForeign, DashesEnd) {
+  const auto dashes = [](const char* pattern) {
+    return imported(
+        svg("<path" + std::string(kLine) + " stroke-dasharray='" + pattern + "' d='M0 0h99999'/>"));
+  };
+  EXPECT_GT(strokes(dashes("0.5 0.50002")).size(), limits::kMaxSvgDashes - 10);
+  const ImportedDrawing over = dashes("0.5 0.49");
+  EXPECT_EQ(strokes(over).size(), 1U);
+  EXPECT_THAT(notices(over), HasSubstr("became a solid line"));
+  EXPECT_EQ(strokes(dashes("1e-7")).size(), 1U);
+}
+
+TEST(SvgForeign, LayersReachTheirLimit) {
+  const auto layers = [](std::size_t count) {
+    std::string text;
+    for (std::size_t i = 0; i < count; ++i) text += "<g inkscape:groupmode='layer'/>";
+    return imported(svg(text)).drawing.layers.size();
+  };
+  EXPECT_EQ(layers(limits::kMaxSvgLayers - 1), limits::kMaxSvgLayers - 1);
+  EXPECT_EQ(layers(limits::kMaxSvgLayers), limits::kMaxSvgLayers);
+  EXPECT_EQ(layers(limits::kMaxSvgLayers + 1), limits::kMaxSvgLayers);
+}
+
+TEST(SvgForeign, HugeNumbersEndInNotices) {
+  const std::string line(kLine);
+  const std::vector<std::string> odd_ones{
+      "<path" + line + " d='M0 0L1e400 1'/>",
+      "<path" + line + " d='M0 0L1e9 1'/>",
+      "<g transform='scale(1e30)'><g transform='scale(1e30)'><path" + line +
+          " d='M1 1L2 3'/></g></g>",
+      "<g transform='scale(0)'><path" + line + " d='M1 1L2 3'/></g>",
+      "<g transform='scale(1 0)'><path" + line + " d='M1 1L2 3'/></g>",
+      "<path fill='none' stroke='red' stroke-width='1e9' d='M1 1L2 3'/>",
+      "<path d='M" + std::string(100'000, '1') + " 1'/>",
+      "<rect width='1e9' height='1e9' stroke='red'/>",
+      "<circle r='1e12mm' stroke='red'/>"};
+  for (const std::string& odd : odd_ones) {
+    const ImportedDrawing drawing = imported(svg(odd));
+    EXPECT_FALSE(drawing.report.empty()) << odd.substr(0, 200);
+    EXPECT_TRUE(svg_text(drawing.drawing, {})) << odd.substr(0, 200);
+  }
+}
+
+}  // namespace
+}  // namespace felt

@@ -1,0 +1,351 @@
+#include "felt/io/svg/svg_ink.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "felt/base/utf8.h"
+#include "felt/io/limits.h"
+#include "felt/io/xml/material_texts.h"
+#include "felt/io/svg/svg_center_line.h"
+#include "felt/io/svg/svg_dashes.h"
+#include "felt/io/svg/svg_line_width.h"
+#include "felt/io/svg/svg_scan.h"
+#include "felt/io/svg/svg_variable_width.h"
+#include "felt/stroke/color_text.h"
+
+namespace felt {
+namespace {
+
+/// Where ink is drawn that stands in no layer.
+constexpr const char* kLayerName = "Ink";
+/// As far as files can be written.
+constexpr double kFarthestMm = 1e9;
+constexpr const char* kFar = "reaches farther than 1e9 mm and was left out";
+
+Rect bounds_mm(const SvgShape& shape) {
+  Rect box;
+  for (const SvgContour& c : shape.contours) {
+    for (const Point& p : c.points) box.extend(apply(shape.to_mm, p));
+  }
+  return box;
+}
+
+/// Whether all of it lies on one straight line, so that a filling shows nothing.
+bool is_flat(const SvgContour& c) {
+  const Point a = c.points.front();
+  Vec longest;
+  for (const Point& p : c.points) {
+    if (norm_squared(p - a) > norm_squared(longest)) longest = p - a;
+  }
+  const double size = norm_squared(longest);
+  return std::all_of(c.points.begin(), c.points.end(),
+                     [&](Point p) { return std::fabs(cross(longest, p - a)) <= 1e-12 * size; });
+}
+
+bool shows_filling(const SvgShape& shape) {
+  return shape.fill && !std::all_of(shape.contours.begin(), shape.contours.end(), is_flat);
+}
+
+bool is_far(const Rect& r) {
+  return !(r.x0 >= -kFarthestMm && r.y0 >= -kFarthestMm && r.x1 <= kFarthestMm &&
+           r.y1 <= kFarthestMm);
+}
+
+std::optional<SheetPage> page_of(double width_mm, double height_mm) {
+  const auto fits = [](double mm) { return mm >= SheetPage::kLeastMm && mm <= SheetPage::kMostMm; };
+  if (!fits(width_mm) || !fits(height_mm)) return std::nullopt;
+  return SheetPage{width_mm, height_mm};
+}
+
+/// "297 210 #rrggbbaa"
+std::optional<SheetPage> written_page(std::string_view text) {
+  SvgScan scan(text);
+  double width = 0.0, height = 0.0;
+  if (!scan.number(width) || !scan.take(' ') || !scan.number(height) || !scan.take(' ')) {
+    return std::nullopt;
+  }
+  const std::optional<Rgba> paper = color_from_text(scan.rest());
+  std::optional<SheetPage> page = page_of(width, height);
+  if (page && paper) page->paper = *paper;
+  return paper ? page : std::nullopt;
+}
+
+}  // namespace
+
+void SvgInk::say(const SvgShape& shape, std::string what) {
+  notice(shape.line_number, svg_element_text(shape.element, shape.id), std::move(what));
+}
+
+void SvgInk::notice(std::int64_t line, std::string element, std::string what) {
+  imported_.report.add(line, svg_clean_name(element), std::move(what));
+}
+
+void SvgInk::root(const SvgRoot& root) {
+  is_ours_ = root.is_ours;
+  has_page_attribute_ = !root.page.empty();
+  for (const std::string_view text : root.materials) {
+    if (add_material_text(imported_.drawing.materials, text)) continue;
+    notice(0, "svg", "carries a material that is none or too long; it was left out");
+  }
+  if (root.is_ours && has_page_attribute_) {
+    imported_.drawing.page = written_page(root.page);
+    std::optional<SheetPage>& page = imported_.drawing.page;
+    (page ? page->surface : imported_.drawing.surface) = root.surface;
+    return;
+  }
+  if (!root.begins_at_zero || !root.width_mm || !root.height_mm) return;
+  imported_.drawing.page = page_of(*root.width_mm, *root.height_mm);
+  if (!imported_.drawing.page) {
+    notice(0, "svg", "has a page of a size that sheets cannot have, which was ignored");
+  } else if (is_ours_) {
+    imported_.drawing.page->paper = {0, 0, 0, 0};
+  }
+}
+
+void SvgInk::paper(Rgba color) {
+  if (imported_.drawing.page && !has_page_attribute_) imported_.drawing.page->paper = color;
+}
+
+void SvgInk::layer(const SvgLayer& layer) {
+  std::vector<SketchLayer>& layers = imported_.drawing.layers;
+  if (layers.size() >= limits::kMaxSvgLayers) {
+    return notice(0, "svg", "has more than 10000 layers; the others joined the last");
+  }
+  std::string name = layer.number == 0 ? kLayerName : svg_clean_name(layer.label);
+  layers.push_back({std::move(name), layer.visible, layer.locked, {}});
+}
+
+void SvgInk::shape(SvgShape shape) {
+  ++number_;
+  part_ = 0;
+  const bool lowest = std::exchange(may_be_paper_, false);
+  if (lowest && take_as_paper(shape)) return;
+  if (outside_frame(shape)) return;
+  if (shape.variable_width && add_wide(shape)) return;
+  if (shape.line) return add_line(shape);
+  if (shows_filling(shape)) add_edge(shape);
+}
+
+bool SvgInk::take_as_paper(const SvgShape& shape) {
+  const bool is_plain =
+      shape.element == "rect" && shape.fill && !shape.line && !shape.is_cut && !is_ours_;
+  if (!is_plain || !imported_.drawing.page) return false;
+  const Rect box = bounds_mm(shape), page = imported_.drawing.page->area();
+  const double off = std::max({std::fabs(box.x0 - page.x0), std::fabs(box.y0 - page.y0),
+                               std::fabs(box.x1 - page.x1), std::fabs(box.y1 - page.y1)});
+  if (!(off <= 0.01)) return false;
+  imported_.drawing.page->paper = shape.fill->color;
+  say(shape, "fills the page and was taken as the paper");
+  return true;
+}
+
+bool SvgInk::outside_frame(const SvgShape& shape) {
+  if (!shape.frame) return false;
+  const Rect box = bounds_mm(shape), frame = shape.frame->inflated(1e-6);
+  if (box.x0 >= frame.x0 && box.y0 >= frame.y0 && box.x1 <= frame.x1 && box.y1 <= frame.y1) {
+    return false;
+  }
+  if (!box.intersects(frame)) {
+    say(shape, "lies outside of the frame that shows it and was left out");
+    return true;
+  }
+  say(shape, "sticks out of the frame that shows it, and was not cut");
+  return false;
+}
+
+bool SvgInk::add_wide(const SvgShape& shape) {
+  Result<SvgWideStroke> wide = svg_wide_stroke(*shape.variable_width, shape.to_mm);
+  if (!wide) {
+    say(shape, "has lost its variable width (" + wide.error().message +
+                   "); its outline was taken instead");
+    return false;
+  }
+  if (shape.variable_width->is_ours) {
+    wide->data.color = shape.variable_width->color;
+    wide->id = svg_clean_name(wide->id);
+    wide->data.material = svg_clean_name(wide->data.material);
+  } else {
+    wide->data.material = kSolidMedium;
+    wide->data.color = shape.fill ? shape.fill->color : shape.line->color;
+    wide->id.clear();
+  }
+  for (std::string& what : wide->notices) say(shape, std::move(what));
+  push(shape, std::move(wide->data), std::move(wide->id));
+  return true;
+}
+
+void SvgInk::notice_ends(const SvgShape& shape) {
+  const bool has_ends =
+      !shape.line->dashes.empty() || std::any_of(shape.contours.begin(), shape.contours.end(),
+                                                 [](const SvgContour& c) { return !c.closed; });
+  const bool has_joints = std::any_of(shape.contours.begin(), shape.contours.end(),
+                                      [](const SvgContour& c) { return c.segment_count() > 1; });
+  if (has_ends && shape.line->cap != SvgCap::kRound) {
+    say(shape, "has flat or square ends; those of ink are round");
+  }
+  if (has_joints && shape.line->join != SvgJoin::kRound) {
+    say(shape, "has pointed or cut corners; those of ink are round");
+  }
+}
+
+namespace {
+
+/// Flat dashes made shorter by the width of the line, so that round ends reach as far as the flat
+/// ones do. One that is not longer than the line is wide becomes a dot in its middle.
+struct RoundDashes {
+  std::vector<double> pattern;
+  double offset = 0.0;
+  bool has_dots = false, runs_together = false;
+};
+RoundDashes round_dashes(const SvgLine& line) {
+  RoundDashes result{line.dashes, line.dash_offset};
+  const auto inset = [&](std::size_t i) { return 0.5 * std::min(line.width, line.dashes[i]); };
+  const std::size_t count = line.dashes.size();
+  for (std::size_t i = 0; i < count; i += 2) {
+    if (line.dashes[i] == 0.0) return {line.dashes, line.dash_offset};  // flat ones show nothing
+    result.pattern[i] -= 2.0 * inset(i);
+    result.pattern[i + 1] += inset(i) + inset((i + 2) % count);
+    result.has_dots = result.has_dots || line.dashes[i] < line.width;
+    result.runs_together = result.runs_together || result.pattern[i + 1] <= line.width;
+  }
+  result.offset -= inset(0);
+  return result;
+}
+
+}  // namespace
+
+void SvgInk::add_line(SvgShape& shape) {
+  SvgLine line = *shape.line;
+  const bool is_flat = !line.dashes.empty() && line.cap == SvgCap::kButt;
+  if (is_flat) {
+    RoundDashes round = round_dashes(line);
+    const bool changes = round.pattern != line.dashes;
+    line.dashes = std::move(round.pattern);
+    line.dash_offset = round.offset;
+    if (round.has_dots) say(shape, "has flat dashes shorter than its width, which became dots");
+    if (round.runs_together) say(shape, "has dashes that run together, because ends are round");
+    if (changes) line.cap = shape.line->cap = SvgCap::kRound;
+  }
+  if (shows_filling(shape)) say(shape, "has a filling, which was left out: ink is lines");
+  notice_ends(shape);
+  if (line.color.a < 255 && (shape.contours.size() > 1 || !line.dashes.empty())) {
+    say(shape, "is transparent and of several parts; where these cross, it became darker");
+  }
+  // Each is taken out of the shape: a long path is not kept twice.
+  for (SvgContour& contour : shape.contours) {
+    if (line.dashes.empty()) {
+      add_contour(shape, std::move(contour), line.color, line.width);
+      continue;
+    }
+    auto dashes =
+        svg_dashes(contour, line.dashes, line.dash_offset, line.cap != SvgCap::kButt, dashes_left_);
+    if (!dashes) {
+      say(shape, "has more dashes than are taken, and became a solid line");
+      add_contour(shape, std::move(contour), line.color, line.width);
+      continue;
+    }
+    dashes_left_ -= std::min(dashes_left_, dashes->size());
+    for (SvgContour& dash : *dashes) add_contour(shape, std::move(dash), line.color, line.width);
+  }
+}
+
+void SvgInk::add_edge(SvgShape& shape) {
+  say(shape, "is filled and has no line; it became a thin line along its edge");
+  const Affine to_mm = std::exchange(shape.to_mm, Affine{});
+  if (determinant(to_mm) == 0.0) return say(shape, "is flattened to nothing and was left out");
+  for (SvgContour& contour : shape.contours) {
+    if (!contour.closed && contour.points.front() != contour.points.back()) {
+      const Cubic c = straight(contour.points.back(), contour.points.front());
+      contour.points.insert(contour.points.end(), {c.p[1], c.p[2], contour.points.front()});
+    }
+    contour.closed = true;
+    for (Point& p : contour.points) p = apply(to_mm, p);
+    add_contour(shape, std::move(contour), shape.fill->color, kEdgeWidthMm);
+  }
+}
+
+/// One contour as a stroke of a width in user units, or as several end to end where it is longer
+/// than a stroke may be.
+void SvgInk::add_contour(const SvgShape& shape, SvgContour contour, Rgba color, double width) {
+  constexpr std::size_t kMost = limits::kMaxSvgStrokeSegments;
+  const std::size_t count = contour.segment_count();
+  if (count <= kMost) return add_part(shape, std::move(contour), color, width);
+  say(shape, "has more than 250000 segments and became several strokes");
+  for (std::size_t begin = 0; begin < count; begin += kMost) {
+    const auto first = contour.points.begin() + static_cast<std::ptrdiff_t>(3 * begin);
+    const std::size_t points = 3 * std::min(kMost, count - begin) + 1;
+    SvgContour part{{first, first + static_cast<std::ptrdiff_t>(points)}, false};
+    add_part(shape, std::move(part), color, width);
+  }
+}
+
+void SvgInk::add_part(const SvgShape& shape, SvgContour moved, Rgba color, double width) {
+  Rect box;
+  for (Point& p : moved.points) {
+    p = apply(shape.to_mm, p);
+    box.extend(p);
+  }
+  if (is_far(box)) return say(shape, kFar);
+  const bool is_point = std::all_of(moved.points.begin(), moved.points.end(),
+                                    [&](Point p) { return p == moved.points.front(); });
+  // As in SVG: what has neither length nor caps shows nothing.
+  if (is_point && (!shape.line || shape.line->cap == SvgCap::kButt)) return;
+  SvgCenterLine line = svg_center_line(moved);
+  moved.points = std::vector<Point>();  // long paths take much memory
+  if (line.joined_short) {
+    say(shape, "has parts shorter than 0.05 mm, which were joined to those beside them");
+  }
+  SvgLineWidths widths = svg_line_widths(line, shape.to_mm, width);
+  if (widths.knots.empty()) return say(shape, "is flattened to nothing and was left out");
+  if (widths.is_stretched) {
+    say(shape, "has a line that is stretched in one direction; its width was sampled");
+  }
+  if (widths.was_thin) say(shape, "is thinner than 0.05 mm and became that wide");
+  StrokeData data;
+  data.points = std::move(line.points);
+  data.joints = std::move(line.joints);
+  data.closed = line.closed;
+  data.widths = std::move(widths.knots);
+  data.color = color;
+  data.material = kSolidMedium;
+  push(shape, std::move(data), {});
+}
+
+void SvgInk::push(const SvgShape& shape, StrokeData data, std::string id) {
+  Result<Stroke> stroke = Stroke::create(std::move(data));
+  if (!stroke) return say(shape, "makes no stroke and was left out: " + stroke.error().message);
+  if (is_far(stroke->bounds())) return say(shape, kFar);
+  const bool is_ours = shape.variable_width && shape.variable_width->is_ours;
+  if (id.empty() && !is_ours) {
+    id = shape.id.empty() ? std::string(shape.element) + std::to_string(number_)
+                          : svg_clean_name(shape.id);
+    if (++part_ > 1) id += "-" + std::to_string(part_);
+  }
+  if (imported_.drawing.layers.empty()) layer({});
+  imported_.drawing.layers.back().strokes.push_back({std::move(id), *std::move(stroke)});
+}
+
+ImportedDrawing SvgInk::take() {
+  return std::move(imported_);
+}
+
+std::string svg_clean_name(std::string_view text) {
+  std::string clean;
+  while (!text.empty() && clean.size() + 4 <= limits::kMaxNameBytes) {
+    const std::string_view rest = text;
+    std::uint32_t code = 0;
+    if (!next_code_point(text, code)) {
+      text = rest.substr(1);
+      clean += '_';
+    } else if ((code < 0x20 && code != '\t' && code != '\n' && code != '\r') || code == 0xfffe ||
+               code == 0xffff) {
+      clean += '_';
+    } else {
+      clean += rest.substr(0, rest.size() - text.size());
+    }
+  }
+  return clean;
+}
+
+}  // namespace felt

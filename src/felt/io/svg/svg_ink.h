@@ -1,0 +1,53 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "felt/io/import.h"
+#include "felt/io/svg/svg_limits.h"
+#include "felt/io/svg/svg_scene.h"
+
+namespace felt {
+
+/// Makes ink of a scene: the second step of reading SVG. Feed it to read_svg_scene, then take what
+/// it made.
+class SvgInk final : public SvgSceneSink {
+ public:
+  /// Width of the line along a shape that is only filled.
+  static constexpr double kEdgeWidthMm = 0.35;
+
+  void root(const SvgRoot& root) override;
+  void layer(const SvgLayer& layer) override;
+  void shape(SvgShape shape) override;
+  void paper(Rgba color) override;
+  void notice(std::int64_t line, std::string element, std::string what) override;
+
+  ImportedDrawing take();
+
+ private:
+  void say(const SvgShape& shape, std::string what);
+  bool outside_frame(const SvgShape& shape);
+  bool take_as_paper(const SvgShape& shape);
+  bool add_wide(const SvgShape& shape);
+  void add_line(SvgShape& shape);
+  void add_edge(SvgShape& shape);
+  void add_contour(const SvgShape& shape, SvgContour contour, Rgba color, double width);
+  void add_part(const SvgShape& shape, SvgContour moved, Rgba color, double width);
+  void notice_ends(const SvgShape& shape);
+  void push(const SvgShape& shape, StrokeData data, std::string id);
+
+  ImportedDrawing imported_;
+  std::size_t dashes_left_ = limits::kMaxSvgDashes;
+  std::size_t number_ = 0;  ///< of the shape
+  std::size_t part_ = 0;    ///< strokes of the shape so far
+  bool is_ours_ = false;
+  bool has_page_attribute_ = false;
+  bool may_be_paper_ = true;  ///< only what lies below everything else
+};
+
+/// Text as a name: what XML cannot hold is replaced, and it ends at limits::kMaxNameBytes.
+std::string svg_clean_name(std::string_view text);
+
+}  // namespace felt

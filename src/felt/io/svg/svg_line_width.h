@@ -1,0 +1,22 @@
+#pragma once
+
+#include <vector>
+
+#include "felt/geometry/affine.h"
+#include "felt/io/svg/svg_center_line.h"
+
+namespace felt {
+
+/// The widths of a line that was drawn in user units.
+struct SvgLineWidths {
+  std::vector<WidthKnot> knots;  ///< in mm; empty where the transform flattens the line to nothing
+  bool is_stretched = false;     ///< the width depends on the direction, and was sampled
+  bool was_thin = false;         ///< below kMinWidthMm somewhere, and raised
+};
+
+/// Of a line `width` user units wide along `line` (in mm), which `to_mm` took to the sheet. A
+/// stretched pen of width w is w |det| / |to_mm d| wide where it goes in the user direction d of
+/// length 1.
+SvgLineWidths svg_line_widths(const SvgCenterLine& line, const Affine& to_mm, double width);
+
+}  // namespace felt

@@ -1,0 +1,276 @@
+// SVG of other programs: nothing is lost or drawn otherwise in silence.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "felt/io/svg/svg_import.h"
+#include "felt/io/svg/svg_limits.h"
+#include "felt/io/svg/svg_variables.h"
+
+namespace felt {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+
+constexpr Rgba kRed{255, 0, 0, 255}, kBlack{0, 0, 0, 255};
+constexpr const char* kRound = " stroke-linecap='round' stroke-linejoin='round' fill='none'";
+
+/// What became of a document whose user unit is a millimetre.
+struct Read {
+  Sketch strokes;
+  std::string notices;
+  std::optional<SheetPage> page;
+  explicit Read(const std::string& inside, const std::string& before = {},
+                const std::string& behind = {}) {
+    Result<ImportedDrawing> result =
+        import_svg(before +
+                   "<svg xmlns='http://www.w3.org/2000/svg' width='100mm' height='80mm' "
+                   "viewBox='0 0 100 80'>\n" +
+                   inside + "</svg>" + behind);
+    EXPECT_TRUE(result) << result.error().message;
+    if (!result) return;
+    page = result->drawing.page;
+    for (const SketchLayer& layer : result->drawing.layers) {
+      strokes.insert(strokes.end(), layer.strokes.begin(), layer.strokes.end());
+    }
+    for (const ImportNotice& n : result->report.notices()) notices += notice_text(n) + "\n";
+  }
+};
+
+std::string line(const std::string& attributes) {
+  return "<path d='M10 10h50'" + std::string(kRound) + " " + attributes + "/>";
+}
+
+Rgba color_of(const std::string& color) {
+  const Read read(line("style='stroke:" + color + "'"));
+  EXPECT_THAT(read.notices, IsEmpty()) << color;
+  EXPECT_EQ(read.strokes.size(), 1U) << color;
+  return read.strokes.empty() ? Rgba{} : read.strokes[0].stroke.color();
+}
+
+void expect_near(Rgba a, Rgba b, int most) {
+  EXPECT_LE(std::abs(a.r - b.r), most);
+  EXPECT_LE(std::abs(a.g - b.g), most) << int{a.g} << " " << int{b.g};
+  EXPECT_LE(std::abs(a.b - b.b), most);
+  EXPECT_LE(std::abs(a.a - b.a), most);
+}
+
+// The expected values are those that CSS Color 4 and web-platform-tests give for these colours.
+TEST(SvgLosses, ColoursOfCss4) {
+  for (const char* red :
+       {"oklch(62.8% 0.25768 29.234)", "oklab(0.628 0.22486 0.1258)", "lab(54.29 80.81 69.89)",
+        "lch(54.29 106.84 40.86)", "hwb(0 0% 0%)", "color(srgb 1 0 0)", "color(srgb-linear 1 0 0)",
+        "color(xyz 0.41239 0.21264 0.01933)", "color-mix(in srgb, red, red 30%)",
+        "light-dark(red, blue)", "color(srgb 1 0 0 / 100%)"}) {
+    SCOPED_TRACE(red);
+    expect_near(color_of(red), kRed, 2);
+  }
+  expect_near(color_of("color-mix(in srgb, white 25%, black)"), {64, 64, 64, 255}, 1);
+  expect_near(color_of("hwb(120deg 20% 40%)"), {51, 153, 51, 255}, 1);
+  expect_near(color_of("lab(50% 0 0 / 0.5)"), {119, 119, 119, 128}, 1);
+  expect_near(color_of("color(display-p3 0 1 0)"), {0, 255, 0, 255}, 1);
+  expect_near(color_of("CanvasText"), kBlack, 0);
+}
+
+TEST(SvgLosses, AColourThatIsNotReadBecomesBlackAndIsTold) {
+  const Read read(line("stroke='rgb(from red r g b)'"));
+  ASSERT_EQ(read.strokes.size(), 1U);
+  EXPECT_EQ(read.strokes[0].stroke.color(), kBlack);
+  EXPECT_THAT(read.notices, HasSubstr("has a stroke that is not read, and became black"));
+  // An older form before it is what CSS means it for.
+  const Read older(line("style='stroke:red;stroke:rgb(from blue r g b)'"));
+  ASSERT_EQ(older.strokes.size(), 1U);
+  EXPECT_EQ(older.strokes[0].stroke.color(), kRed);
+  EXPECT_THAT(older.notices, IsEmpty());
+}
+
+TEST(SvgLosses, Variables) {
+  const std::string sheet =
+      "<style>:root{--ink:red;--w:4;--twice:var(--ink)} .b{--ink:blue}</style>";
+  for (const char* red :
+       {"var(--ink)", "var(--none, red)", "var(--none, var(--ink))", "var(--twice)"}) {
+    const Read read(sheet + line(std::string("stroke='") + red + "'"));
+    ASSERT_EQ(read.strokes.size(), 1U) << red;
+    EXPECT_EQ(read.strokes[0].stroke.color(), kRed) << red;
+    EXPECT_THAT(read.notices, IsEmpty());
+  }
+  const Read inner(sheet + "<g class='b'>" + line("stroke='var(--ink)'") + "</g>" +
+                   line("stroke='var(--ink)' stroke-width='var(--w,5)'"));
+  ASSERT_EQ(inner.strokes.size(), 2U);
+  EXPECT_EQ(inner.strokes[0].stroke.color(), (Rgba{0, 0, 255, 255}));
+  EXPECT_EQ(inner.strokes[1].stroke.color(), kRed);
+  EXPECT_EQ(inner.strokes[1].stroke.width_mm(0.0), 4.0);
+  const Read unknown(line("stroke='var(--none)'"));
+  ASSERT_EQ(unknown.strokes.size(), 1U);
+  EXPECT_THAT(unknown.notices, HasSubstr("has a stroke that is not read, and became black"));
+  const Read loop("<style>:root{--a:var(--b);--b:var(--a)}</style>" + line("stroke='var(--a)'"));
+  EXPECT_EQ(loop.strokes.size(), 1U);
+}
+
+// 30 variables in each of seven values: 30^7 replacements, of nothing, without a bound of the work.
+TEST(SvgLosses, VariablesThatMultiplyAreLeftOutInBoundedWork) {
+  const std::string names = "abcdefg";
+  std::string style;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    const std::string next = i + 1 < names.size() ? std::string(1, names[i + 1]) : "z,";
+    style += std::string("--") + names[i] + ":";
+    for (int n = 0; n < 30; ++n) style += "var(--" + next + ")";
+    style += ";";
+  }
+  const Read read(line("style='" + style + "' stroke='var(--a)'"));
+  ASSERT_EQ(read.strokes.size(), 1U);
+  EXPECT_THAT(read.notices, HasSubstr("has a stroke that is not read, and became black"));
+
+  // What one value may read is less than what it needs here; a file has so much for all together.
+  const SvgVariables variables{{"--a", "var(--none,)"}};
+  std::size_t left = 1000;
+  EXPECT_EQ(svg_with_variables("x var(--a)", variables, left), "x ");
+  EXPECT_EQ(left, 1000U - (10 + 12 + 0 + 3 * 16));
+  std::string many;
+  for (int i = 0; i < 4096; ++i) many += "var(--a)";
+  left = 10'000'000;
+  EXPECT_EQ(svg_with_variables(many, variables, left), std::nullopt);
+  EXPECT_EQ(left, 10'000'000U - 64 * 1024);
+  left = 40;
+  EXPECT_EQ(svg_with_variables("x var(--a)", variables, left), std::nullopt);
+  EXPECT_EQ(left, 0U);
+}
+
+TEST(SvgLosses, WidthsThatAreCalculatedOrNotRead) {
+  const auto width = [](const char* text) {
+    return Read(line(std::string("stroke='red' stroke-width='") + text + "'"))
+        .strokes.at(0)
+        .stroke.width_mm(0.0);
+  };
+  EXPECT_DOUBLE_EQ(width("calc(1px + 2*(3 - 1))"), 5.0);
+  EXPECT_DOUBLE_EQ(width("calc(10px / 4)"), 2.5);
+  EXPECT_NEAR(width("calc(1em - 10px)"), 6.0, 1e-9);
+  const Read wrong(line("stroke='red' stroke-width='fat'"));
+  EXPECT_THAT(wrong.notices, HasSubstr("has a stroke-width that is not read, which was ignored"));
+}
+
+TEST(SvgLosses, PrefixesDeclaredBelowTheRoot) {
+  const Read read(
+      "<s:g xmlns:s='http://www.w3.org/2000/svg'><s:line x1='1' y1='1' x2='9' y2='1' "
+      "stroke='red'/></s:g><o:g xmlns:o='http://other'><o:line/></o:g>");
+  EXPECT_EQ(read.strokes.size(), 1U);
+}
+
+TEST(SvgLosses, SizesAndPathsInCss) {
+  const Read read(
+      "<style>rect{width:50px;height:20px} circle{r:20px;cx:30px;cy:30px} "
+      "#p{d:path('M1 1L9 1')}</style><rect stroke='red' fill='none'/><circle "
+      "stroke='red' fill='none'/><path id='p' stroke='red' fill='none'/>");
+  ASSERT_EQ(read.strokes.size(), 3U);
+  EXPECT_NEAR(read.strokes[0].stroke.bounds().width(), 51.0, 1e-6);
+  EXPECT_NEAR(read.strokes[1].stroke.bounds().x0, 9.5, 1e-3);
+  EXPECT_NEAR(read.strokes[2].stroke.bounds().width(), 9.0, 1e-6);
+}
+
+TEST(SvgLosses, TransformsAsProperties) {
+  const Read read("<g style='translate: 10px 20px; rotate: 90deg; scale: 2'>" +
+                  line("stroke='red'") + "</g>");
+  ASSERT_EQ(read.strokes.size(), 1U);
+  // (10, 10) is scaled to (20, 20), turned to (-20, 20), moved to (-10, 40).
+  const Point begin = read.strokes[0].stroke.position(0.0);
+  EXPECT_NEAR(begin.x, -10.0, 1e-9);
+  EXPECT_NEAR(begin.y, 40.0, 1e-9);
+  EXPECT_THAT(read.notices, IsEmpty());
+}
+
+TEST(SvgLosses, PathLengthAndLinesThatAreNotScaled) {
+  const Read dashes(line("stroke='red' stroke-width='0.1' pathLength='8' stroke-dasharray='1 1'"));
+  EXPECT_EQ(dashes.strokes.size(), 4U);
+  const Read thin(
+      "<g transform='scale(10)'><path d='M1 1h5' stroke='red' fill='none' "
+      "stroke-width='4' vector-effect='non-scaling-stroke'/></g>");
+  ASSERT_EQ(thin.strokes.size(), 1U);
+  EXPECT_NEAR(thin.strokes[0].stroke.width_mm(0.0), 4.0 * 25.4 / 96.0, 1e-9);
+}
+
+TEST(SvgLosses, FlatDashesStayAsLongAsTheyAre) {
+  // 10 mm of line and 5 mm of gap, 4 mm wide: what is seen of the ink, caps included.
+  const Read read(
+      "<path d='M0 10h100' fill='none' stroke='red' stroke-width='4' "
+      "stroke-dasharray='10 5'/>");
+  ASSERT_EQ(read.strokes.size(), 7U);
+  for (std::size_t i = 0; i < 6; ++i) {
+    const Rect seen = read.strokes[i].stroke.bounds();
+    EXPECT_NEAR(seen.x0, 15.0 * static_cast<double>(i), 1e-6) << i;
+    EXPECT_NEAR(seen.width(), 10.0, 1e-6) << i;
+  }
+  const Read wide(
+      "<path d='M0 10h100' fill='none' stroke='red' stroke-width='10' "
+      "stroke-dasharray='5 5'/>");
+  EXPECT_THAT(wide.notices, HasSubstr("dashes shorter than its width, which became dots"));
+  EXPECT_THAT(wide.notices, HasSubstr("has dashes that run together"));
+}
+
+TEST(SvgLosses, AGradientIsItsMeanColour) {
+  const auto color = [](const std::string& stops) {
+    const Read read("<linearGradient id='g'>" + stops + "</linearGradient>" +
+                    line("stroke='url(#g)'"));
+    EXPECT_THAT(read.notices, HasSubstr("mean colour of its stops"));
+    EXPECT_EQ(read.strokes.size(), 1U);
+    return read.strokes.empty() ? Rgba{} : read.strokes[0].stroke.color();
+  };
+  expect_near(color("<stop offset='0' stop-color='white'/><stop offset='1'/>"),
+              {128, 128, 128, 255}, 1);
+  expect_near(color("<stop offset='0' stop-color='red' stop-opacity='0'/><stop offset='1' "
+                    "stop-color='red'/>"),
+              {255, 0, 0, 128}, 1);
+  expect_near(color("<stop offset='75%' stop-color='blue'/><stop offset='.75' stop-color='red'/>"),
+              {64, 0, 191, 255}, 1);
+}
+
+TEST(SvgLosses, ARectangleThatIsCutIsNoPaper) {
+  const std::string rect = "<rect width='100' height='80' fill='green' clip-path='url(#c)'/>";
+  const Read cut("<clipPath id='c'><circle r='5'/></clipPath>" + rect);
+  ASSERT_TRUE(cut.page);
+  EXPECT_NE(cut.page->paper, (Rgba{0, 128, 0, 255}));
+  const Read inherited("<g clip-path='url(#c)'><rect width='100' height='80' fill='green'/></g>");
+  EXPECT_NE(inherited.page->paper, (Rgba{0, 128, 0, 255}));
+  const Read whole("<rect width='100' height='80' fill='green'/>");
+  EXPECT_EQ(whole.page->paper, (Rgba{0, 128, 0, 255}));
+}
+
+TEST(SvgLosses, WhatIsLeftOutIsTold) {
+  const std::string red = line("stroke='red'");
+  EXPECT_THAT(Read(red, "<?xml-stylesheet href='a.css'?>").notices,
+              HasSubstr("names a style sheet in another file"));
+  EXPECT_THAT(Read("<style>g{fill:red;&:hover{fill:blue}}</style>" + red).notices,
+              HasSubstr("rules of style sheets are not known"));
+  EXPECT_THAT(Read("<path d='M0 0h9' fill='none' marker-end='url(#m)'/>" + red).notices,
+              HasSubstr("has markers, which were left out"));
+  EXPECT_THAT(Read("<g style='mix-blend-mode:multiply'>" + red + "</g>").notices,
+              HasSubstr("blend mode, which was ignored"));
+  EXPECT_THAT(Read("<g style='zoom:2'>" + red + "</g>").notices, HasSubstr("has a zoom"));
+  EXPECT_THAT(Read("<solidColor id='s' solid-color='red'/>" + line("stroke='url(#s)'"))
+                  .strokes.at(0)
+                  .stroke.color(),
+              kRed);
+}
+
+TEST(SvgLosses, WhatFollowsTheFirstRootIsTold) {
+  const Read two(line("stroke='red'"), "",
+                 "<svg xmlns='http://www.w3.org/2000/svg'><path d='M0 0h9' stroke='red'/></svg>");
+  EXPECT_EQ(two.strokes.size(), 1U);
+  EXPECT_THAT(two.notices, HasSubstr("svg was skipped: it follows the end of the drawing"));
+}
+
+TEST(SvgLosses, APathThatIsTooLongForAStrokeBecomesSeveral) {
+  std::string d = "M0 0";
+  for (std::size_t i = 1; i <= limits::kMaxSvgStrokeSegments + 10; ++i) {
+    d += "L" + std::to_string(i % 100) + " " + std::to_string(i % 7);
+  }
+  const Read read("<path stroke='red' fill='none' d='" + d + "'/>");
+  ASSERT_EQ(read.strokes.size(), 2U);
+  const Stroke& first = read.strokes[0].stroke;
+  EXPECT_EQ(first.position(first.segment_count()), read.strokes[1].stroke.position(0.0));
+  EXPECT_THAT(read.notices, HasSubstr("became several strokes"));
+}
+
+}  // namespace
+}  // namespace felt

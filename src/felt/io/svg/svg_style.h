@@ -1,0 +1,137 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "felt/io/svg/svg_color.h"
+#include "felt/io/svg/svg_length.h"
+#include "felt/io/svg/svg_variables.h"
+
+namespace pugi {
+class xml_node;
+}
+
+namespace felt {
+
+class SvgStyleSheet;
+
+/// The properties that matter to ink, or of which a notice is given.
+enum class SvgProperty : std::uint8_t {
+  kBackgroundColor,
+  kClipPath,
+  kColor,
+  kCx,
+  kCy,
+  kD,
+  kDisplay,
+  kFill,
+  kFillOpacity,
+  kFillRule,
+  kFilter,
+  kFontSize,
+  kHeight,
+  kMarker,
+  kMarkerEnd,
+  kMarkerMid,
+  kMarkerStart,
+  kMask,
+  kMixBlendMode,
+  kOpacity,
+  kOverflow,
+  kPaintOrder,
+  kR,
+  kRotate,
+  kRx,
+  kRy,
+  kScale,
+  kSolidColor,
+  kStopColor,
+  kStopOpacity,
+  kStroke,
+  kStrokeDasharray,
+  kStrokeDashoffset,
+  kStrokeLinecap,
+  kStrokeLinejoin,
+  kStrokeMiterlimit,
+  kStrokeOpacity,
+  kStrokeWidth,
+  kTransform,
+  kTransformOrigin,
+  kTranslate,
+  kVectorEffect,
+  kVisibility,
+  kWidth,
+  kX,
+  kY,
+  kZoom,
+  kCount,
+};
+
+/// What an element itself says of each property; empty where it says nothing. Views into the file,
+/// or into its style sheet.
+class SvgDeclared {
+ public:
+  /// The same by name; empty for a name that is no property.
+  [[nodiscard]] std::string_view value_of(std::string_view name) const noexcept;
+  /// The properties "--name" that hold here; null: those of the root.
+  std::shared_ptr<const SvgVariables> variables;
+  /// A property whose value could not be read, and that has no other one; empty if there is none.
+  std::string_view unread;
+
+  [[nodiscard]] std::string_view operator[](SvgProperty p) const noexcept {
+    return values_[static_cast<std::size_t>(p)];
+  }
+  void set(SvgProperty p, std::string_view value) noexcept {
+    values_[static_cast<std::size_t>(p)] = value;
+  }
+
+ private:
+  std::array<std::string_view, static_cast<std::size_t>(SvgProperty::kCount)> values_{};
+};
+
+/// The declarations of an element in the order of CSS: presentation attributes, then rules, then
+/// its style attribute, then what is `!important`. `clean_style` takes the style attribute where it
+/// has comments to be left out, and must live as long as the result. `declared.variables` are those
+/// of the parent before, its own after. A colour that cannot be read becomes black. False: see
+/// SvgStyleSheet::match.
+bool svg_declared(const pugi::xml_node& node, SvgStyleSheet& sheet, std::string& clean_style,
+                  SvgDeclared& declared);
+
+enum class SvgCap : std::uint8_t { kButt, kRound, kSquare };
+enum class SvgJoin : std::uint8_t { kMiter, kRound, kBevel };
+
+/// The computed style of an element. Lengths are in its user units.
+struct SvgStyle {
+  // Inherited.
+  Rgba color{0, 0, 0, 255};
+  SvgPaint fill{.kind = SvgPaint::Kind::kColor};
+  SvgPaint stroke{};
+  double fill_opacity = 1.0;
+  double stroke_opacity = 1.0;
+  bool even_odd = false;
+  double stroke_width = 1.0;
+  SvgCap cap = SvgCap::kButt;
+  SvgJoin join = SvgJoin::kMiter;
+  double miter_limit = 4.0;
+  std::shared_ptr<const std::vector<double>> dashes;  ///< null for a solid line
+  double dash_offset = 0.0;
+  bool visible = true;
+  bool has_marker = false;
+  bool reorders_paint = false;
+  double font_size = 16.0;
+  // Of the element alone.
+  bool displayed = true;
+  double opacity = 1.0;
+  bool overflows = false;
+  bool scales_line = true;  ///< vector-effect is not non-scaling-stroke
+};
+
+/// The style of an element with these declarations inside of one with the style `parent`.
+SvgStyle svg_style(const SvgDeclared& declared, const SvgStyle& parent, SvgUnits units);
+
+}  // namespace felt

@@ -1,0 +1,414 @@
+#include "felt/io/svg/svg_text.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <cstdint>
+#include <vector>
+
+#include "felt/io/exact_numbers.h"
+#include "felt/io/picture/grain_mask.h"
+#include "felt/io/ndjson/ndjson_writer.h"
+#include "felt/io/xml/xml_text.h"
+#include "felt/stroke/color_text.h"
+#include "felt/stroke/width_profile.h"
+
+namespace felt {
+namespace {
+
+constexpr double kFarthestMm = 1e9;
+
+/// A place on the grid of path coordinates. Integers, so that differences are exact.
+struct GridPoint {
+  std::int64_t x = 0, y = 0;
+};
+
+GridPoint on_grid(Point p) noexcept {
+  return {std::llround(p.x * kSvgStepsPerMm), std::llround(p.y * kSvgStepsPerMm)};
+}
+
+/// True if a number with this first character needs a space before it. ".5.5" are two numbers.
+bool needs_space(std::string_view before, char first) noexcept {
+  const auto is_digit = [](char c) { return c >= '0' && c <= '9'; };
+  if (first == '-' || before.empty() || !is_digit(before.back())) return false;
+  if (first != '.') return true;
+  while (!before.empty() && is_digit(before.back())) before.remove_suffix(1);
+  return before.empty() || before.back() != '.';
+}
+
+/// A number of steps in mm, in as few characters as there are: "-1.5", ".003", "20".
+void append_steps(std::string& out, std::int64_t steps) {
+  constexpr auto kPerMm = static_cast<std::int64_t>(kSvgStepsPerMm);
+  std::array<char, 32> text;
+  char* end = text.data();
+  if (steps < 0) *end++ = '-';
+  const std::int64_t whole = std::abs(steps) / kPerMm;
+  std::int64_t rest = std::abs(steps) % kPerMm;
+  if (whole != 0 || rest == 0) end = std::to_chars(end, text.data() + text.size(), whole).ptr;
+  if (rest != 0) *end++ = '.';
+  for (std::int64_t unit = kPerMm / 10; rest != 0; rest %= unit, unit /= 10) {
+    *end++ = static_cast<char>('0' + rest / unit);
+  }
+  if (needs_space(out, text.front())) out += ' ';
+  out.append(text.data(), end);
+}
+
+/// Writes path commands relative to the place reached so far.
+class PathText {
+ public:
+  explicit PathText(std::string& out) : out_(out) {}
+
+  void move(Point p) {
+    here_ = on_grid(p);
+    begin_ = here_;
+    out_ += 'M';
+    last_ = 'M';
+    append_steps(out_, here_.x);
+    append_steps(out_, here_.y);
+  }
+
+  void line(Point p) {
+    command('l');
+    here_ = relative(p);
+  }
+
+  /// A curve as it is, to half a step.
+  void cubic(const Point* p) {
+    command('c');
+    relative(p[0]);
+    relative(p[1]);
+    here_ = relative(p[2]);
+  }
+
+  /// A curve of an outline: nothing where it is shorter than a step or two, and a line where its
+  /// handles are that near to one.
+  void edge(const Point* p) {
+    const GridPoint h0 = on_grid(p[0]), h1 = on_grid(p[1]), end = on_grid(p[2]);
+    const auto length = std::hypot(end.x - here_.x, end.y - here_.y);
+    if (is_near(h0, 1) && is_near(h1, 1) && is_near(end, 1)) return;
+    const auto beside = [&](GridPoint h) {
+      const std::int64_t dx = end.x - here_.x, dy = end.y - here_.y;
+      const std::int64_t hx = h.x - here_.x, hy = h.y - here_.y;
+      const auto off = static_cast<double>(dx * hy - dy * hx);
+      const auto along = static_cast<double>(dx * hx + dy * hy);
+      return std::fabs(off) <= kFlatSteps * length && along >= 0.0 && along <= length * length;
+    };
+    if (length < kLongestSteps && beside(h0) && beside(h1)) return line(p[2]);
+    cubic(p);
+  }
+
+  void close() {
+    out_ += 'z';
+    last_ = 'z';
+    here_ = begin_;
+  }
+
+ private:
+  /// The curve is nearer to the line than three quarters of that.
+  static constexpr double kFlatSteps = 2.0;
+  /// So that products of differences are exact.
+  static constexpr double kLongestSteps = 1e7;
+
+  [[nodiscard]] bool is_near(GridPoint g, std::int64_t steps) const noexcept {
+    return std::abs(g.x - here_.x) <= steps && std::abs(g.y - here_.y) <= steps;
+  }
+
+  /// A repeated command need not be named again.
+  void command(char c) {
+    if (last_ != c) out_ += c;
+    last_ = c;
+  }
+
+  GridPoint relative(Point p) {
+    const GridPoint g = on_grid(p);
+    append_steps(out_, g.x - here_.x);
+    append_steps(out_, g.y - here_.y);
+    return g;
+  }
+
+  std::string& out_;
+  GridPoint here_, begin_;
+  char last_ = 0;
+};
+
+/// A length of the sheet without the noise of its last digits.
+void append_length(std::string& out, double mm) {
+  append_number(out, std::round(mm * 1e6) / 1e6);
+}
+
+/// The centre line in steps; what it is more precisely says append_points().
+void append_center_line(std::string& out, const StrokeData& d) {
+  PathText text(out);
+  text.move(d.points[0]);
+  for (std::size_t i = 1; i + 2 < d.points.size(); i += 3) text.cubic(&d.points[i]);
+  if (d.closed) text.close();
+}
+
+/// Knots of Inkscape's PowerStroke: place and HALF width.
+void append_power_knots(std::string& out, const StrokeData& d) {
+  constexpr double kPlaces = 1e4;
+  // Round a closed path the first knot follows the last one.
+  const std::size_t count = d.widths.size() - (d.closed ? 1 : 0);
+  for (std::size_t i = 0; i < count; ++i) {
+    if (i > 0) out += " | ";
+    append_number(out, std::round(d.widths[i].u * kPlaces) / kPlaces);
+    out += ',';
+    append_steps(out, std::llround(0.5 * d.widths[i].width_mm * kSvgStepsPerMm));
+  }
+}
+
+/// What is not said here is as Inkscape has it anyway.
+void append_path_effect(std::string& out, const StrokeData& d, const std::string& number) {
+  out += "<defs><inkscape:path-effect id=\"w" + number +
+         "\" effect=\"powerstroke\" lpeversion=\"1.3\" "
+         "interpolator_type=\"Linear\" start_linecap_type=\"round\" "
+         "end_linecap_type=\"round\" linejoin_type=\"round\" offset_points=\"";
+  append_power_knots(out, d);
+  out += "\"/></defs>\n";
+}
+
+/// Where a rectangle or picture is.
+void append_area(std::string& out, const Rect& area) {
+  const auto attribute = [&out](const char* name, double mm) {
+    out += name;
+    append_length(out, mm);
+    out += '"';
+  };
+  attribute(" x=\"", area.x0);
+  attribute(" y=\"", area.y0);
+  attribute(" width=\"", area.width());
+  attribute(" height=\"", area.height());
+}
+
+/// The picture in all that SVG viewers understand, the old ones too.
+void append_mask(std::string& out, const Rect& mm, std::string_view png,
+                 const std::string& number) {
+  std::string place;
+  append_area(place, mm);
+  out += "<defs><mask id=\"" + std::string(kSvgMaskId) + number +
+         "\" maskUnits=\"userSpaceOnUse\"" + place + "><image" + place +
+         " preserveAspectRatio=\"none\" xmlns:xlink=\"http://www.w3.org/1999/xlink\" "
+         "xlink:href=\"data:image/png;base64," +
+         base64_text(png) + "\"/></mask></defs>\n";
+}
+
+void append_color(std::string& out, Rgba color) {
+  out += " fill=\"" + color_to_text({color.r, color.g, color.b, 255}) + "\" ";
+  if (color.a == 255) return;
+  out += "fill-opacity=\"";
+  append_number(out, std::round(color.a * (1e4 / 255.0)) / 1e4);  // enough to tell all 256
+  out += "\" ";
+}
+
+/// Ends the start of the root element and begins a rectangle over all of it.
+void append_paper(std::string& out, const Rect& area, Rgba color) {
+  out += ">\n<rect id=\"paper\"";
+  append_area(out, area);
+  append_color(out, color);
+}
+
+/// What the control points are more than the steps of the centre line.
+void append_points(std::string& out, const StrokeData& d) {
+  std::vector<double> values, guesses;
+  const std::size_t count = d.points.size() - (d.closed ? 1 : 0);
+  for (std::size_t i = 0; i < count; ++i) {
+    const GridPoint g = on_grid(d.points[i]);
+    values.insert(values.end(), {d.points[i].x, d.points[i].y});
+    guesses.insert(guesses.end(), {static_cast<double>(g.x) / kSvgStepsPerMm,
+                                   static_cast<double>(g.y) / kSvgStepsPerMm});
+  }
+  append_exact(out, values, guesses);
+}
+
+void append_joints(std::string& out, const StrokeData& d) {
+  for (const JointKind kind : d.joints) out += kind == JointKind::kSmooth ? 's' : 'c';
+}
+
+/// Places of the breakpoints but the first and the last, then the widths of all.
+void append_widths(std::string& out, const StrokeData& d) {
+  std::vector<double> values;
+  for (std::size_t i = 1; i + 1 < d.widths.size(); ++i) values.push_back(d.widths[i].u);
+  for (const WidthKnot& knot : d.widths) values.push_back(knot.width_mm);
+  append_exact(out, values, std::vector<double>(values.size(), kSvgWidthGuess));
+}
+
+void append_tones(std::string& out, const StrokeData& d) {
+  std::vector<double> values;
+  for (const WidthKnot& knot : d.widths) values.push_back(knot.tone);
+  append_exact(out, values, std::vector<double>(values.size(), kSvgWidthGuess));
+}
+
+bool within_reach(const Rect& r) noexcept {
+  return r.x0 >= -kFarthestMm && r.y0 >= -kFarthestMm && r.x1 <= kFarthestMm && r.y1 <= kFarthestMm;
+}
+
+}  // namespace
+
+void append_path_data(std::string& out, const OutlinePath& path) {
+  PathText text(out);
+  const Point* p = path.points.data();
+  for (const OutlinePath::Verb verb : path.verbs) {
+    switch (verb) {
+      case OutlinePath::Verb::kMove:
+        text.move(*p++);
+        break;
+      case OutlinePath::Verb::kLine:
+        text.line(*p++);
+        break;
+      case OutlinePath::Verb::kCubic:
+        text.edge(p);
+        p += 3;
+        break;
+      case OutlinePath::Verb::kClose:
+        text.close();
+        break;
+    }
+  }
+}
+
+void append_svg_head(std::string& out, const Rect& area, Rgba paper, std::string_view model) {
+  const std::size_t begin = out.size();
+  out +=
+      "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
+      "<svg xmlns=\"http://www.w3.org/2000/svg\" "
+      "xmlns:inkscape=\"http://www.inkscape.org/namespaces/inkscape\" xmlns:felt=\"";
+  out += kSvgNamespace;
+  out += "\" version=\"1.1\" felt:version=\"";
+  out += kSvgVersion;
+  out += "\" ";
+  if (!model.empty()) {
+    out += "xmlns:sodipodi=\"http://sodipodi.sourceforge.net/DTD/sodipodi-0.dtd\" ";
+    out += model;
+  }
+  out += "width=\"";
+  append_length(out, area.width());
+  out += "mm\" height=\"";
+  append_length(out, area.height());
+  out += "mm\" viewBox=\"";
+  append_length(out, area.x0);
+  for (const double v : {area.y0, area.width(), area.height()}) {
+    out += ' ';
+    append_length(out, v);
+  }
+  out += '"';
+  std::string_view end = ">\n";
+  if (paper.a > 0) {
+    append_paper(out, area, paper);
+    end = "/>\n";
+  }
+  out.resize(std::max(out.size(), begin + kSvgHeadBytes - end.size()), ' ');
+  out += end;
+}
+
+void append_svg_group_begin(std::string& out) {
+  out += "<g>\n";
+}
+
+void append_svg_group_end(std::string& out) {
+  out += "</g>\n";
+}
+
+Result<void> append_svg_stroke(std::string& out, std::string_view id, const Stroke& stroke,
+                               std::size_t number, double tolerance_mm, const GrainMask* mask) {
+  if (!within_reach(stroke.bounds())) {
+    return fail(ErrorCode::kLimitExceeded, "the stroke reaches farther than 1e9 mm");
+  }
+  const StrokeData& d = stroke.data();
+  const std::string count = std::to_string(number);
+  std::string names;
+  if (id != "s" + count) {
+    names += " felt:id=\"";
+    if (auto ok = append_xml_attribute(names, id); !ok) return ok;
+    names += '"';
+  }
+  if (d.material != kSvgUsualMaterial) {
+    names += " felt:material=\"";
+    if (auto ok = append_xml_attribute(names, d.material); !ok) return ok;
+    names += '"';
+  }
+  std::string picture;
+  if (mask) {
+    Result<std::string> png = mask->png(kMmPerInch * mask->width / mask->area.width());
+    if (!png) return tl::unexpected(png.error());
+    picture = *std::move(png);
+  }
+  append_path_effect(out, d, count);
+  if (mask) append_mask(out, mask->area, picture, count);
+  out += "<path id=\"s" + count + "\" d=\"";
+  append_path_data(out, outline_path(stroke, tolerance_mm));
+  out += '"';
+  append_color(out, d.color);
+  if (mask) out += "mask=\"url(#" + std::string(kSvgMaskId) + count + ")\" ";
+  out += "inkscape:path-effect=\"#w" + count + "\" inkscape:original-d=\"";
+  append_center_line(out, d);
+  out += '"' + names + " felt:joints=\"";
+  append_joints(out, d);
+  out += "\" felt:points=\"";
+  append_points(out, d);
+  out += "\" felt:widths=\"";
+  append_widths(out, d);
+  if (has_own_tone(d.widths)) {
+    out += "\" felt:tones=\"";
+    append_tones(out, d);
+  }
+  out += "\"/>\n";
+  return {};
+}
+
+namespace {
+
+std::string page_text(const std::optional<SheetPage>& page) {
+  if (!page) return "none";
+  std::string text;
+  append_number(text, page->width_mm);
+  text += ' ';
+  append_number(text, page->height_mm);
+  // All eight digits: the colour of an opaque paper too says that it is one.
+  const Rgba paper = page->paper;
+  text += ' ' + color_to_text({paper.r, paper.g, paper.b, 255});
+  constexpr std::string_view kDigits = "0123456789abcdef";
+  text += kDigits[paper.a >> 4];
+  text += kDigits[paper.a & 15];
+  return text;
+}
+
+}  // namespace
+
+Result<std::string> svg_model_text(const DrawingView& drawing) {
+  std::string out = "felt:page=\"" + page_text(drawing.page) + "\" ";
+  const auto attribute = [&out](const std::string& name, std::string_view text) {
+    out += "felt:" + name + "=\"";
+    auto ok = append_xml_attribute(out, text);
+    out += "\" ";
+    return ok ? ok : tl::unexpected(with_context(ok.error(), "the drawing's " + name));
+  };
+  const std::string& surface = drawing.page ? drawing.page->surface : drawing.surface;
+  if (!surface.empty()) {
+    if (auto ok = attribute("surface", surface); !ok) {
+      return tl::unexpected(ok.error());
+    }
+  }
+  for (std::size_t i = 0; i < drawing.materials.size(); ++i) {
+    if (auto ok = attribute("material" + std::to_string(i + 1), drawing.materials[i]); !ok) {
+      return tl::unexpected(ok.error());
+    }
+  }
+  return out;
+}
+
+Result<void> append_svg_layer_begin(std::string& out, const LayerView& layer, std::size_t number) {
+  std::string label;
+  if (auto ok = append_xml_attribute(label, layer.name); !ok) return ok;
+  out += "<g id=\"layer" + std::to_string(number) +
+         "\" inkscape:groupmode=\"layer\" inkscape:label=\"" + label + '"';
+  if (layer.locked) out += " sodipodi:insensitive=\"true\"";
+  out += layer.visible ? " style=\"display:inline\">\n" : " style=\"display:none\">\n";
+  return {};
+}
+
+void append_svg_tail(std::string& out) {
+  out += "</svg>\n";
+}
+
+}  // namespace felt

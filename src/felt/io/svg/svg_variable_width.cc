@@ -1,0 +1,288 @@
+#include "felt/io/svg/svg_variable_width.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <utility>
+
+#include "felt/io/exact_numbers.h"
+#include "felt/io/limits.h"
+#include "felt/io/svg/svg_center_line.h"
+#include "felt/io/svg/svg_limits.h"
+#include "felt/io/svg/svg_path_data.h"
+#include "felt/io/svg/svg_power_stroke.h"
+#include "felt/io/svg/svg_scan.h"
+#include "felt/io/svg/svg_text.h"
+#include "felt/stroke/edit/mend_joints.h"
+#include "felt/stroke/width_profile.h"
+
+namespace felt {
+namespace {
+
+constexpr double kAnyDifference = std::numeric_limits<double>::infinity();
+
+/// How far knots that we wrote may be from those of the model: places, and widths in mm.
+constexpr double kKnotPlace = 1e-4, kKnotWidthMm = 1.5 / kSvgStepsPerMm;
+
+tl::unexpected<Error> bad(std::string what) {
+  return fail(ErrorCode::kInvalidData, std::move(what));
+}
+
+bool read_joints(std::string_view text, std::vector<JointKind>& joints) {
+  SvgScan scan(text);
+  while (!scan.at_end()) {
+    if (scan.take("smooth")) {
+      joints.push_back(JointKind::kSmooth);
+    } else if (scan.take("corner")) {
+      joints.push_back(JointKind::kCorner);
+    } else {
+      return false;
+    }
+  }
+  return true;
+}
+
+bool read_widths(std::string_view text, std::vector<WidthKnot>& widths) {
+  SvgScan scan(text, limits::kMaxSketchNumber);
+  while (!scan.at_end()) {
+    double u = 0.0, width_mm = 0.0;
+    if (!scan.number(u) || !scan.take(',') || !scan.number(width_mm)) return false;
+    widths.push_back({u, width_mm});
+  }
+  return true;
+}
+
+/// A tone for each breakpoint. False, and nothing is changed: there are more or fewer, or one that
+/// is none.
+bool read_tones(std::string_view text, std::vector<WidthKnot>& widths) {
+  SvgScan scan(text);
+  std::vector<double> tones;
+  while (!scan.at_end()) {
+    double tone = 0.0;
+    if (!scan.number(tone) || !(tone >= 0.0 && tone <= 1.0)) return false;
+    if (tones.size() == widths.size()) return false;
+    tones.push_back(tone);
+  }
+  if (tones.size() != widths.size()) return false;
+  for (std::size_t i = 0; i < tones.size(); ++i) widths[i].tone = tones[i];
+  return true;
+}
+
+/// "scs": smooth, corner, smooth.
+bool read_joint_letters(std::string_view text, std::vector<JointKind>& joints) {
+  for (const char c : text) {
+    if (c != 's' && c != 'c') return false;
+    joints.push_back(c == 's' ? JointKind::kSmooth : JointKind::kCorner);
+  }
+  return true;
+}
+
+/// The exact control points beside a centre line that is rounded to steps.
+bool read_exact_points(std::string_view text, const SvgContour& line, std::vector<Point>& points) {
+  // Half of a step and some rounding.
+  constexpr double kNearMm = 0.501 / kSvgStepsPerMm;
+  // Plus zero, because -0 is another guess than 0.
+  const auto guess = [](double mm) {
+    return std::round(mm * kSvgStepsPerMm) / kSvgStepsPerMm + 0.0;
+  };
+  const std::size_t count = line.points.size() - (line.closed ? 1 : 0);
+  std::vector<double> guesses, values(2 * count);
+  for (std::size_t i = 0; i < count; ++i) {
+    guesses.push_back(guess(line.points[i].x));
+    guesses.push_back(guess(line.points[i].y));
+  }
+  if (!read_exact(text, guesses, kNearMm, values)) return false;
+  for (std::size_t i = 0; i < count; ++i) points.push_back({values[2 * i], values[2 * i + 1]});
+  if (line.closed) points.push_back(points.front());
+  return true;
+}
+
+bool read_exact_widths(const SvgVariableWidth& a, double end, std::vector<WidthKnot>& widths) {
+  const std::size_t numbers = exact_count(a.widths);
+  if (numbers < 2 || numbers % 2 != 0) return false;
+  const std::size_t inner = numbers / 2 - 1;
+  const std::vector<double> guesses(numbers, kSvgWidthGuess);
+  std::vector<double> values(numbers);
+  if (!read_exact(a.widths, guesses, kAnyDifference, values)) return false;
+  for (std::size_t i = 0; i < inner + 2; ++i) {
+    const double u = i == 0 ? 0.0 : i <= inner ? values[i - 1] : end;
+    widths.push_back({u, values[inner + i]});
+  }
+  return true;
+}
+
+bool read_exact_tones(std::string_view text, std::vector<WidthKnot>& widths) {
+  const std::vector<double> guesses(widths.size(), kSvgWidthGuess);
+  std::vector<double> values(widths.size());
+  if (!read_exact(text, guesses, kAnyDifference, values)) return false;
+  for (const double tone : values) {
+    if (!(tone >= 0.0 && tone <= 1.0)) return false;
+  }
+  for (std::size_t i = 0; i < values.size(); ++i) widths[i].tone = values[i];
+  return true;
+}
+
+/// What version 2 wrote beside the centre line, in mm.
+std::optional<StrokeData> exact_model(const SvgVariableWidth& a, const SvgContour& line) {
+  StrokeData d;
+  const std::size_t n = line.segment_count();
+  if (!read_joint_letters(a.joints, d.joints) || d.joints.size() != (line.closed ? n : n - 1) ||
+      !read_exact_points(a.points, line, d.points) ||
+      !read_exact_widths(a, static_cast<double>(n), d.widths)) {
+    return std::nullopt;
+  }
+  d.closed = line.closed;
+  return d;
+}
+
+/// What we wrote beside the centre line. None: it does not fit that any more, since another program
+/// changed the line.
+std::optional<StrokeData> our_model(const SvgVariableWidth& a, const SvgContour& line) {
+  if (!a.points.empty()) return exact_model(a, line);
+  StrokeData d;
+  const std::size_t n = line.segment_count();
+  const bool says_closed = a.closed == "true";
+  if ((!says_closed && a.closed != "false") || says_closed != line.closed) return std::nullopt;
+  if (!read_joints(a.joints, d.joints) || !read_widths(a.widths, d.widths)) return std::nullopt;
+  if (d.joints.size() != (line.closed ? n : n - 1)) return std::nullopt;
+  if (d.widths.size() < 2 || d.widths.back().u != static_cast<double>(n)) return std::nullopt;
+  d.points = line.points;
+  d.closed = line.closed;
+  return d;
+}
+
+/// Whether the knots of the effect are still those that we wrote: others changed the widths.
+bool same_widths(const std::vector<WidthKnot>& ours, const std::vector<WidthKnot>& theirs,
+                 bool closed, double near_mm) {
+  const std::size_t count = ours.size() - (closed ? 1 : 0);
+  if (theirs.size() != count) return false;
+  for (std::size_t i = 0; i < count; ++i) {
+    if (std::fabs(ours[i].u - theirs[i].u) > kKnotPlace) return false;
+    if (std::fabs(ours[i].width_mm - theirs[i].width_mm) > near_mm + 1e-4 * ours[i].width_mm) {
+      return false;
+    }
+  }
+  return true;
+}
+
+/// Makes joints that rounding bent smooth again, or calls them corners.
+void mend_joints(StrokeData& d, std::vector<std::string>& notices) {
+  if (mend_rounding(d).corners == 0) return;
+  notices.emplace_back("has a smooth joint that another program bent; it became a corner");
+}
+
+void raise_widths(StrokeData& d, std::vector<std::string>& notices) {
+  for (WidthKnot& knot : d.widths) {
+    if (knot.width_mm >= kMinWidthMm) continue;
+    knot.width_mm = kMinWidthMm;
+    notices.emplace_back("is thinner than 0.05 mm and became that wide");
+  }
+}
+
+/// Takes knots along to where a centre line came to lie.
+std::vector<WidthKnot> moved_knots(const std::vector<WidthKnot>& knots, const SvgCenterLine& line) {
+  std::vector<WidthKnot> moved;
+  const double end = static_cast<double>(line.segment_count());
+  for (const WidthKnot& k : knots) {
+    const double u = line.place(k.u);
+    if (!moved.empty() && !(u > moved.back().u)) continue;
+    if (moved.empty() && u != 0.0) moved.push_back({0.0, k.width_mm, k.tone});
+    moved.push_back({u, k.width_mm, k.tone});
+  }
+  if (moved.empty()) return moved;
+  if (moved.back().u != end) moved.push_back({end, knots.back().width_mm, knots.back().tone});
+  return moved;
+}
+
+/// The same with its segments joined where they are too short.
+void rejoin(StrokeData& d, std::vector<std::string>& notices) {
+  SvgCenterLine line = svg_center_line({d.points, d.closed});
+  d.widths = moved_knots(d.widths, line);
+  d.points = std::move(line.points);
+  d.joints = std::move(line.joints);
+  d.closed = line.closed;
+  notices.emplace_back("has parts shorter than 0.05 mm, which were joined to those beside them");
+}
+
+void move_to_sheet(StrokeData& d, const Affine& m, std::vector<std::string>& notices) {
+  if (m == Affine{}) return;
+  for (Point& p : d.points) p = apply(m, p);
+  const double scale = std::sqrt(std::fabs(determinant(m)));
+  for (WidthKnot& k : d.widths) k.width_mm *= scale;
+  if (!svg_is_similarity(m)) {
+    notices.emplace_back("was stretched in one direction; its widths were scaled by the mean");
+  }
+}
+
+/// Path of a PowerStroke whose widths are not ours.
+Result<StrokeData> power_stroke(const SvgVariableWidth& a, const SvgContour& line,
+                                std::vector<std::string>& notices) {
+  if (!a.has_effect) return bad("its centre line was changed by another program");
+  Result<SvgPowerKnots> knots = svg_power_knots(a, line.segment_count(), line.closed);
+  if (!knots) return tl::unexpected(knots.error());
+  if (knots->is_sampled) {
+    notices.emplace_back("has widths between its knots by the rule " + std::string(a.interpolator) +
+                         ", which were sampled");
+  }
+  StrokeData d;
+  d.points = line.points;
+  d.closed = line.closed;
+  d.joints = svg_joints(d.points, d.closed);
+  d.widths = std::move(knots->widths);
+  return d;
+}
+
+}  // namespace
+
+bool svg_is_similarity(const Affine& m) noexcept {
+  const double x = m.a * m.a + m.b * m.b, y = m.c * m.c + m.d * m.d, xy = m.a * m.c + m.b * m.d;
+  const double size = std::max(x, y);
+  return size > 0.0 && std::fabs(x - y) <= 1e-9 * size && std::fabs(xy) <= 1e-9 * size;
+}
+
+Result<SvgWideStroke> svg_wide_stroke(const SvgVariableWidth& a, const Affine& to_mm) {
+  SvgPathData path =
+      parse_svg_path(a.center_line, limits::kMaxSvgSegments, limits::kMaxSvgPathNumber);
+  if (path.contours.empty()) return bad("it has no centre line");
+  if (!path.problem.empty()) return bad("its centre line has an error");
+  SvgWideStroke wide;
+  if (path.contours.size() > 1) {
+    wide.notices.emplace_back("has a centre line of several parts; the first was taken");
+  }
+  const SvgContour& line = path.contours.front();
+  std::optional<StrokeData> d = a.is_ours ? our_model(a, line) : std::nullopt;
+  const bool has_tones =
+      d && !a.tones.empty() &&
+      (a.points.empty() ? read_tones(a.tones, d->widths) : read_exact_tones(a.tones, d->widths));
+  if (d && !a.tones.empty() && !has_tones) {
+    wide.notices.emplace_back(
+        "has tones that are not one number of 0 to 1 a width; it got those of its widths");
+  }
+  if (d && a.has_effect) {
+    Result<SvgPowerKnots> knots = svg_power_knots(a, line.segment_count(), line.closed);
+    if (knots && !same_widths(d->widths, knots->written, line.closed,
+                              a.points.empty() ? 1e-4 : kKnotWidthMm)) {
+      for (WidthKnot& k : knots->widths) k.tone = tone_at(d->widths, k.u);
+      d->widths = std::move(knots->widths);
+    }
+  }
+  if (!d) {
+    Result<StrokeData> power = power_stroke(a, line, wide.notices);
+    if (!power) return tl::unexpected(power.error());
+    d = *std::move(power);
+  }
+  wide.id = a.id;
+  if (a.is_ours) d->material = a.material;
+  move_to_sheet(*d, to_mm, wide.notices);
+  wide.data = *std::move(d);
+  raise_widths(wide.data, wide.notices);
+  if (!has_tones) take_tone_of_width(wide.data.widths);
+  if (check_invariants(wide.data)) return wide;
+  mend_joints(wide.data, wide.notices);
+  if (!check_invariants(wide.data)) rejoin(wide.data, wide.notices);
+  if (auto ok = check_invariants(wide.data); !ok) return tl::unexpected(ok.error());
+  return wide;
+}
+
+}  // namespace felt

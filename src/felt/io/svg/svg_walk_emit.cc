@@ -1,0 +1,151 @@
+// What a shape of an SVG file is painted with, told to the sink.
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <span>
+#include <string_view>
+#include <utility>
+
+#include "felt/io/svg/svg_scan.h"
+#include "felt/io/svg/svg_servers.h"
+#include "felt/io/svg/svg_text.h"
+#include "felt/io/svg/svg_walk.h"
+
+namespace felt {
+
+namespace {
+
+/// Returns how long a unit of dashes is, if the author says how long the path is (pathLength).
+double path_length_scale(const char* path_length, std::span<const SvgContour> contours) {
+  const std::optional<double> written = svg_length(path_length, SvgAxis::kDiagonal, SvgUnits());
+  if (!written || !(*written > 0.0)) return 1.0;
+  double length = 0.0;
+  for (const SvgContour& c : contours) {
+    for (std::size_t i = 0; i < c.segment_count(); ++i) length += arc_length(c.segment(i));
+  }
+  return length > 0.0 ? length / *written : 1.0;
+}
+
+}  // namespace
+
+std::optional<Rgba> SvgWalker::paint_color(const SvgPaint& paint, const Element& e,
+                                           double opacity) {
+  using Kind = SvgPaint::Kind;
+  const SvgStyle& style = e.state.style;
+  const auto plain = [&](Kind kind, Rgba color) -> std::optional<Rgba> {
+    if (kind == Kind::kColor) return color;
+    return kind == Kind::kCurrent ? std::optional(style.color) : std::nullopt;
+  };
+  std::optional<Rgba> color = plain(paint.kind, paint.color);
+  if (paint.kind == Kind::kServer) {
+    const SvgServerColor server = svg_server_color(document_, paint.server, style.color);
+    if (!server.paints || !server.color) {
+      color = plain(paint.fallback, paint.fallback_color);
+    } else if (server.is_solid) {
+      color = server.color;
+    } else if (server.is_gradient) {
+      color = server.color;
+      notice(e.node, "is painted by a gradient; it got the mean colour of its stops");
+    } else {
+      color = plain(paint.fallback, paint.fallback_color);
+      if (!color) color = server.color;
+      notice(e.node, "is painted by a pattern; it got one colour");
+    }
+  }
+  if (!color) return std::nullopt;
+  const Rgba faded = svg_faded(*color, opacity * e.state.opacity);
+  return faded.a == 0 ? std::nullopt : std::optional(faded);
+}
+
+std::optional<SvgVariableWidth> SvgWalker::variable_width(const Element& e) const {
+  if (e.name != "path") return std::nullopt;
+  SvgVariableWidth v;
+  v.center_line = document_.inkscape(e.node, "original-d");
+  if (v.center_line.empty()) return std::nullopt;
+  v.widths = document_.ours(e.node, "widths");
+  v.tones = document_.ours(e.node, "tones");
+  v.is_ours = !v.widths.empty();
+  v.points = document_.ours(e.node, "points");
+  v.id = document_.ours(e.node, "id");
+  // From version 2 on, the id of the stroke is that of the element unless ours is given.
+  if (v.id.data() == nullptr && !v.points.empty()) v.id = e.node.attribute("id").value();
+  v.material = document_.ours(e.node, "material");
+  if (v.material.data() == nullptr && !v.points.empty()) v.material = kSvgUsualMaterial;
+  v.closed = document_.ours(e.node, "closed");
+  v.joints = document_.ours(e.node, "joints");
+  SvgScan effects(document_.inkscape(e.node, "path-effect"));
+  while (!effects.empty() && !v.has_effect) {
+    const std::string_view one = svg_trimmed(effects.until(';'));
+    if (one.empty() || one.front() != '#') continue;
+    const pugi::xml_node effect = document_.find(one.substr(1));
+    if (std::string_view(effect.attribute("effect").value()) != "powerstroke") continue;
+    v.has_effect = true;
+    v.offset_points = effect.attribute("offset_points").value();
+    v.interpolator = effect.attribute("interpolator_type").value();
+    v.interpolator_beta = effect.attribute("interpolator_beta").value();
+    v.scale_width = effect.attribute("scale_width").value();
+    v.start_cap = effect.attribute("start_linecap_type").value();
+    v.end_cap = effect.attribute("end_linecap_type").value();
+  }
+  if (!v.has_effect && !v.is_ours) return std::nullopt;
+  return v;
+}
+
+/// The line of a shape, if it has one.
+void SvgWalker::draw_line(const Element& e, SvgShape& shape) {
+  const SvgStyle& style = e.state.style;
+  const auto color = paint_color(style.stroke, e, style.stroke_opacity);
+  if (!color || !(style.stroke_width > 0.0)) return;
+  SvgLine& line = shape.line.emplace(SvgLine{
+      *color, style.stroke_width, style.cap, style.join, style.miter_limit, {}, style.dash_offset});
+  double dash_scale = 1.0;
+  if (style.dashes) {
+    line.dashes = *style.dashes;
+    dash_scale = path_length_scale(e.node.attribute("pathLength").value(), shape.contours);
+  }
+  // As wide as on a page without any transform: 1 px is 1/96 inch.
+  const double scale = std::sqrt(std::fabs(determinant(shape.to_mm))) / kSvgMmPerPx;
+  if (!style.scales_line && scale > 0.0) {
+    line.width /= scale;
+    if (dash_scale == 1.0) dash_scale = 1.0 / scale;
+  }
+  line.dash_offset *= dash_scale;
+  for (double& dash : line.dashes) dash *= dash_scale;
+}
+
+void SvgWalker::emit(Element& e, std::vector<SvgContour> contours) {
+  const SvgStyle& style = e.state.style;
+  SvgShape shape;
+  shape.element = e.name;
+  shape.id = e.node.attribute("id").value();
+  shape.line_number = document_.line_of(e.node);
+  shape.contours = std::move(contours);
+  shape.to_mm = e.state.to_mm;
+  shape.frame = e.state.frame;
+  shape.variable_width = variable_width(e);
+  if (const auto color = paint_color(style.fill, e, style.fill_opacity);
+      color && e.name != "line") {
+    shape.fill = SvgFill{*color, style.even_odd};
+  }
+  shape.is_cut = e.state.is_cut;
+  draw_line(e, shape);
+  const bool is_ink = shape.variable_width && shape.variable_width->is_ours;
+  if (is_ink) {
+    shape.variable_width->color =
+        svg_faded(style.fill.kind == SvgPaint::Kind::kCurrent ? style.color : style.fill.color,
+                  style.fill_opacity * e.state.opacity);
+  }
+  if (style.has_marker) notice(e.node, "has markers, which were left out");
+  if (!shape.fill && !shape.line && !is_ink) return;
+  if (shape.fill && shape.line && style.reorders_paint) {
+    notice(e.node, "paints its line below its filling, which was ignored");
+  }
+  if (!has_layer_ || current_layer_ != e.state.layer.number) {
+    sink_.layer(e.state.layer);
+    has_layer_ = true;
+    current_layer_ = e.state.layer.number;
+  }
+  sink_.shape(std::move(shape));
+}
+
+}  // namespace felt

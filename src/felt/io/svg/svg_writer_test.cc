@@ -1,0 +1,306 @@
+#include "felt/io/svg/svg_writer.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <bit>
+#include <cctype>
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <limits>
+#include <pugixml.hpp>
+#include <sstream>
+
+#include "felt/io/picture/png.h"
+#include "felt/io/svg/svg_text.h"
+#include "felt/render/page.h"
+#include "felt/stroke/testing/ink_oracle.h"
+#include "felt/stroke/testing/random_stroke.h"
+#include "tests/support/scratch_path.h"
+
+namespace felt {
+namespace {
+
+namespace fs = std::filesystem;
+using ::testing::HasSubstr;
+
+Sketch random_sketch(std::uint64_t first, int count) {
+  Sketch sketch;
+  for (int i = 0; i < count; ++i) {
+    const std::uint64_t seed = first + static_cast<std::uint64_t>(i);
+    StrokeData data = testing::RandomStroke(seed).make();
+    const int row = i / 4;
+    for (Point& p : data.points) p += Vec{30.0 * (i % 4), 30.0 * row};
+    sketch.push_back({"stroke <" + std::to_string(seed) + "> \"&\"\t\n",
+                      Stroke::create(std::move(data)).value()});
+  }
+  return sketch;
+}
+
+/// Two different ways to read it: here the text is taken apart by hand, as docs/formats/svg.md
+/// says.
+class ExactText {
+ public:
+  explicit ExactText(std::string text) : text_(std::move(text)) {}
+
+  [[nodiscard]] std::size_t size() const { return (text_.size() - 1) / digits(); }
+  [[nodiscard]] double at(std::size_t i, double guess) const {
+    std::uint64_t folded = 0;
+    for (std::size_t k = digits(); k-- > 0;) {
+      folded = folded * 64 + value(text_[1 + i * digits() + k]);
+    }
+    const std::uint64_t up = folded % 2 == 0 ? folded / 2 : 0;
+    const std::uint64_t down = folded % 2 == 1 ? folded / 2 + 1 : 0;
+    // Steps from a double to its neighbours; +0 and -0 are neighbours too.
+    const auto bits = std::bit_cast<std::int64_t>(guess);
+    const auto rank = bits < 0 ? std::numeric_limits<std::int64_t>::min() - bits - 1 : bits;
+    const auto moved = static_cast<std::int64_t>(static_cast<std::uint64_t>(rank) + up - down);
+    return std::bit_cast<double>(moved < 0 ? std::numeric_limits<std::int64_t>::min() - moved - 1
+                                           : moved);
+  }
+
+ private:
+  [[nodiscard]] std::size_t digits() const { return value(text_.at(0)); }
+  static std::size_t value(char c) {
+    return std::string_view("ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/")
+        .find(c);
+  }
+  std::string text_;
+};
+
+/// Control points in steps of 0.001 mm, from relative commands in mm.
+std::vector<Point> steps_of(std::string text) {
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (std::string_view("MCcz").find(text[i]) != std::string_view::npos) text[i] = ' ';
+    if (text[i] == '-') text.insert(i++, " ");
+  }
+  std::istringstream in(text);
+  std::vector<Point> points;
+  Point from;
+  for (Point p; in >> p.x >> p.y;) {
+    points.push_back(points.empty() ? p : Point{from.x + p.x, from.y + p.y});
+    if (points.size() % 3 == 1) from = points.back();
+  }
+  for (Point& q : points) q = {std::round(1000.0 * q.x) + 0.0, std::round(1000.0 * q.y) + 0.0};
+  return points;
+}
+
+/// The stroke that our attributes on a path describe.
+StrokeData model_of(const pugi::xml_node& path) {
+  StrokeData d;
+  const std::string line = path.attribute("inkscape:original-d").value();
+  const ExactText exact(path.attribute("felt:points").value());
+  d.closed = line.back() == 'z';
+  std::size_t k = 0;
+  for (const Point& p : steps_of(line)) {
+    if (2 * k == exact.size()) break;
+    d.points.push_back({exact.at(2 * k, p.x / 1000.0), exact.at(2 * k + 1, p.y / 1000.0)});
+    ++k;
+  }
+  if (d.closed) d.points.push_back(d.points.front());
+  const ExactText widths(path.attribute("felt:widths").value());
+  const std::size_t inner = widths.size() / 2 - 1;
+  for (std::size_t i = 0; i < inner + 2; ++i) {
+    const double end = static_cast<double>(d.points.size() / 3);
+    const double u = i == 0 ? 0.0 : i <= inner ? widths.at(i - 1, 1.0) : end;
+    d.widths.push_back({u, widths.at(inner + i, 1.0)});
+  }
+  if (const pugi::xml_attribute text = path.attribute("felt:tones")) {
+    const ExactText tones(text.value());
+    for (std::size_t i = 0; i < tones.size(); ++i) d.widths.at(i).tone = tones.at(i, 1.0);
+  }
+  for (const char c : std::string(path.attribute("felt:joints").value())) {
+    d.joints.push_back(c == 's' ? JointKind::kSmooth : JointKind::kCorner);
+  }
+  d.material = path.attribute("felt:material").as_string("pencil");
+  const auto rgb = std::strtoul(path.attribute("fill").value() + 1, nullptr, 16);
+  const double opacity = path.attribute("fill-opacity").as_double(1.0);
+  d.color = {static_cast<std::uint8_t>(rgb >> 16), static_cast<std::uint8_t>(rgb >> 8),
+             static_cast<std::uint8_t>(rgb),
+             static_cast<std::uint8_t>(std::lround(opacity * 255.0))};
+  return d;
+}
+
+pugi::xml_document parsed(const std::string& text) {
+  pugi::xml_document document;
+  const auto result = document.load_buffer(text.data(), text.size());
+  EXPECT_TRUE(result) << result.description();
+  return document;
+}
+
+constexpr std::size_t kMostBytesAStroke = 3200;
+
+TEST(SvgWriter, CarriesTheModelExactly) {
+  const Sketch sketch = random_sketch(100, 60);
+  const auto document = parsed(svg_text(sketch, {}).value());
+  std::size_t i = 0;
+  for (const pugi::xml_node path : document.child("svg").child("g").children("path")) {
+    EXPECT_EQ(path.attribute("felt:id").as_string(path.attribute("id").value()), sketch[i].id);
+    EXPECT_EQ(model_of(path), sketch[i].stroke.data()) << i;
+    ++i;
+  }
+  EXPECT_EQ(i, sketch.size());
+}
+
+/// The `d` of a path as polygons in mm, curves cut finely. The writer uses relative lines and
+/// curves.
+Outline outline_in(const std::string& d) {
+  constexpr int kSteps = 64;
+  Outline outline;
+  Point here;
+  std::istringstream in(d);
+  char command = 0;
+  const auto next_point = [&] {
+    Point p;
+    EXPECT_TRUE(in >> p.x >> p.y) << d;
+    return p;
+  };
+  while (in >> std::ws && !in.eof()) {
+    if (std::isalpha(in.peek()) != 0) in >> command;
+    if (command == 'z') {
+      outline.ends.push_back(outline.points.size());
+      continue;
+    }
+    if (command == 'c') {
+      Cubic c{{here, {}, {}, {}}};
+      for (std::size_t k = 1; k < 4; ++k) c.p[k] = here + (next_point() - Point{});
+      for (int i = 1; i <= kSteps; ++i) {
+        outline.points.push_back(evaluate(c, static_cast<double>(i) / kSteps));
+      }
+      here = c.p[3];
+    } else if (command == 'M' || command == 'l') {
+      const Point p = next_point();
+      here = command == 'M' ? p : here + (p - Point{});
+      outline.points.push_back(here);
+    } else {
+      ADD_FAILURE() << "unknown command " << command << " in " << d;
+      break;
+    }
+  }
+  return outline;
+}
+
+/// As other programs see it: the written path, rounded to steps, with lines for flat curves.
+TEST(SvgWriter, R53_TheWrittenPathIsWithinAHundredthOfAMillimetre) {
+  const Sketch sketch = random_sketch(300, 60);
+  const auto document = parsed(svg_text(sketch, {}).value());
+  std::size_t i = 0;
+  for (const pugi::xml_node path : document.child("svg").child("g").children("path")) {
+    SCOPED_TRACE(i);
+    testing::expect_outline_is_the_ink(outline_in(path.attribute("d").value()), sketch[i].stroke,
+                                       0.01, i, 400);
+    ++i;
+  }
+  EXPECT_EQ(i, sketch.size());
+}
+
+/// 6.6 kB a stroke before there were steps and exact numbers beside them.
+TEST(SvgWriter, R53_AStrokeTakesFewBytes) {
+  const Sketch sketch = random_sketch(100, 60);
+  EXPECT_LE(svg_text(sketch, {})->size() / sketch.size(), kMostBytesAStroke);
+}
+
+TEST(SvgWriter, PowerStrokeKnotsAreHalfWidths) {
+  Sketch sketch{{"a", testing::straight_stroke({0, 0}, {10, 0}, 0.3, 1.7)}};
+  const auto document = parsed(svg_text(sketch, {}).value());
+  const pugi::xml_node svg = document.child("svg");
+  const pugi::xml_node group = svg.child("g");
+  // Inkscape computes the effect to 0.01 user units: smaller units than mm make it fail.
+  EXPECT_FALSE(group.attribute("transform"));
+  const pugi::xml_node effect = group.child("defs").child("inkscape:path-effect");
+  EXPECT_STREQ(effect.attribute("offset_points").value(), "0,.15 | 1,.85");
+  EXPECT_STREQ(effect.attribute("effect").value(), "powerstroke");
+  EXPECT_STREQ(effect.attribute("interpolator_type").value(), "Linear");
+  EXPECT_EQ(std::string("#") + effect.attribute("id").value(),
+            group.child("path").attribute("inkscape:path-effect").value());
+  EXPECT_FALSE(group.child("path").attribute("stroke"));
+}
+
+TEST(SvgWriter, StatesTheAreaInMillimetres) {
+  const Sketch sketch{{"a", testing::straight_stroke({10, 20}, {40, 20}, 1.0, 1.0)}};
+  const auto document = parsed(svg_text(sketch, {.sheet = {}, .margin_mm = 2.0}).value());
+  const pugi::xml_node svg = document.child("svg");
+  EXPECT_STREQ(svg.attribute("width").value(), "35mm");
+  EXPECT_STREQ(svg.attribute("viewBox").value(), "7.5 17.5 35 5");
+  const SvgOptions a4{.sheet = Rect{0, 0, 210, 297}};
+  EXPECT_STREQ(parsed(*svg_text(Sketch{}, a4)).child("svg").attribute("viewBox").value(),
+               "0 0 210 297");
+}
+
+TEST(SvgWriter, EveryAlphaComesBack) {
+  StrokeData data = testing::straight_stroke({0, 0}, {9, 0}, 1, 1).data();
+  for (int a = 0; a < 256; ++a) {
+    data.color.a = static_cast<std::uint8_t>(a);
+    const auto document = parsed(svg_text(Sketch{{"a", *Stroke::create(data)}}, {}).value());
+    EXPECT_EQ(model_of(document.child("svg").child("g").child("path")).color, data.color);
+  }
+}
+
+TEST(SvgWriter, RefusesWhatXmlCannotHold) {
+  const Stroke s = testing::straight_stroke({0, 0}, {9, 0}, 1, 1);
+  for (const std::string& id :
+       {std::string("a\x01"), std::string("nul\0", 4), std::string("\xff"), std::string("\xc0\x80"),
+        std::string("\xed\xa0\x80"), std::string("\xef\xbf\xbe"), std::string("cut \xe2\x82")}) {
+    const auto text = svg_text(Sketch{{"fine", s}, {id, s}}, {});
+    ASSERT_FALSE(text);
+    EXPECT_EQ(text.error().code, ErrorCode::kInvalidData);
+    EXPECT_THAT(text.error().message, HasSubstr("stroke 2"));
+  }
+  EXPECT_TRUE(svg_text(Sketch{{"Skizze \xe2\x9c\x8f \xf0\x9f\x8e\xa8", s}}, {}));
+}
+
+TEST(SvgWriter, FileAndTextAreTheSame) {
+  const Sketch sketch = random_sketch(7, 12);
+  const std::string path = scratch_path("svg-test.svg");
+  ASSERT_TRUE(write_svg(path, sketch, {}));
+  std::ifstream in(path, std::ios::binary);
+  std::ostringstream text;
+  text << in.rdbuf();
+  EXPECT_EQ(text.str(), *svg_text(sketch, {}));
+  fs::remove(path);
+  EXPECT_EQ(text.str().find(">\n", 50), kSvgHeadBytes - 2);
+}
+
+/// Largest and mean difference of two pictures' channels.
+std::pair<int, double> difference(const Image& a, const Image& b) {
+  int worst = 0;
+  double sum = 0.0;
+  for (std::size_t i = 0; i < a.bytes().size(); ++i) {
+    const int d = std::abs(a.bytes()[i] - b.bytes()[i]);
+    worst = std::max(worst, d);
+    sum += d;
+  }
+  return {worst, sum / static_cast<double>(a.bytes().size())};
+}
+
+TEST(SvgWriter, AnotherProgramShowsTheSamePicture) {
+  if (std::system("command -v rsvg-convert >/dev/null 2>&1") != 0) {
+    GTEST_SKIP() << "rsvg-convert is not installed (package librsvg2-bin)";
+  }
+  const Sketch sketch = random_sketch(40, 16);
+  const SvgOptions options{.sheet = Rect{-10, -10, 130, 130}};
+  const std::string svg = scratch_path("svg-view.svg");
+  const std::string png = svg + ".png";
+  ASSERT_TRUE(write_svg(svg, sketch, options));
+  ASSERT_EQ(std::system(("rsvg-convert -w 1400 -h 1400 -b white " + svg + " -o " + png).c_str()),
+            0);
+  std::ifstream in(png, std::ios::binary);
+  std::ostringstream bytes;
+  bytes << in.rdbuf();
+  const Image theirs = decode_png(bytes.str()).value().image;
+  const Image ours = render_page(sketch, {.dpi = 254.0, .sheet = options.sheet}).value();
+  ASSERT_EQ(theirs.width(), ours.width());
+  ASSERT_EQ(theirs.height(), ours.height());
+  const auto [worst, mean] = difference(theirs, ours);
+  EXPECT_LE(mean, 0.15);
+  EXPECT_LE(worst, 96);
+  RecordProperty("worst", worst);
+  RecordProperty("mean_1e6", static_cast<int>(1e6 * mean));
+  fs::remove(svg);
+  fs::remove(png);
+}
+
+}  // namespace
+}  // namespace felt

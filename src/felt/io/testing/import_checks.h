@@ -1,0 +1,48 @@
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "felt/geometry/vec.h"
+#include "felt/io/import.h"
+#include "felt/stroke/outline/flatten.h"
+
+/// What tests of several readers and writers of ink ask.
+namespace felt::testing {
+
+inline std::vector<std::string> texts(const ImportReport& report) {
+  std::vector<std::string> all;
+  for (const ImportNotice& n : report.notices()) all.push_back(notice_text(n));
+  return all;
+}
+
+inline const Stroke& only_stroke(const ImportedDrawing& d) {
+  EXPECT_EQ(d.drawing.layers.size(), 1u);
+  EXPECT_EQ(d.drawing.layers[0].strokes.size(), 1u);
+  return d.drawing.layers[0].strokes[0].stroke;
+}
+
+/// Largest distance of the centre line of a from that of b, in mm.
+inline double distance_of(const Stroke& a, const Stroke& b) {
+  std::vector<Dab> from, to;
+  flatten(a, 0.002, from);
+  flatten(b, 0.002, to);
+  double largest = 0.0;
+  for (const Dab& dab : from) {
+    double least = distance(dab.center, to[0].center);
+    for (std::size_t i = 1; i < to.size(); ++i) {
+      const Point p = to[i - 1].center;
+      const Vec way = to[i].center - p;
+      const double t =
+          std::clamp(dot(dab.center - p, way) / std::max(norm_squared(way), 1e-30), 0.0, 1.0);
+      least = std::min(least, distance(dab.center, p + t * way));
+    }
+    largest = std::max(largest, least);
+  }
+  return largest;
+}
+
+}  // namespace felt::testing

@@ -1,0 +1,68 @@
+#include "felt/io/xml/xml_text.h"
+
+#include <array>
+#include <charconv>
+#include <cstdint>
+
+#include "felt/base/utf8.h"
+
+namespace felt {
+namespace {
+
+/// The production Char of XML 1.0.
+bool allowed_in_xml(std::uint32_t code) noexcept {
+  return code == 0x9 || code == 0xa || code == 0xd ||
+         (code >= 0x20 && code != 0xfffe && code != 0xffff);
+}
+
+std::string hex(std::uint32_t code) {
+  std::array<char, 8> digits;
+  const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), code, 16).ptr;
+  return "U+" + std::string(digits.data(), end);
+}
+
+}  // namespace
+
+Result<void> append_xml_attribute(std::string& out, std::string_view text) {
+  std::string escaped;
+  while (!text.empty()) {
+    const std::string_view rest = text;
+    std::uint32_t code = 0;
+    if (!next_code_point(text, code)) {
+      return fail(ErrorCode::kInvalidData, "text that is not UTF-8 cannot be written as XML");
+    }
+    if (!allowed_in_xml(code)) {
+      return fail(ErrorCode::kInvalidData, "XML cannot hold the character " + hex(code));
+    }
+    switch (code) {
+      case '&':
+        escaped += "&amp;";
+        break;
+      case '<':
+        escaped += "&lt;";
+        break;
+      case '>':
+        escaped += "&gt;";
+        break;
+      case '"':
+        escaped += "&quot;";
+        break;
+      // As themselves, parsers turn these into spaces.
+      case '\t':
+        escaped += "&#9;";
+        break;
+      case '\n':
+        escaped += "&#10;";
+        break;
+      case '\r':
+        escaped += "&#13;";
+        break;
+      default:
+        escaped.append(rest.substr(0, rest.size() - text.size()));
+    }
+  }
+  out += escaped;
+  return {};
+}
+
+}  // namespace felt

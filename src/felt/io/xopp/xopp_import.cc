@@ -1,0 +1,347 @@
+#include "felt/io/xopp/xopp_import.h"
+
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "felt/io/ink_of_points.h"
+#include "felt/io/number_list.h"
+#include "felt/io/unpack.h"
+#include "felt/io/xml/xml_input.h"
+#include "felt/stroke/color_text.h"
+
+namespace felt {
+namespace {
+
+using Next = NumberList::Next;
+
+/// The newest version of the format whose elements are known here.
+constexpr double kKnownVersion = 5.0;
+constexpr double kA4WidthPt = 595.27559, kA4HeightPt = 841.88976;
+constexpr double kUsualWidthPt = 1.41;  // the medium pen of Xournal++
+constexpr Rgba kWhite{255, 255, 255, 255};
+
+struct NamedColor {
+  std::string_view name;
+  Rgba color;
+};
+/// Names of colours in Xournal's files; the last five are of paper.
+constexpr std::array kColors = {NamedColor{"black", {0x00, 0x00, 0x00, 255}},
+                                NamedColor{"blue", {0x33, 0x33, 0xcc, 255}},
+                                NamedColor{"red", {0xff, 0x00, 0x00, 255}},
+                                NamedColor{"green", {0x00, 0x80, 0x00, 255}},
+                                NamedColor{"gray", {0x80, 0x80, 0x80, 255}},
+                                NamedColor{"lightblue", {0x00, 0xc0, 0xff, 255}},
+                                NamedColor{"lightgreen", {0x00, 0xff, 0x00, 255}},
+                                NamedColor{"magenta", {0xff, 0x00, 0xff, 255}},
+                                NamedColor{"orange", {0xff, 0x80, 0x00, 255}},
+                                NamedColor{"yellow", {0xff, 0xff, 0x00, 255}},
+                                NamedColor{"white", {0xff, 0xff, 0xff, 255}},
+                                NamedColor{"pink", {0xff, 0xc0, 0xd4, 255}}};
+constexpr std::array kPaperColors = {
+    NamedColor{"blue", {0xa0, 0xe8, 0xff, 255}}, NamedColor{"green", {0x80, 0xff, 0xc0, 255}},
+    NamedColor{"orange", {0xff, 0xc0, 0x80, 255}}, NamedColor{"yellow", {0xff, 0xff, 0x80, 255}}};
+constexpr std::uint8_t kHighlighterAlpha = 0x7f;
+
+template <std::size_t n>
+std::optional<Rgba> named_color(const std::array<NamedColor, n>& names, std::string_view name) {
+  const auto found =
+      std::find_if(names.begin(), names.end(), [&](const auto& c) { return c.name == name; });
+  return found == names.end() ? std::nullopt : std::optional(found->color);
+}
+
+class XoppReader {
+ public:
+  XoppReader(const XmlInput& input, const ImportOptions& options)
+      : input_(input), ink_(solid_fit(options.fit)) {}
+
+  Result<ImportedDrawing> read() {
+    const pugi::xml_node root = input_.root();
+    if (std::string_view(root.name()) != "xournal") {
+      return fail(ErrorCode::kInvalidData, "line " + std::to_string(input_.line_of(root)) +
+                                               ": is no Xournal++ document: it begins with '" +
+                                               root.name() + "'");
+    }
+    double version = 0.0;
+    if (single_number(root.attribute("fileversion").value(), version) && version > kKnownVersion) {
+      notice(root, "is of a newer version than Feltline knows; what it knows was read");
+    }
+    several_pages_ = false;
+    int pages = 0;
+    for (const pugi::xml_node& node : root.children("page")) {
+      static_cast<void>(node);
+      several_pages_ = ++pages > 1;
+    }
+    for (const pugi::xml_node& node : root.children()) {
+      if (node.type() != pugi::node_element) continue;
+      const std::string_view name = node.name();
+      if (name == "page") {
+        read_page(node);
+      } else if (name != "title" && name != "preview") {
+        notice(node, "is unknown and was left out");
+      }
+    }
+    finish_sheet(root);
+    if (drawing_.layers.empty()) {
+      drawing_.layers.emplace_back();
+      drawing_.layers[0].name = "Layer 1";
+    }
+    return ImportedDrawing{std::move(drawing_), std::move(report_)};
+  }
+
+ private:
+  void notice(const pugi::xml_node& node, std::string what) {
+    report_.add(input_.line_of(node), XmlInput::describe(node), std::move(what));
+  }
+
+  void read_page(const pugi::xml_node& page) {
+    ++page_number_;
+    double width_pt = 0.0, height_pt = 0.0;
+    if (!single_number(page.attribute("width").value(), width_pt) ||
+        !single_number(page.attribute("height").value(), height_pt) || !(width_pt > 0.0) ||
+        !(height_pt > 0.0)) {
+      notice(page, "has no size; it was taken as A4");
+      width_pt = kA4WidthPt;
+      height_pt = kA4HeightPt;
+    }
+    if (page_number_ > 1) top_mm_ = bottom_mm_ + kPageGapMm;
+    bottom_mm_ = top_mm_ + height_pt * kMmPerPoint;
+    width_mm_ = std::max(width_mm_, width_pt * kMmPerPoint);
+    int layer_number = 0;
+    for (const pugi::xml_node& node : page.children()) {
+      if (node.type() != pugi::node_element) continue;
+      const std::string_view name = node.name();
+      if (name == "background") {
+        read_background(node);
+      } else if (name == "layer") {
+        read_layer(node, ++layer_number);
+      } else {
+        notice(node, "is unknown and was left out");
+      }
+    }
+  }
+
+  void read_background(const pugi::xml_node& node) {
+    const std::string_view type = node.attribute("type").value();
+    const std::string_view style = node.attribute("style").value();
+    if (type != "solid") {
+      notice(node, "of type '" + std::string(type) + "' is a picture and was left out");
+      return;
+    }
+    if (!style.empty() && style != "plain") {
+      notice(node, "of style '" + std::string(style) + "': its lines were left out");
+    }
+    const std::string_view text = node.attribute("color").value();
+    std::optional<Rgba> color = named_color(kPaperColors, text);
+    if (!color) color = color_of(text);
+    if (!color) {
+      notice(node, "has a colour that is unknown; it was taken as white");
+      color = kWhite;
+    }
+    if (!paper_) {
+      paper_ = color;
+    } else if (*paper_ != *color) {
+      notice(node, "has another colour than the first page, whose colour the sheet has");
+    }
+  }
+
+  void read_layer(const pugi::xml_node& node, int number) {
+    SketchLayer layer;
+    layer.name = node.attribute("name").value();
+    if (layer.name.size() > limits::kMaxNameBytes) {
+      notice(node, "has a name of more than 4096 bytes, which was left out");
+      layer.name.clear();
+    }
+    if (layer.name.empty()) layer.name = "Layer " + std::to_string(number);
+    if (several_pages_) layer.name = "Page " + std::to_string(page_number_) + ": " + layer.name;
+    for (const pugi::xml_node& child : node.children()) {
+      if (child.type() != pugi::node_element) continue;
+      const std::string_view name = child.name();
+      if (name == "stroke") {
+        read_stroke(child, layer.strokes);
+      } else if (name == "text" || name == "link") {
+        notice(child, "is text, no ink, and was left out");
+      } else if (name == "image" || name == "teximage") {
+        notice(child, "is a picture and was left out");
+      } else {
+        notice(child, "is unknown and was left out");
+      }
+    }
+    // A page without ink needs no layer among those of the others.
+    if (several_pages_ && layer.strokes.empty()) return;
+    drawing_.layers.push_back(std::move(layer));
+  }
+
+  static std::optional<Rgba> color_of(std::string_view text) {
+    if (const std::optional<Rgba> color = named_color(kColors, text)) return color;
+    return color_from_text(text);
+  }
+
+  void read_stroke(const pugi::xml_node& node, Sketch& strokes) {
+    read_points(node);
+    if (line_.empty()) {
+      notice(node, "has no points and was left out");
+      return;
+    }
+    read_widths(node);
+    Result<StrokeData> data = ink_.of_line(line_);
+    if (!data) {
+      notice(node, data.error().message);
+      return;
+    }
+    data->color = stroke_color(node);
+    note_what_is_lost(node);
+    Result<Stroke> stroke = Stroke::create(*std::move(data));
+    if (!stroke) {
+      notice(node, "was left out: " + stroke.error().message);
+      return;
+    }
+    strokes.push_back({"s" + std::to_string(++stroke_count_), *std::move(stroke)});
+  }
+
+  Rgba stroke_color(const pugi::xml_node& node) {
+    const std::string_view text = node.attribute("color").value();
+    std::optional<Rgba> color = color_of(text);
+    if (!color) {
+      notice(node, "has a colour that is unknown; it was taken as black");
+      color = Rgba{};
+    }
+    const bool says_alpha = text.size() == 9;
+    if (!says_alpha && std::string_view(node.attribute("tool").value()) == "highlighter") {
+      color->a = kHighlighterAlpha;
+    }
+    return *color;
+  }
+
+  void note_what_is_lost(const pugi::xml_node& node) {
+    const std::string_view tool = node.attribute("tool").value();
+    const std::string_view style = node.attribute("style").value();
+    const std::string_view cap = node.attribute("capStyle").value();
+    if (tool == "eraser") {
+      notice(node, "of the white-out eraser was taken as ink of its colour");
+    } else if (tool != "pen" && tool != "highlighter") {
+      notice(node, "of an unknown tool was taken as a pen's");
+    }
+    if (!style.empty() && style != "plain") notice(node, "is not dashed any more");
+    if (node.attribute("fill")) notice(node, "lost the fill of its area");
+    if (cap == "butt" || cap == "square") notice(node, "has round ends now");
+  }
+
+  /// The points of a stroke, in mm on the sheet, with no width yet.
+  void read_points(const pugi::xml_node& node) {
+    line_.clear();
+    const std::string text = xml_text_of(node);
+    NumberList numbers(text);
+    double x = 0.0, y = 0.0;
+    Next x_is = numbers.next(x), y_is = x_is;
+    for (; x_is == Next::kNumber; x_is = numbers.next(x)) {
+      y_is = numbers.next(y);
+      if (y_is != Next::kNumber) break;
+      line_.push_back({{x * kMmPerPoint, top_mm_ + y * kMmPerPoint}, 0.0});
+    }
+    if (x_is == Next::kBad || y_is == Next::kBad) {
+      notice(node, "holds something that is no number; only the points before it were taken");
+    } else if (x_is == Next::kNumber) {
+      notice(node, "has a last point without y, which was left out");
+    }
+  }
+
+  /// Widths: one for the whole, then one for each piece between two points. A point gets the mean
+  /// of the pieces at it, so the profile goes through the middle of each step.
+  void read_widths(const pugi::xml_node& node) {
+    const std::string_view text = node.attribute("width").value();
+    double nominal_pt = 0.0;
+    NumberList numbers(text);
+    Next next = numbers.next(nominal_pt);
+    if (next != Next::kNumber || !(nominal_pt > 0.0)) {
+      notice(node, "has no width; it was drawn with the usual one");
+      nominal_pt = kUsualWidthPt;
+      next = Next::kEnd;
+    }
+    pieces_.clear();
+    double width_pt = 0.0;
+    while (next == Next::kNumber && (next = numbers.next(width_pt)) == Next::kNumber) {
+      pieces_.push_back(width_pt);
+    }
+    if (pieces_.empty() && next == Next::kEnd) {  // where MrWriter keeps them
+      NumberList pressures(node.attribute("pressures").value());
+      while ((next = pressures.next(width_pt)) == Next::kNumber) pieces_.push_back(width_pt);
+    }
+    if (next == Next::kBad) notice(node, "has a width that is no number");
+    if (pieces_.size() + 1 < line_.size()) {
+      if (!pieces_.empty()) notice(node, "has too few widths; it was drawn with one width");
+      pieces_.clear();
+    }
+    for (std::size_t i = 0; i < line_.size(); ++i) {
+      line_[i].width_mm = kMmPerPoint * (pieces_.empty() ? nominal_pt : width_at(i, nominal_pt));
+    }
+  }
+
+  [[nodiscard]] double width_at(std::size_t i, double nominal_pt) const {
+    if (line_.size() == 1) return nominal_pt;
+    const std::size_t last = line_.size() - 2;
+    if (i == 0) return pieces_.front();
+    return i > last ? pieces_[last] : 0.5 * (pieces_[i - 1] + pieces_[i]);
+  }
+
+  void finish_sheet(const pugi::xml_node& root) {
+    if (page_number_ == 0) {
+      notice(root, "has no page");
+      return;
+    }
+    SheetPage sheet;
+    const auto within = [](double v) {
+      return std::clamp(v, SheetPage::kLeastMm, SheetPage::kMostMm);
+    };
+    sheet.width_mm = within(width_mm_);
+    sheet.height_mm = within(bottom_mm_);
+    sheet.paper = paper_.value_or(kWhite);
+    if (width_mm_ > SheetPage::kMostMm || bottom_mm_ > SheetPage::kMostMm) {
+      notice(root, "is larger than a sheet can be (5000 mm); the rest lies beside it");
+    }
+    drawing_.page = sheet;
+  }
+
+  const XmlInput& input_;
+  InkOfPoints ink_;
+  LayeredSketch drawing_;
+  ImportReport report_;
+  bool several_pages_ = false;
+  int page_number_ = 0;
+  std::int64_t stroke_count_ = 0;
+  double top_mm_ = 0.0, bottom_mm_ = 0.0, width_mm_ = 0.0;
+  std::optional<Rgba> paper_;
+  std::vector<WidePoint> line_;  // buffers of one stroke
+  std::vector<double> pieces_;
+};
+
+/// The XML of a document, whatever it is packed in.
+Result<std::string> unpacked(std::string_view bytes) {
+  if (is_gzip(bytes)) return gunzip(bytes);
+  if (!is_zip(bytes)) return std::string(bytes);
+  const Result<std::string> kind = file_in_zip(bytes, "mimetype");
+  if (!kind) return kind;
+  if (kind->find("application/xournal++") == std::string::npos) {
+    return fail(ErrorCode::kInvalidData, "is a zip archive, but not of Xournal++");
+  }
+  return file_in_zip(bytes, "content.xml");
+}
+
+}  // namespace
+
+Result<ImportedDrawing> import_xopp(std::string_view bytes, const ImportOptions& options) {
+  if (bytes.size() > limits::kMaxImportBytes) {
+    return fail(ErrorCode::kLimitExceeded, "is larger than 256 MiB");
+  }
+  Result<std::string> text = unpacked(bytes);
+  if (!text) return tl::unexpected(text.error());
+  const Result<XmlInput> input = XmlInput::parse(*text);
+  if (!input) return tl::unexpected(input.error());
+  *text = {};
+  return XoppReader(*input, options).read();
+}
+
+}  // namespace felt

@@ -1,0 +1,247 @@
+#include "felt/io/xopp/xopp_import.h"
+
+#include <gmock/gmock.h>
+
+#include <cstdlib>
+#include <filesystem>
+
+#include "felt/base/read_file.h"
+#include "felt/io/testing/import_checks.h"
+#include "felt/io/unpack.h"
+#include "felt/material/materials.h"
+
+namespace felt {
+namespace {
+
+using testing::only_stroke;
+using testing::texts;
+
+using ::testing::Contains;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+
+std::string document(const std::string& inside) {
+  return "<?xml version=\"1.0\" standalone=\"no\"?>\n<xournal creator=\"test\" "
+         "fileversion=\"4\">\n" +
+         inside + "</xournal>\n";
+}
+
+std::string page(const std::string& strokes, const std::string& width = "720") {
+  return document("<page width=\"" + width +
+                  "\" height=\"360\">\n<background type=\"solid\" color=\"#ffffffff\" "
+                  "style=\"plain\"/>\n<layer>\n" +
+                  strokes + "</layer>\n</page>\n");
+}
+
+ImportedDrawing read(const std::string& text) {
+  Result<ImportedDrawing> drawing = import_xopp(text);
+  EXPECT_TRUE(drawing) << (drawing ? "" : drawing.error().message);
+  return drawing.value();
+}
+
+TEST(XoppImport, PointsBecomeMillimetres) {
+  const ImportedDrawing d = read(
+      page("<stroke tool=\"pen\" color=\"#102030ff\" width=\"7.2\">72 144 360 144</stroke>\n"));
+  EXPECT_THAT(texts(d.report), IsEmpty());
+  const Stroke& s = only_stroke(d);
+  EXPECT_EQ(s.segment_count(), 1);
+  EXPECT_NEAR(distance(s.position(0.0), {25.4, 50.8}), 0.0, 1e-9);
+  EXPECT_NEAR(distance(s.position(1.0), {127.0, 50.8}), 0.0, 1e-9);
+  EXPECT_NEAR(s.width_mm(0.5), 2.54, 1e-9);
+  EXPECT_EQ(s.color(), (Rgba{0x10, 0x20, 0x30, 255}));
+  ASSERT_TRUE(d.drawing.page);
+  EXPECT_NEAR(d.drawing.page->width_mm, 254.0, 1e-9);
+  EXPECT_NEAR(d.drawing.page->height_mm, 127.0, 1e-9);
+  EXPECT_EQ(d.drawing.page->paper, (Rgba{255, 255, 255, 255}));
+  EXPECT_EQ(d.drawing.layers[0].name, "Layer 1");
+}
+
+TEST(XoppImport, WidthsOfPiecesGoThroughTheMiddleOfEachStep) {
+  const ImportedDrawing d = read(page(
+      "<stroke tool=\"pen\" color=\"black\" width=\"9 1 2 3\">0 0 100 0 200 0 300 0</stroke>\n"));
+  const Stroke& s = only_stroke(d);
+  ASSERT_EQ(s.segment_count(), 3);
+  const double pt = kMmPerPoint;
+  EXPECT_NEAR(s.width_mm(0.0), 1.0 * pt, 1e-9);
+  EXPECT_NEAR(s.width_mm(1.0), 1.5 * pt, 1e-9);
+  EXPECT_NEAR(s.width_mm(2.0), 2.5 * pt, 1e-9);
+  EXPECT_NEAR(s.width_mm(3.0), 3.0 * pt, 1e-9);
+}
+
+TEST(XoppImport, SmallPiecesAreFitted) {
+  std::string points;
+  for (int i = 0; i <= 400; ++i) {
+    points +=
+        std::to_string(100 + 0.5 * i) + " " + std::to_string(100 + 30 * std::sin(0.03 * i)) + " ";
+  }
+  const ImportedDrawing d =
+      read(page("<stroke tool=\"pen\" color=\"black\" width=\"1.41\" capStyle=\"round\">" + points +
+                "</stroke>"));
+  EXPECT_THAT(texts(d.report), IsEmpty());
+  EXPECT_LE(only_stroke(d).segment_count(), 20);
+}
+
+TEST(XoppImport, ToolsColoursAndStylesThatWeDoNotHaveAreNoticed) {
+  const ImportedDrawing d =
+      read(page("<stroke tool=\"highlighter\" color=\"yellow\" width=\"20\">0 0 99 0</stroke>\n"
+                "<stroke tool=\"highlighter\" color=\"#ffa15420\" width=\"20\" capStyle=\"butt\">0 "
+                "0 99 0</stroke>\n"
+                "<stroke tool=\"eraser\" color=\"#ffffffff\" width=\"8.5\">0 0 99 0</stroke>\n"
+                "<stroke tool=\"pen\" color=\"blue\" width=\"1\" style=\"dash\" fill=\"128\">0 0 "
+                "99 0</stroke>\n"
+                "<stroke tool=\"chalk\" color=\"nocolour\" width=\"1\">0 0 99 0</stroke>\n"));
+  const Sketch& s = d.drawing.layers[0].strokes;
+  ASSERT_EQ(s.size(), 5u);
+  EXPECT_EQ(s[0].stroke.color(), (Rgba{255, 255, 0, 0x7f}));
+  EXPECT_EQ(s[1].stroke.color(), (Rgba{0xff, 0xa1, 0x54, 0x20}));
+  EXPECT_EQ(s[2].stroke.color(), (Rgba{255, 255, 255, 255}));
+  EXPECT_EQ(s[3].stroke.color(), (Rgba{0x33, 0x33, 0xcc, 255}));
+  EXPECT_EQ(s[4].stroke.color(), (Rgba{0, 0, 0, 255}));
+  const auto notes = texts(d.report);
+  EXPECT_THAT(notes, Contains("line 7: stroke has round ends now"));
+  EXPECT_THAT(notes,
+              Contains("line 8: stroke of the white-out eraser was taken as ink of its colour"));
+  EXPECT_THAT(notes, Contains("line 9: stroke is not dashed any more"));
+  EXPECT_THAT(notes, Contains("line 9: stroke lost the fill of its area"));
+  EXPECT_THAT(notes, Contains("line 10: stroke of an unknown tool was taken as a pen's"));
+  EXPECT_THAT(notes,
+              Contains("line 10: stroke has a colour that is unknown; it was taken as black"));
+}
+
+TEST(XoppImport, WhatIsNoInkIsNamedWithItsLine) {
+  const ImportedDrawing d =
+      read(page("<text font=\"Sans\" size=\"12\" x=\"1\" y=\"1\" color=\"#000000ff\">hello</text>\n"
+                "<image left=\"0\" top=\"0\">AAAA</image>\n<teximage text=\"x\"/>\n<wobble/>\n"));
+  EXPECT_THAT(
+      texts(d.report),
+      ::testing::ElementsAre("line 6: text is text, no ink, and was left out",
+                             "line 7: image is a picture and was left out (and 1 more like it)",
+                             "line 9: wobble is unknown and was left out"));
+}
+
+TEST(XoppImport, PagesLieBelowEachOther) {
+  std::string pages;
+  for (int i = 1; i <= 3; ++i) {
+    pages += "<page width=\"720\" height=\"360\"><background type=\"solid\" color=\"" +
+             std::string(i == 3 ? "#112233ff" : "yellow") + "\" style=\"lined\"/><layer/>";
+    if (i != 2) {
+      pages +=
+          "<layer name=\"top\"><stroke tool=\"pen\" color=\"black\" width=\"1\">0 0 99 "
+          "0</stroke></layer>";
+    }
+    pages += "</page>\n";
+  }
+  const ImportedDrawing d = read(document(pages));
+  ASSERT_EQ(d.drawing.layers.size(), 2u);
+  EXPECT_EQ(d.drawing.layers[0].name, "Page 1: top");
+  EXPECT_EQ(d.drawing.layers[1].name, "Page 3: top");
+  EXPECT_NEAR(d.drawing.layers[1].strokes[0].stroke.position(0).y, 2 * (127.0 + kPageGapMm), 1e-9);
+  EXPECT_EQ(d.drawing.layers[1].strokes[0].id, "s2");
+  EXPECT_NEAR(d.drawing.page->height_mm, 3 * 127.0 + 2 * kPageGapMm, 1e-9);
+  EXPECT_EQ(d.drawing.page->paper, (Rgba{0xff, 0xff, 0x80, 255}));
+  EXPECT_THAT(
+      texts(d.report),
+      ::testing::ElementsAre(
+          "line 3: background of style 'lined': its lines were left out (and 2 more like it)",
+          "line 5: background has another colour than the first page, whose colour the sheet has"));
+}
+
+TEST(XoppImport, PagesWithoutInkGiveALayerToDrawOn) {
+  const std::string empty = "<page width=\"720\" height=\"360\"><layer/></page>";
+  EXPECT_EQ(read(document(empty + empty)).drawing.layers.size(), 1u);
+  EXPECT_EQ(read(document("")).drawing.layers.size(), 1u);
+}
+
+TEST(XoppImport, DotsAreDabs) {
+  const ImportedDrawing d =
+      read(page("<stroke tool=\"pen\" color=\"black\" width=\"2.26\">"
+                "200.2 358 200.2 358</stroke>"));
+  EXPECT_NEAR(distance(only_stroke(d).position(0.0), {200.2 * kMmPerPoint, 358 * kMmPerPoint}), 0,
+              1e-9);
+  EXPECT_NEAR(only_stroke(d).width_mm(0.0), 2.26 * kMmPerPoint, 1e-9);
+}
+
+TEST(XoppImport, BadNumbersAreNoticedAndTheRestIsKept) {
+  const auto notes = [](const std::string& strokes) { return texts(read(page(strokes)).report); };
+  EXPECT_THAT(notes("<stroke tool=\"pen\" color=\"black\" width=\"1\">0 0 9 9 x 7</stroke>"),
+              Contains(HasSubstr("is no number; only the points before it were taken")));
+  EXPECT_THAT(notes("<stroke tool=\"pen\" color=\"black\" width=\"1\">0 0 9 9 1e10 0</stroke>"),
+              Contains(HasSubstr("is no number; only the points before it were taken")));
+  EXPECT_THAT(notes("<stroke tool=\"pen\" color=\"black\" width=\"1\">0 0 9</stroke>"),
+              Contains(HasSubstr("a last point without y")));
+  EXPECT_THAT(notes("<stroke tool=\"pen\" color=\"black\" width=\"1\"></stroke>"),
+              Contains(HasSubstr("has no points")));
+  EXPECT_THAT(notes("<stroke tool=\"pen\" color=\"black\">0 0 9 9</stroke>"),
+              Contains(HasSubstr("has no width")));
+  EXPECT_THAT(notes("<stroke tool=\"pen\" color=\"black\" width=\"1 2\">0 0 9 9 8 8</stroke>"),
+              Contains(HasSubstr("has too few widths")));
+  EXPECT_THAT(notes("<stroke tool=\"pen\" color=\"black\" width=\"1 nan 2\">0 0 9 9 8 8</stroke>"),
+              Contains(HasSubstr("has a width that is no number")));
+}
+
+TEST(XoppImport, NumbersAtTheirLimits) {
+  const auto count = [](const std::string& x) {
+    const ImportedDrawing d =
+        read(page("<stroke tool=\"pen\" color=\"black\" width=\"1\">0 0 " + x + " 0</stroke>"));
+    return texts(d.report).size();
+  };
+  EXPECT_EQ(count("999999999"), 0u);
+  EXPECT_EQ(count("1000000000"), 0u);
+  EXPECT_EQ(count("1000000001"), 1u);
+  EXPECT_EQ(count("100." + std::string(59, '0')), 0u);
+  EXPECT_EQ(count("100." + std::string(60, '0')), 0u);
+  EXPECT_EQ(count("100." + std::string(61, '0')), 1u);
+}
+
+TEST(XoppImport, TakesEveryPacking) {
+  const std::string text =
+      page("<stroke tool=\"pen\" color=\"black\" width=\"1\">0 0 99 0</stroke>");
+  EXPECT_EQ(read(text).drawing, read(gzip(text)).drawing);
+  EXPECT_FALSE(import_xopp(gzip(gzip(text))));
+}
+
+TEST(XoppImport, OtherFilesAreErrors) {
+  const auto error = [](std::string_view bytes) { return import_xopp(bytes).error().message; };
+  EXPECT_THAT(error("<svg/>"), HasSubstr("is no Xournal++ document: it begins with 'svg'"));
+  EXPECT_THAT(error(""), HasSubstr("is no XML"));
+  EXPECT_THAT(error("\x1F\x8B"), HasSubstr("is cut off"));
+  EXPECT_THAT(error("PK\x03\x04 and so on"), HasSubstr("is a damaged zip archive"));
+}
+
+/// Files that Xournal++ wrote; in the folder "xopp" of FELT_SHARED_FILES.
+TEST(XoppImport, RealFiles) {
+  const char* variable = std::getenv("FELT_SHARED_FILES");
+  const std::filesystem::path folder =
+      (variable != nullptr ? std::filesystem::path(variable) : "../shared/data") / "xopp";
+  if (!std::filesystem::exists(folder)) GTEST_SKIP() << folder << " is not there";
+  const std::vector<std::pair<const char*, std::size_t>> files = {
+      {"load_layers.xopp", 0},
+      {"load_pages.xopp", 0},
+      {"load_strokes.xopp", 12},
+      {"packaged_xopp_layer.xopp", 0},
+      {"packaged_xopp_stroke_new.xopp", 1},
+      {"packaged_xopp_stroke_old.xopp", 1}};
+  for (const auto& [name, strokes] : files) {
+    SCOPED_TRACE(name);
+    const ImportedDrawing d = read(read_file((folder / name).string(), 1 << 20).value());
+    std::size_t count = 0;
+    for (const SketchLayer& layer : d.drawing.layers) count += layer.strokes.size();
+    EXPECT_EQ(count, strokes);
+  }
+}
+
+TEST(XoppImport, LinesAreSolidAndOfExactlyTheirColour) {
+  const Stroke s = only_stroke(read(
+      page("<stroke tool=\"pen\" color=\"#cc0000ff\" width=\"1.41\">72 144 360 144</stroke>\n")));
+  const Medium* medium = find_medium(s.material());
+  ASSERT_TRUE(medium) << s.material();
+  EXPECT_EQ(medium->look.grain, 0.0);
+  EXPECT_EQ(medium->look.opacity_light, 1.0);
+  EXPECT_EQ(medium->look.opacity_heavy, 1.0);
+  EXPECT_EQ(medium->look.rim, 0.0);
+  EXPECT_EQ(medium->look.edge, 0.0);
+  EXPECT_EQ(s.color(), (Rgba{0xcc, 0, 0, 255}));
+}
+
+}  // namespace
+}  // namespace felt

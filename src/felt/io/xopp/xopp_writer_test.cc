@@ -1,0 +1,108 @@
+#include "felt/io/xopp/xopp_writer.h"
+
+#include <gmock/gmock.h>
+
+#include <algorithm>
+
+#include "felt/io/testing/import_checks.h"
+#include "felt/io/testing/random_layers.h"
+#include "felt/io/unpack.h"
+#include "felt/io/xopp/xopp_import.h"
+#include "felt/stroke/outline/flatten.h"
+
+namespace felt {
+namespace {
+
+using testing::distance_of;
+
+using ::testing::HasSubstr;
+
+LayeredSketch one(Stroke stroke) {
+  LayeredSketch drawing;
+  drawing.page.emplace();
+  drawing.layers.emplace_back();
+  drawing.layers[0].name = "ink";
+  drawing.layers[0].strokes.push_back({"a", std::move(stroke)});
+  return drawing;
+}
+
+std::string text_of(const LayeredSketch& drawing) {
+  return gunzip(xopp_bytes(drawing).value()).value();
+}
+
+TEST(XoppWriter, AStraightStrokeInPoints) {
+  const std::string text =
+      text_of(one(testing::straight_stroke({25.4, 50.8}, {50.8, 50.8}, 2.54, 2.54)));
+  EXPECT_THAT(text, HasSubstr("<page width=\"841.8898\" height=\"595.2756\">"));
+  EXPECT_THAT(text, HasSubstr("<stroke tool=\"pen\" color=\"#000000ff\" width=\"7.2\" "
+                              "capStyle=\"round\">72 144 144 144</stroke>"));
+  EXPECT_THAT(text, HasSubstr("<layer name=\"ink\">"));
+}
+
+TEST(XoppWriter, WidthsComeInSmallSteps) {
+  const LayeredSketch drawing = one(testing::straight_stroke({0, 0}, {50, 0}, 1.0, 2.0));
+  const Sketch back = import_xopp(xopp_bytes(drawing).value()).value().drawing.layers[0].strokes;
+  ASSERT_EQ(back.size(), 1u);
+  const Stroke& s = back[0].stroke;
+  const double end = s.segment_count();
+  for (double t = 0.0; t <= 1.0; t += 0.05) {
+    const double x = s.position(t * end).x;
+    EXPECT_NEAR(s.width_mm(t * end), 1.0 + x / 50.0, 0.5 * kXoppWidthStepMm + 0.021);
+  }
+}
+
+TEST(XoppWriter, ComesBackNearlyAsItWas) {
+  for (std::uint64_t seed = 1; seed <= 12; ++seed) {
+    SCOPED_TRACE(seed);
+    LayeredSketch drawing = testing::random_layers(seed);
+    drawing.page.emplace();
+    const ImportedDrawing back = import_xopp(xopp_bytes(drawing).value()).value();
+    EXPECT_TRUE(back.report.empty());
+    EXPECT_NEAR(back.drawing.page->width_mm, drawing.page->width_mm, 1e-4);
+    if (drawing.layers.empty()) continue;
+    ASSERT_EQ(back.drawing.layers.size(), drawing.layers.size());
+    for (std::size_t i = 0; i < drawing.layers.size(); ++i) {
+      const Sketch &was = drawing.layers[i].strokes, &is = back.drawing.layers[i].strokes;
+      ASSERT_EQ(is.size(), was.size());
+      for (std::size_t k = 0; k < was.size(); ++k) {
+        EXPECT_EQ(is[k].stroke.color(), was[k].stroke.color());
+        EXPECT_LE(distance_of(was[k].stroke, is[k].stroke), 0.1);
+      }
+    }
+  }
+}
+
+TEST(XoppWriter, WithoutASheetThePageIsTheInkAndAMargin) {
+  LayeredSketch drawing = one(testing::straight_stroke({-100, 50}, {0, 50}, 2, 2));
+  drawing.page.reset();
+  const ImportedDrawing back = import_xopp(xopp_bytes(drawing).value()).value();
+  EXPECT_NEAR(back.drawing.page->width_mm, 112.0, 1e-4);
+  EXPECT_NEAR(back.drawing.page->height_mm, 12.0, 1e-4);
+  EXPECT_NEAR(back.drawing.layers[0].strokes[0].stroke.position(0).x, 6.0, 1e-4);
+}
+
+TEST(XoppWriter, TranslucentInkIsAHighlighters) {
+  StrokeData data = testing::straight_stroke({0, 0}, {50, 0}, 5, 5).data();
+  data.color = {255, 255, 0, 0x60};
+  const std::string text = text_of(one(Stroke::create(data).value()));
+  EXPECT_THAT(text, HasSubstr("<stroke tool=\"highlighter\" color=\"#ffff0060\""));
+}
+
+TEST(XoppWriter, EqualDrawingsGiveEqualBytes) {
+  const LayeredSketch drawing = testing::random_layers(11);
+  EXPECT_EQ(xopp_bytes(drawing).value(), xopp_bytes(drawing).value());
+  EXPECT_EQ(text_of({}), text_of({}));
+  EXPECT_TRUE(import_xopp(xopp_bytes({}).value()));
+}
+
+TEST(XoppWriter, WhatCannotBeWrittenIsAnError) {
+  LayeredSketch drawing = one(testing::straight_stroke({0, 0}, {1.1e9, 0}, 1, 1));
+  EXPECT_THAT(xopp_bytes(drawing).error().message, HasSubstr("stroke 1: a coordinate beyond 1e9"));
+  drawing = one(testing::straight_stroke({0, 0}, {1e9, 0}, 1, 1));
+  EXPECT_TRUE(xopp_bytes(drawing));
+  drawing.layers[0].name = "\x01";
+  EXPECT_THAT(xopp_bytes(drawing).error().message, HasSubstr("a layer's name"));
+}
+
+}  // namespace
+}  // namespace felt

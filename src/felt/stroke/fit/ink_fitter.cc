@@ -1,0 +1,210 @@
+#include "felt/stroke/fit/ink_fitter.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "felt/stroke/fit/paper_fitter.h"
+#include "felt/stroke/fit/refine.h"
+
+namespace felt {
+namespace {
+
+bool is_ink(const InkSample& sample) {
+  return std::fabs(sample.position.x) <= InkFitter::kMaxCoordinateMm &&
+         std::fabs(sample.position.y) <= InkFitter::kMaxCoordinateMm;
+}
+
+}  // namespace
+
+struct InkFitter::State {
+  explicit State(const InkFitOptions& o)
+      : options(o),
+        filter(o.filter),
+        online(o.curve),
+        refiner(o.curve),
+        paper(o.curve, std::max(0, o.shared_samples)) {}
+
+  void take(const InkSample& sample) {
+    samples.push_back(sample);
+    if (options.scheme == FitScheme::kPaper2002) {
+      paper.push(sample.position);
+    } else {
+      online.push(sample.position);
+    }
+  }
+
+  [[nodiscard]] StrokeData stroke_data() const;
+
+  InkFitOptions options;
+  PenFilter filter;
+  CurveFitter online;
+  Refiner refiner;
+  PaperFitter paper;
+  ChunkedVector<InkSample> samples;
+  std::size_t ignored = 0;
+  bool ended = false;
+  // After end(), made when it is asked for: copying a long stroke takes longer than a sample may.
+  bool has_curve = false;
+  FittedCurve curve;
+  std::vector<Cubic> tail;
+};
+
+InkFitter::InkFitter(const InkFitOptions& options) : state_(std::make_unique<State>(options)) {
+  begin();
+}
+InkFitter::~InkFitter() = default;
+InkFitter::InkFitter(InkFitter&&) noexcept = default;
+InkFitter& InkFitter::operator=(InkFitter&&) noexcept = default;
+
+void InkFitter::begin() {
+  State& s = *state_;
+  s.filter.begin();
+  s.online.begin();
+  s.paper.begin();
+  s.samples.clear();
+  s.ignored = 0;
+  s.ended = false;
+  s.has_curve = false;
+}
+
+void InkFitter::push(const InkSample& sample) {
+  State& s = *state_;
+  if (!is_ink(sample)) {
+    ++s.ignored;
+    return;
+  }
+  if (!s.options.filter_artefacts) {
+    s.take(sample);
+    return;
+  }
+  for (const InkSample& ink : s.filter.push(sample)) s.take(ink);
+}
+
+void InkFitter::end() {
+  State& s = *state_;
+  if (s.options.filter_artefacts) {
+    for (const InkSample& ink : s.filter.end()) s.take(ink);
+  }
+  s.ended = true;
+  if (s.options.scheme == FitScheme::kPaper2002) {
+    s.paper.end();
+  } else {
+    s.online.end();
+  }
+}
+
+void InkFitter::refine() {
+  State& s = *state_;
+  if (!s.ended || s.options.scheme == FitScheme::kPaper2002 || segment_count() < 2) return;
+  s.refiner.begin();
+  for (const InkSample& sample : s.samples) s.refiner.push(sample.position);
+  s.refiner.follow(curve());
+  FittedCurve refined = s.refiner.end();
+  const int count = refined.segment_count();
+  if (count == 0 || count >= segment_count()) return;
+  s.curve = std::move(refined);
+  s.has_curve = true;
+}
+
+int InkFitter::segment_count() const {
+  const State& s = *state_;
+  if (s.has_curve) return s.curve.segment_count();
+  return s.options.scheme == FitScheme::kPaper2002 ? s.paper.curve().segment_count()
+                                                   : s.online.segment_count();
+}
+
+Cubic InkFitter::segment(int i) const {
+  const State& s = *state_;
+  if (s.has_curve) return s.curve.segment(i);
+  return s.options.scheme == FitScheme::kPaper2002 ? s.paper.curve().segment(i)
+                                                   : s.online.segment(i);
+}
+
+JointKind InkFitter::joint(int i) const {
+  const State& s = *state_;
+  const auto k = static_cast<std::size_t>(i - 1);
+  if (s.has_curve) return s.curve.joints[k];
+  return s.options.scheme == FitScheme::kPaper2002 ? s.paper.curve().joints[k] : s.online.joint(i);
+}
+
+const ChunkedVector<SamplePlace>& InkFitter::places() const {
+  return state_->online.places();
+}
+
+std::span<const Cubic> InkFitter::live_tail() {
+  State& s = *state_;
+  s.tail.clear();
+  if (s.ended) return s.tail;
+  if (s.options.scheme == FitScheme::kFeltline) {
+    s.online.append_live_tail(s.tail);
+  } else if (!s.paper.curve().points.empty() && !s.samples.empty()) {
+    s.tail.push_back(straight(s.paper.curve().points.back(), s.samples.back().position));
+  }
+  if (s.options.filter_artefacts) {
+    const auto held = s.filter.held();
+    if (held.empty()) return s.tail;
+    // Before the first sample is ink it is there already: a pen that touches must leave a mark.
+    Point at = s.samples.empty() ? held.front().position : s.samples.back().position;
+    for (const InkSample& sample : held) {
+      s.tail.push_back(straight(at, sample.position));
+      at = sample.position;
+    }
+  }
+  return s.tail;
+}
+
+const ChunkedVector<InkSample>& InkFitter::samples() const {
+  return state_->samples;
+}
+
+std::size_t InkFitter::ignored_count() const {
+  return state_->ignored;
+}
+
+const FittedCurve& InkFitter::curve() const {
+  State& s = *state_;
+  if (!s.has_curve) {
+    if (s.options.scheme == FitScheme::kPaper2002) {
+      s.curve = s.paper.curve();
+    } else {
+      s.online.copy_to(s.curve);
+    }
+    s.has_curve = s.ended;
+  }
+  return s.curve;
+}
+
+StrokeData InkFitter::State::stroke_data() const {
+  WidthMap map(options.width_map);
+  WidthFitter width(options.width);
+  map.begin();
+  width.begin();
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    const InkWidth ink = map.push(samples[i]);
+    if (options.width_map.tone) {
+      width.push(curve.sample_u[i], ink.width_mm, ink.tone);
+    } else {
+      width.push(curve.sample_u[i], ink.width_mm);
+    }
+  }
+  width.finish(curve.segment_count());
+  StrokeData data;
+  data.points = curve.points;
+  data.joints = curve.joints;
+  data.widths.assign(width.knots().begin(), width.knots().end());
+  data.material = options.material;
+  return data;
+}
+
+Result<Stroke> InkFitter::stroke() const {
+  const State& s = *state_;
+  if (curve().points.empty()) {
+    return fail(ErrorCode::kInvalidData, s.ignored > 0
+                                             ? "none of the samples has usable coordinates"
+                                             : "the stroke has no samples");
+  }
+  return Stroke::create(s.stroke_data());
+}
+
+}  // namespace felt

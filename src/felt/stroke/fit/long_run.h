@@ -1,0 +1,107 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <span>
+
+#include "felt/stroke/fit/kept_samples.h"
+#include "felt/stroke/fit/run_search.h"
+#include "felt/stroke/fit/sample_window.h"
+
+namespace felt {
+
+/// Finds how far one cubic can go over the kept samples of a stroke, however many they are: whoever
+/// draws slowly makes more samples, but the curve is the same.
+///
+/// RunSearch looks at a window of at most SegmentFit::kMaxRun samples. When the run fills it,
+/// samples are left out of the window (RunSearch::thin) and the search goes on with those that
+/// follow. What is found is then accepted for the samples of the window only; RunPlacer proves it
+/// for all. If it does not hold, search_again() with the samples that were missed held in the
+/// window; in the end begin() with Detail::kEverySample: such a run ends where the window does, and
+/// needs no proof.
+///
+/// Work of one step() is bounded by kMaxRun additions and one step of RunSearch. No allocation.
+class LongRun {
+ public:
+  enum class Detail {
+    kThinned,      ///< of any length
+    kEverySample,  ///< at most SegmentFit::kMaxRun samples, all of them looked at
+  };
+
+  /// Samples that search_again() can hold in the window.
+  static constexpr std::size_t kMaxHeld = 16;
+
+  LongRun() : window_(SegmentFit::kMaxRun) {}
+
+  /// Accepts only runs within the tolerance of `guide` (SegmentFit::set_guide).
+  void set_guide(const GuideCurve* guide) noexcept { search_.set_guide(guide); }
+  [[nodiscard]] bool is_close_to_guide() const noexcept { return search_.is_close_to_guide(); }
+
+  /// Starts a search at kept sample `first`, as RunSearch::begin() does.
+  void begin(const KeptSamples& kept, const RunStart& start, std::size_t first,
+             Detail detail = Detail::kThinned) noexcept;
+  /// Starts the same search again, with these two kept samples always in the window. False, and
+  /// nothing is done, after kMaxHeld of them.
+  bool search_again(const KeptSamples& kept, std::size_t a, std::size_t b) noexcept;
+  /// Does one step. Kept samples before `limit` may be used; `is_final` says that there will be no
+  /// more of them for this run. Requires limit > first().
+  RunSearch::Status step(const KeptSamples& kept, std::size_t limit, bool is_final) noexcept;
+  /// Ensures the least length of a segment, and pins the ends to their samples (RunSearch).
+  void ensure_length() noexcept { search_.ensure_length(window_); }
+  void pin(bool start, bool end) noexcept { search_.pin(window_, start, end); }
+
+  [[nodiscard]] const RunStart& start() const noexcept { return search_.start(); }
+  /// The first kept sample of the run, and one past the last. Equal before the first exact fit.
+  [[nodiscard]] std::size_t first() const noexcept { return first_; }
+  [[nodiscard]] std::size_t end() const noexcept {
+    return count() == 0 ? first_ : source(count() - 1) + 1;
+  }
+  /// Samples of the window in the run, their parameters, and which kept samples they are.
+  [[nodiscard]] std::size_t count() const noexcept { return search_.count(); }
+  [[nodiscard]] std::span<const double> parameters() const noexcept { return search_.parameters(); }
+  [[nodiscard]] std::size_t source(std::size_t i) const noexcept { return window_.source(i); }
+  [[nodiscard]] const Cubic& curve() const noexcept { return search_.curve(); }
+  /// Work since construction, in samples x rounds of exact fits.
+  [[nodiscard]] long work() const noexcept { return search_.work(); }
+
+ private:
+  void restart(const KeptSamples& kept) noexcept;
+  void add_next(const KeptSamples& kept) noexcept;
+
+  SampleWindow window_;
+  RunSearch search_;
+  RunStart start_;
+  std::array<std::size_t, kMaxHeld> held_{};
+  std::size_t held_count_ = 0;
+  Detail detail_ = Detail::kThinned;
+  std::size_t first_ = 0;
+  std::size_t next_ = 0;  // kept sample that the window gets next
+};
+
+/// Places the kept samples of a run on its curve one after the other, those that the window left
+/// out too, and thereby proves that each is within its limit, in order.
+class RunPlacer {
+ public:
+  /// Starts at the first sample of `run`. `curve` is the run's curve up to parameter `end`.
+  void begin(const LongRun& run, const Cubic& curve, double end) noexcept;
+  /// The kept sample that comes next.
+  [[nodiscard]] std::size_t next() const noexcept { return next_; }
+  /// The parameter of that sample on the curve, not less than that of the one before; nullopt if
+  /// the curve does not meet it. Requires next() < run.end().
+  std::optional<double> place(const LongRun& run, const KeptSamples& kept) noexcept;
+  /// The sample that is furthest along the curve so far: what comes later may not lie before it.
+  [[nodiscard]] std::size_t furthest() const noexcept { return furthest_sample_; }
+
+ private:
+  [[nodiscard]] double foot_between(const LongRun& run, Point p) const noexcept;
+
+  Cubic curve_{};
+  double scale_ = 1.0;
+  std::size_t next_ = 0;
+  std::size_t in_window_ = 0;  // first sample of the window that is not before it
+  double furthest_ = 0.0;
+  std::size_t furthest_sample_ = 0;
+};
+
+}  // namespace felt

@@ -1,0 +1,96 @@
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "felt/stroke/fit/curve_fitter.h"
+#include "felt/stroke/fit/guide_curve.h"
+#include "felt/stroke/fit/kept_samples.h"
+#include "felt/stroke/fit/long_run.h"
+
+namespace felt {
+
+/// Fits a whole stroke again at pen-up, with fewer segments within the same tolerance.
+///
+/// While drawing, CurveFitter must put each joint before it knows what comes. With the stroke at
+/// hand, a beam search tries several: from each of the kBeam best partial curves with m segments
+/// the longest run is found and cut at each of kReaches, which makes the candidates with m + 1
+/// segments; kept are those that cover most ink. The first to cover all of it has the fewest
+/// segments that were found. Same cubic fits, corners and guarantees as CurveFitter.
+///
+/// Time is linear in the samples, about kBeam times that of the online fit. Runs on any thread,
+/// one Refiner per thread; buffers are kept between strokes.
+class Refiner {
+ public:
+  static constexpr std::size_t kBeam = 8;
+  static constexpr double kReaches[] = {0.88, 0.8, 0.7};
+  /// Of the candidates that cover the same samples, at most this many are kept.
+  static constexpr std::size_t kPerJoint = 2;
+
+  explicit Refiner(const CurveFitOptions& options);
+
+  /// Forgets the last stroke and starts one.
+  void begin();
+  /// Takes the next sample. Requires finite coordinates of at most 1e9 mm.
+  void push(Point p);
+  /// Asks for a curve that stays within the tolerance of `online`, the curve that CurveFitter made
+  /// of the same samples, so that nothing jumps by more when it takes its place. After the last
+  /// push().
+  void follow(const FittedCurve& online);
+  /// The curve with the fewest segments found, or an empty one where there is nothing to improve
+  /// (a dot, no sample) or no way to stay close to the curve that is followed.
+  FittedCurve end();
+
+ private:
+  /// One segment of a partial curve; `parent` is the segment before it.
+  struct Node {
+    std::size_t parent = 0;
+    Cubic segment{};
+    JointKind joint = JointKind::kCorner;  // at its start
+    std::size_t first = 0, count = 0;      // samples that it covers
+    std::size_t places = 0;                // their parameters, in places_
+  };
+  /// A partial curve: its last segment, and how the next one starts.
+  struct Partial {
+    std::size_t node = 0;
+    RunStart start;
+    std::size_t first = 0;
+  };
+  /// The longest run from a partial curve.
+  struct Run {
+    Partial from;
+    Cubic curve{};
+    std::vector<double> t;
+    bool ends_at_corner = false;
+    bool is_last = false;
+  };
+  /// A place to cut a run.
+  struct Cut {
+    std::size_t run = 0;
+    std::size_t joint = 0;  // index in the run
+  };
+
+  void find_next_corners();
+  void find_run(const Partial& from, Run& run);
+  void find_longest(const Partial& from, Run& run);
+  bool place_samples(RunPlacer& placer, Run& run) const;
+  void add_cuts(std::size_t run_index);
+  void keep_best_cuts();
+  [[nodiscard]] std::size_t next_first(const Cut& cut) const noexcept;
+  Partial extend(const Cut& cut);
+  [[nodiscard]] FittedCurve assemble(std::size_t node) const;
+
+  KeptSamples kept_;
+  GuideCurve guide_;
+  LongRun search_;
+  std::vector<std::size_t> run_limits_;  // for each sample: one past the next corner, or the end
+  std::vector<Node> nodes_;
+  std::vector<double> places_;
+  std::vector<Partial> beam_;
+  std::vector<Run> runs_;
+  std::size_t run_count_ = 0;
+  std::vector<Cut> cuts_;
+};
+
+}  // namespace felt

@@ -1,0 +1,293 @@
+#include "felt/stroke/outline/side_stretch.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "felt/stroke/outline/edge_fit.h"
+
+namespace felt {
+namespace {
+
+/// Halvings of a piece on which the edge is smooth in parts only.
+constexpr int kMaxHalvings = 6;
+/// Places at which an edge is looked at, ends included.
+constexpr std::size_t kSamples = 9;
+/// Cosine of the largest angle between neighbouring samples: a wider one may hide a cusp.
+constexpr double kSlowTurn = 0.5;
+/// Cosine of the largest kink of the edge that a curve may run over, and how far the edge may be
+/// apart there, in tolerances.
+constexpr double kSmallKink = 0.97, kSmallGap = 2.0;
+/// Share of the tolerance within which lines inside of tight bends follow the centres of the bend.
+constexpr double kInsideShare = 0.4;
+
+/// A place on the left edge, and on the centre line.
+struct EdgePoint {
+  Dab dab;
+  EnvelopeFrame frame;
+  Point place;  ///< `share` of the radius away from the centre line
+  /// 1 on the edge. Less where the bend is tighter than the radius, so that the edge would run
+  /// backwards: the place is then the centre of the bend.
+  double share = 1.0;
+  /// Whether there is an edge at all: a stroke that stands still, or grows faster than it moves on,
+  /// has none.
+  bool is_regular = false;
+};
+
+EdgePoint edge_at(const InkPiece& piece, double t) noexcept {
+  const Vec v = derivative(piece.center, t), a = second_derivative(piece.center, t);
+  const double v2 = norm_squared(v), ds = std::sqrt(v2);
+  const double dr = piece.radius1_mm - piece.radius0_mm, r = piece.radius(t);
+  EdgePoint e;
+  e.dab = {evaluate(piece.center, t), r};
+  e.frame = EnvelopeFrame::of(tangent(piece.center, t), dr, ds);
+  // The normal lies at the angle acos(-slope) from the tangent and turns with both. A place on it
+  // moves on by `onward` less its share of `backward`.
+  e.is_regular = e.frame.height > 0.0 && ds > 0.0;
+  if (e.is_regular) {
+    const double turning = cross(v, a) / v2;
+    const double leaning = -dr * dot(v, a) / (v2 * ds) / e.frame.height;
+    const double onward = ds * e.frame.height, backward = r * (turning + leaning);
+    if (backward >= onward) e.share = onward / backward;
+  }
+  e.place = e.dab.center + (e.share * r) * e.frame.normal();
+  return e;
+}
+
+using Samples = std::array<EdgePoint, kSamples>;
+
+bool turns_slowly(const EdgePoint& a, const EdgePoint& b) noexcept {
+  return dot(a.frame.tangent, b.frame.tangent) >= kSlowTurn &&
+         dot(a.frame.normal(), b.frame.normal()) >= kSlowTurn;
+}
+
+/// Whether the strip between two places is a simple quadrilateral. Where their normals cross, the
+/// bend is tightest in between, and the strip would be wound the wrong way beyond that.
+bool is_simple(const EdgePoint& a, const EdgePoint& b) noexcept {
+  const Vec between = b.dab.center - a.dab.center;
+  const Vec p = a.place - a.dab.center, q = b.place - b.dab.center;
+  const double turn = cross(p, q);
+  if (turn == 0.0) return true;
+  // a.center + s p = b.center + t q.
+  const double s = cross(between, q) / turn, t = cross(between, p) / turn;
+  return s <= 0.0 || s >= 1.0 || t <= 0.0 || t >= 1.0;
+}
+
+class LeftEdge {
+ public:
+  LeftEdge(double tolerance_mm, std::vector<SideStretch>& out)
+      : tolerance_mm_(tolerance_mm), out_(out) {}
+
+  void append(const InkPiece& piece) { append(piece, 0.0, 1.0, kMaxHalvings); }
+
+  /// Call at the end.
+  void finish() {
+    flush_curves();
+    flush_inside();
+  }
+
+ private:
+  /// Curve k runs along samples [8 k, 8 k + 8] of `curve_samples_`, which share no sample.
+  struct Curve {
+    Cubic cubic;
+  };
+
+  void append(const InkPiece& piece, double t0, double t1, int halvings) {
+    Samples samples;
+    std::size_t regular = 0, on_edge = 0;
+    bool slow = true, lines = true;
+    for (std::size_t i = 0; i < kSamples; ++i) {
+      EdgePoint& e = samples[i];
+      e = edge_at(piece, t0 + (t1 - t0) * static_cast<double>(i) / (kSamples - 1));
+      regular += e.is_regular ? 1 : 0;
+      on_edge += e.is_regular && e.share == 1.0 ? 1 : 0;
+      slow = slow && (i == 0 || turns_slowly(samples[i - 1], e));
+      lines = lines && (i == 0 || lines_will_do(samples[i - 1], e));
+    }
+    Cubic c;
+    if (on_edge == kSamples && slow && fit(samples, c)) return add_curve(samples, c);
+    const bool last = halvings == 0 || flatten_steps(piece.center, t1 - t0, tolerance_mm_) == 1;
+    const bool is_inside = on_edge == 0 || last;
+    if (regular == kSamples && slow && lines && is_inside) return add_inside(samples);
+    if (regular == 0 || last) return append_lines(piece, t0, t1);
+    const double middle = 0.5 * (t0 + t1);
+    append(piece, t0, middle, halvings - 1);
+    append(piece, middle, t1, halvings - 1);
+  }
+
+  /// Fits one cubic to the samples of one or more neighbours: to all of one, to the more important
+  /// ones of many, each of which is smooth.
+  bool fit(std::span<const EdgePoint> samples, Cubic& c) {
+    const std::size_t count = samples.size() / kSamples;
+    if (count > 1 && dot(samples.front().frame.normal(), samples.back().frame.normal()) < 0.0) {
+      return false;
+    }
+    const std::size_t step = count == 1 ? 1 : count < 4 ? 2 : 4;
+    fit_.clear();
+    for (std::size_t i = 0; i < samples.size(); ++i) {
+      if (i % kSamples % step == 0) fit_.add(samples[i].place);
+    }
+    // The edge runs at a right angle to its normal.
+    return fit_.fit(-perp(samples.front().frame.normal()), -perp(samples.back().frame.normal()),
+                    tolerance_mm_, c);
+  }
+
+  // --- Curves
+
+  /// Whether a line from sample `a` to the next one `b` may stand for the edge. Where one of them
+  /// is on it, the edge may bulge between them, by r (1 - cos(turn / 2)).
+  [[nodiscard]] bool lines_will_do(const EdgePoint& a, const EdgePoint& b) const noexcept {
+    if (!is_simple(a, b)) return false;
+    if (a.share < 1.0 && b.share < 1.0) return true;
+    return a.dab.radius_mm * norm_squared(b.frame.normal() - a.frame.normal()) <=
+           4.0 * tolerance_mm_;
+  }
+
+  /// Whether one curve may run on from `a` to `b`, the end and the start of neighbours.
+  [[nodiscard]] bool runs_on(const EdgePoint& a, const EdgePoint& b) const noexcept {
+    return distance(a.place, b.place) <= kSmallGap * tolerance_mm_ &&
+           dot(a.frame.normal(), b.frame.normal()) > kSmallKink;
+  }
+
+  void add_curve(const Samples& samples, const Cubic& c) {
+    flush_inside();
+    if (!curves_.empty() && !runs_on(curve_samples_.back(), samples.front())) flush_curves();
+    curves_.push_back({c});
+    curve_samples_.insert(curve_samples_.end(), samples.begin(), samples.end());
+  }
+
+  [[nodiscard]] std::span<const EdgePoint> samples_of(std::size_t first, std::size_t last) const {
+    return std::span(curve_samples_).subspan(first * kSamples, (last - first) * kSamples);
+  }
+
+  /// Replaces neighbours by one curve as long as that stays within the tolerance.
+  void flush_curves() {
+    for (std::size_t first = 0; first < curves_.size();) {
+      Cubic best = curves_[first].cubic, longer;
+      std::size_t good = first + 1, bad = curves_.size() + 1;
+      for (std::size_t step = 1; good < curves_.size() && bad > good + 1;) {
+        const std::size_t next =
+            bad <= curves_.size() ? good + (bad - good) / 2 : std::min(good + step, curves_.size());
+        if (fit(samples_of(first, next), longer)) {
+          best = longer;
+          good = next;
+          step *= 2;
+        } else {
+          bad = next;
+        }
+      }
+      emit_curve(samples_of(first, good), best);
+      first = good;
+    }
+    curves_.clear();
+    curve_samples_.clear();
+  }
+
+  void emit_curve(std::span<const EdgePoint> s, const Cubic& c) {
+    const EdgePoint& a = s.front();
+    const EdgePoint& b = s.back();
+    out_.push_back({.from = a.dab,
+                    .to = b.dab,
+                    .begin = a.frame,
+                    .end = b.frame,
+                    .begin_length_mm = distance(a.dab.center, s[kSamples - 1].dab.center),
+                    .end_length_mm = distance(s[s.size() - kSamples].dab.center, b.dab.center),
+                    .start = a.place,
+                    .finish = b.place,
+                    .curved = true,
+                    .handle0 = c.p[1],
+                    .handle1 = c.p[2]});
+  }
+
+  // --- Inside of tight bends
+
+  void add_inside(const Samples& samples) {
+    flush_curves();
+    if (!inside_.empty() && !(inside_.back().dab == samples.front().dab &&
+                              inside_.back().frame.normal() == samples.front().frame.normal())) {
+      flush_inside();
+    }
+    inside_.insert(inside_.end(), samples.begin() + (inside_.empty() ? 0 : 1), samples.end());
+  }
+
+  /// Whether a line from sample `a` to sample `b` may stand for all between them.
+  [[nodiscard]] bool may_skip(std::size_t a, std::size_t b) const noexcept {
+    const Point p = inside_[a].place, q = inside_[b].place;
+    if (dot(inside_[a].frame.normal(), inside_[b].frame.normal()) < 0.0) return false;
+    if (!is_simple(inside_[a], inside_[b])) return false;
+    const Vec way = q - p;
+    const double length = norm(way), near = kInsideShare * tolerance_mm_;
+    for (std::size_t k = a + 1; k < b; ++k) {
+      const Vec to = inside_[k].place - p;
+      if (length <= near ? norm(to) > near : std::fabs(cross(way, to)) > near * length)
+        return false;
+      if (length > near && (dot(way, to) < 0.0 || dot(way, to) > length * length)) return false;
+    }
+    return true;
+  }
+
+  void flush_inside() {
+    for (std::size_t a = 0; a + 1 < inside_.size();) {
+      std::size_t b = a + 1;
+      while (b + 1 < inside_.size() && may_skip(a, b + 1)) ++b;
+      emit_line(inside_[a], inside_[b]);
+      a = b;
+    }
+    inside_.clear();
+  }
+
+  void emit_line(const EdgePoint& a, const EdgePoint& b) {
+    const double length = distance(a.dab.center, b.dab.center);
+    out_.push_back({.from = a.dab,
+                    .to = b.dab,
+                    .begin = a.frame,
+                    .end = b.frame,
+                    .begin_length_mm = length,
+                    .end_length_mm = length,
+                    .start = a.place,
+                    .finish = b.place,
+                    .starts_inside = a.share < 1.0,
+                    .finishes_inside = b.share < 1.0});
+  }
+
+  // --- Strips along the flattened centre line, where there is no edge to speak of
+
+  void append_lines(const InkPiece& piece, double t0, double t1) {
+    finish();
+    const auto dab = [&](double t) { return Dab{evaluate(piece.center, t), piece.radius(t)}; };
+    const int steps = flatten_steps(piece.center, t1 - t0, 0.5 * tolerance_mm_);
+    EdgePoint from, to;
+    from.dab = dab(t0);
+    for (int i = 1; i <= steps; ++i) {
+      to.dab = dab(t0 + (t1 - t0) * i / steps);
+      const Vec way = to.dab.center - from.dab.center;
+      const double length = norm(way), dr = to.dab.radius_mm - from.dab.radius_mm;
+      if (length > 0.0 || dr != 0.0) {
+        from.frame = to.frame =
+            EnvelopeFrame::of(length > 0.0 ? normalized(way) : piece.heading, dr, length);
+        for (EdgePoint* e : {&from, &to}) {
+          e->place = e->dab.center + e->dab.radius_mm * e->frame.normal();
+        }
+        emit_line(from, to);
+      }
+      from.dab = to.dab;
+    }
+  }
+
+  double tolerance_mm_;
+  std::vector<SideStretch>& out_;
+  EdgeFit fit_;
+  std::vector<Curve> curves_;
+  std::vector<EdgePoint> curve_samples_, inside_;
+};
+
+}  // namespace
+
+void append_left_edge(std::span<const InkPiece> pieces, double tolerance_mm,
+                      std::vector<SideStretch>& out) {
+  LeftEdge edge(tolerance_mm, out);
+  for (const InkPiece& piece : pieces) edge.append(piece);
+  edge.finish();
+}
+
+}  // namespace felt

@@ -1,0 +1,149 @@
+#!/usr/bin/env bash
+# check_layers.sh [ROOT]: do the sources keep to the layers of rules.txt?
+#
+# Says each broken rule as FILE:LINE: reason, and fails when there is one. Checked:
+#   - a layer includes only what its line allows; rooms (folders in a layer) never include rooms;
+#   - foreign libraries stay in their folders;
+#   - project headers are included by their full name ("felt/...");
+#   - no header includes itself over others;
+#   - folders of the desktop program include only what their line allows;
+#   - every layer and room has a README.md, and every public header a comment.
+set -euo pipefail
+here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
+cd "${1:-.}"
+
+mapfile -t files < <(find src apps bench tests -type f \( -name '*.h' -o -name '*.cc' \
+  -o -name '*.cpp' \) 2>/dev/null | LC_ALL=C sort)
+[ ${#files[@]} -gt 0 ] || { echo "check_layers.sh: no sources in $PWD" >&2; exit 2; }
+
+LC_ALL=C awk '
+  function complain(text) { print FILENAME ":" FNR ": " text; broken = 1 }
+
+  # The layer and the room of a path below src/felt; rooms are folders inside a layer. Of the
+  # desktop program every folder is a layer.
+  function split_place(path,    part, n) {
+    layer_of = room_of = ""
+    n = split(path, part, "/")
+    if (part[1] == "felt" && n > 2) {
+      layer_of = part[2]
+      if (n > 3 && part[3] != "testing") room_of = part[2] "/" part[3]
+    } else if (part[1] == "desktop" && n > 2 && part[2] != "testing") {
+      layer_of = "desktop/" part[2]
+    }
+  }
+
+  function enter_file() {
+    place = FILENAME
+    in_source = sub(/^src\//, "", place)
+    in_desktop = sub(/^apps\/desktop\//, "desktop/", place)
+    split_place(in_source || in_desktop ? place : "")
+    layer = layer_of; room = room_of
+    is_test = FILENAME ~ /^(tests|bench)\/|\/testing\// || FILENAME ~ /_(test|bench)\.cc$/
+    is_header = FILENAME ~ /\.h$/
+    if (layer != "" && !(layer in known) && !(layer in reported)) {
+      complain("layer " layer " is not in rules.txt"); reported[layer] = 1
+    }
+    if (in_source && layer != "") seen["src/felt/" (room == "" || room in open ? layer : room)] = 1
+    if (in_source && is_header) headers[++header_count] = FILENAME
+  }
+
+  function check_project_include(name) {
+    if (in_desktop && name ~ /^desktop\//) {
+      split_place(name)
+      if (layer != "" && layer_of != "" && layer_of != layer && !((layer, layer_of) in allowed))
+        complain(layer " must not include " layer_of " (" name ")")
+    }
+    if (!in_source) return
+    if (name !~ /^felt\//) {
+      if (!(is_test && name ~ /^tests\//))
+        complain("\"" name "\": write project includes from src/ (\"felt/...\")")
+      return
+    }
+    included[FILENAME] = included[FILENAME] " src/" name
+    split_place(name)
+    if (layer == "" || layer_of == "") return
+    if (layer_of != layer && !((layer, layer_of) in allowed))
+      complain(layer " must not include " layer_of " (" name ")")
+    else if (room_of == "" || room_of == room || (is_test && room_of in open)) return
+    else if (room_of in open) {
+      if (layer_of == layer && !((room, room_of) in allowed))
+        complain((room == "" ? layer : room) " must not include " room_of " (" name ")")
+    }
+    # The one file that lists the rooms of a layer may see them.
+    else if (FILENAME !~ /\/rooms(_test)?\.cc$/)
+      complain((room == "" ? layer : room) " must not include the room " room_of " (" name ")")
+  }
+
+  function check_foreign_include(name,    i, j, n, folder, ok, names) {
+    if (is_test) return
+    for (i = 1; i <= only_count; ++i) {
+      if (name !~ only_pattern[i]) continue
+      n = split(only_folders[i], folder, " "); ok = 0
+      for (j = 1; j <= n; ++j) if (index(FILENAME, folder[j] "/") == 1) ok = 1
+      if (!ok) complain("<" name "> belongs in " only_folders[i] " only")
+    }
+  }
+
+  FNR == NR {  # rules.txt
+    if ($1 == "layer") {
+      name = $2; sub(/:$/, "", name); known[name] = 1
+      for (i = 3; i <= NF; ++i) {
+        if (!($i in known)) { complain($i " stands above " name "; list layers bottom up") }
+        allowed[name, $i] = 1
+      }
+    } else if ($1 == "folder") {
+      name = $2; sub(/:$/, "", name); open[name] = 1; split(name, part, "/")
+      for (i = 3; i <= NF; ++i) {
+        if (!((part[1] "/" $i) in open)) complain($i " stands above " name "; list folders bottom up")
+        allowed[name, part[1] "/" $i] = 1
+      }
+    } else if ($1 == "desktop") {
+      name = "desktop/" $2; sub(/:$/, "", name); known[name] = 1
+      for (i = 3; i <= NF; ++i) {
+        if (!(("desktop/" $i) in known)) complain($i " stands above " name "; list folders bottom up")
+        allowed[name, "desktop/" $i] = 1
+      }
+    } else if ($1 == "only") {
+      line = $0; sub(/^only +/, "", line); at = index(line, ": ")
+      only_pattern[++only_count] = substr(line, 1, at - 1)
+      rest = substr(line, at + 1); gsub(/^ +| +$/, "", rest); only_folders[only_count] = rest
+    }
+    next
+  }
+  FNR == 1 { enter_file() }
+
+  is_header && /\/\/\// { commented[FILENAME] = 1 }
+  /^[ \t]*#[ \t]*include[ \t]*"/ { split($0, quoted, "\""); line_of[FILENAME, "src/" quoted[2]] = FNR
+    check_project_include(quoted[2]); check_foreign_include(quoted[2]) }
+  /^[ \t]*#[ \t]*include[ \t]*</ { name = $0; sub(/^[^<]*</, "", name); sub(/>.*/, "", name)
+    if (name ~ /^felt\//) check_project_include(name)
+    check_foreign_include(name) }
+
+  # Depth first over the includes; a header that is met while it is still open closes a ring.
+  function walk(file,    n, next_file, i) {
+    state[file] = 1
+    n = split(included[file], next_file, " ")
+    for (i = 1; i <= n; ++i) {
+      if (!(next_file[i] in state)) walk(next_file[i])
+      else if (state[next_file[i]] == 1) {
+        print file ":" line_of[file, next_file[i]] ": " next_file[i] " includes this file in turn"
+        broken = 1
+      }
+    }
+    state[file] = 2
+  }
+  END {
+    for (i = 1; i <= header_count; ++i) {
+      if (!(headers[i] in state)) walk(headers[i])
+      if (!(headers[i] in commented)) {
+        print headers[i] ":1: no /// comment says what this header is for"; broken = 1
+      }
+    }
+    for (folder in seen) {
+      readme = folder "/README.md"; text = ""
+      while ((getline line < readme) > 0) text = text line
+      if (length(text) < 40) { print readme ":1: say here what the layer is for"; broken = 1 }
+      close(readme)
+    }
+    exit broken
+  }' "$here/rules.txt" "${files[@]}"

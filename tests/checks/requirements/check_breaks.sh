@@ -1,0 +1,88 @@
+#!/usr/bin/env bash
+# check_breaks.sh [BUILD_DIR]: can the breaks of this folder still be planted? Each patch applies to
+# the tree, and its target and test exist. Builds nothing; plant_breaks.sh plants them.
+# check_breaks.sh --missing: has each requirement a break, or a reason in README.md?
+set -euo pipefail
+
+here=$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")
+source=$(readlink -f "$here/../../..")
+readonly here source
+# shellcheck source=breaks.sh
+. "$here/breaks.sh"
+errors=0
+
+complain() {
+  echo "$*"
+  errors=$((errors + 1))
+}
+
+find_missing() {
+  local n
+  for ((n = 1; n <= requirements; n++)); do
+    compgen -G "$here/R${n}_*.patch" >/dev/null && continue
+    grep -qE "^\| R$n \|" "$here/README.md" ||
+      complain "R$n: no break is planted, and README.md gives no reason"
+  done
+}
+
+if [[ ${1:-} == --missing ]]; then
+  find_missing
+  exit $((errors > 0))
+fi
+build=${1:-}
+
+# All tests of the sources, Suite.Name a line.
+list_tests() {
+  find "$source/src" "$source/apps" "$source/tests" -name '*.cc' -exec cat {} + | tr '\n' ' ' |
+    grep -oE '\b(TEST|TEST_F|TEST_P|TYPED_TEST|RC_GTEST_PROP|RC_GTEST_FIXTURE_PROP)\( *[A-Za-z0-9_]+, *[A-Za-z0-9_]+' |
+    sed -E 's/^[A-Z_]+\( *//; s/, */./'
+}
+tests=$(list_tests)
+
+# has_test PATTERN: one pattern of a gtest filter; instances (A/Suite.Name/3) count as their test.
+has_test() {
+  local pattern=$1
+  pattern=${pattern#\*/}
+  [[ $pattern == [A-Z]*/*.* ]] && pattern=${pattern#*/}
+  pattern=${pattern%/*}
+  grep -qE "^${pattern//\*/.*}\$" <<<"${tests//./.}"
+}
+
+check_test() { # FILE TEST
+  local file=$1 test=$2 one
+  if [[ $test == ctest:* ]]; then
+    test=${test#ctest:}
+    test=${test# }
+    [[ -z $build ]] || grep -rqF --include=CTestTestfile.cmake "$test" "$build" ||
+      complain "$file: there is no ctest \"$test\""
+    return
+  fi
+  local -a patterns
+  IFS=: read -ra patterns <<<"${test%%-*}"
+  for one in "${patterns[@]}"; do
+    has_test "$one" || complain "$file: no test is called \"$one\""
+  done
+}
+
+for path in "$here"/R*.patch; do
+  file=$(basename "$path")
+  [[ -f $path ]] || continue
+  [[ $file =~ ^R([0-9]+)_[A-Za-z0-9_]+\.patch$ ]] || complain "$file: not named Rn_what_breaks.patch"
+  [[ -n $(header Breaks "$path") ]] || complain "$file: no \"Breaks:\" in its header"
+  target=$(header Target "$path")
+  [[ -n $target ]] || complain "$file: no \"Target:\" in its header"
+  if [[ -n $target && $target != all && -f $build/build.ninja ]]; then
+    grep -qE "^build (bin/)?$target:|^build .*LINKER__${target}_" "$build/build.ninja" ||
+      complain "$file: there is no target \"$target\""
+  fi
+  test=$(header Test "$path")
+  if [[ -n $test ]]; then
+    check_test "$file" "$test"
+  else
+    complain "$file: no \"Test:\" in its header"
+  fi
+  apply_break "$source" "$path" --dry-run >/dev/null 2>&1 ||
+    complain "$file: does not apply to the tree; make it again"
+done
+
+((errors == 0))

@@ -1,0 +1,134 @@
+#pragma once
+
+#include <array>
+#include <atomic>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <thread>
+#include <utility>
+#include <vector>
+
+#include "felt/devices/openhaptics/hd_abi.h"
+#include "tests/devices/drivers/openhaptics/fake_libhd.h"
+#include "tests/devices/drivers/openhaptics/standalone_world.h"
+
+/// What stands behind the fake's functions: the device that is plugged in, the program that uses
+/// it, the scheduler and its ticks, the motors.
+namespace felt::fake_libhd {
+
+namespace error = hd::error;
+namespace parameter = hd::parameter;
+namespace capability = hd::capability;
+namespace calibration = hd::calibration;
+
+inline constexpr hd::Handle kHandle = 7;
+inline constexpr std::size_t kMostErrors = 256;
+inline constexpr std::size_t kMostCallbacks = 64;
+
+struct Scheduled {
+  hd::CallbackHandle handle;
+  hd::Callback call;
+  void* data;
+  unsigned short priority;
+};
+
+struct Frame {
+  FakeHdPen pen{};
+  bool safety_switch = true;
+  bool inkwell = false;
+};
+
+struct Fake {
+  // Plugged in.
+  std::optional<FakeHdModel> model;
+  FakeHdWorld world{};
+  std::unique_ptr<StandaloneWorld> own_world;
+  bool is_occupied = false;
+  bool safety_switch = true, inkwell = false, at_rest = false, is_home = true;
+  bool calibration_lost = false;  // said by the world
+  double temperature = 0.0;
+  bool is_warm = false;
+  unsigned refusal = 0;
+  bool calls_while_stopping = false;
+
+  // The program's.
+  int open = 0;
+  bool is_running = false;
+  std::array<hd::ErrorInfo, kMostErrors> errors{};
+  std::size_t error_count = 0;
+  std::vector<Scheduled> callbacks;
+  hd::CallbackHandle next_callback = 1;
+  std::vector<std::pair<hd::Enum, bool>> capabilities;
+
+  // The tick.
+  std::int64_t now_ns = 0, last_ns = 0;
+  bool tick_is_open = false, frame_is_open = false, frame_was = false;
+  int read_result = 0;
+  FakeHdPen read_pen{};
+  Frame frame;  // of the last begin
+  std::array<double, 3> asked{};
+  double held_n = 0.0;
+  std::thread::id servo;
+
+  // Seen.
+  double largest_n = 0.0;
+  const char* rule = "";
+  std::uint64_t frames = 0;
+
+  // The scheduler's thread.
+  bool uses_thread = true;  // until a test says otherwise
+  std::thread thread;
+  std::atomic<bool> stop_thread{false};
+  std::recursive_mutex mutex;
+};
+
+Fake& fake();
+
+/// Only with a thread there are two of them; in virtual time a tick must not even lock.
+class Guard {
+ public:
+  Guard() : locks_(fake().uses_thread) {
+    if (locks_) fake().mutex.lock();
+  }
+  ~Guard() {
+    if (locks_) fake().mutex.unlock();
+  }
+  Guard(const Guard&) = delete;
+  Guard& operator=(const Guard&) = delete;
+
+ private:
+  bool locks_;
+};
+
+/// The vendor's error for what the world said of the device (`read_result`).
+hd::Enum error_of(int result);
+/// Onto the vendor's stack of errors.
+void push(hd::Enum code, int internal = 0);
+/// A rule of the vendor was broken: the first one is remembered. With the error that it gives.
+void broken(const char* rule, hd::Enum code = 0);
+/// Is this capability on?
+bool has(hd::Enum what);
+/// As after a device was opened.
+void start_capabilities();
+/// Is this a call from within the servo loop?
+bool is_in_tick();
+/// No force at the motors.
+void let_go();
+/// What leaves for the motors at the end of a frame.
+void send();
+/// Without a test that plugs something in: a Touch of its own, so that people can look.
+void plug_in_own();
+/// As just loaded, on a virtual clock.
+void reset();
+
+// The scheduler.
+void open_tick(std::int64_t now_ns);
+void close_tick();
+void step(std::int64_t now_ns);  ///< a whole tick: all callbacks
+void run_thread();
+void stop_running();
+
+}  // namespace felt::fake_libhd

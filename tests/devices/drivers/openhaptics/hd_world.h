@@ -1,0 +1,61 @@
+#pragma once
+
+#include <cmath>
+
+#include "felt/driver/plane_calibration.h"
+#include "felt/rt/device.h"
+#include "tests/devices/drivers/openhaptics/fake_libhd.h"
+
+namespace felt {
+
+/// A simulated device as the fake library's world: turned from the sheet's frame into the maker's
+/// axes (x right, y up, z to the person), forces turned back.
+class HdWorld {
+ public:
+  /// `device` must outlive this.
+  HdWorld(Device& device, const PlaneCalibration& plane) : device_(device), plane_(plane) {}
+
+  [[nodiscard]] FakeHdWorld world() noexcept { return {this, read, write, stop}; }
+  [[nodiscard]] const PlaneCalibration& plane() const noexcept { return plane_; }
+
+ private:
+  static constexpr std::int64_t kSilenceNs = 20'000'000;
+  static constexpr double kDegPerRad = 57.295779513082320877;
+
+  static int code(DeviceFault fault) noexcept { return 1 + static_cast<int>(fault); }
+
+  static int read(void* self, std::int64_t now_ns, FakeHdPen* pen) {
+    HdWorld& world = *static_cast<HdWorld*>(self);
+    const auto sample = world.device_.read(now_ns);
+    if (!sample) return code(sample.error());
+    // The device says nothing new: the library calls that an error of communication.
+    if (now_ns - sample->time_ns > kSilenceNs) return code(DeviceFault::kDisconnected);
+    const Vec3 p = world.plane_.to_device(sample->position);
+    const Vec3 v = world.plane_.turn_to_device(sample->velocity);
+    // A hand that says nothing of it holds the pen upright over its sheet.
+    const double lean_rad = sample->lean_deg.value_or(0.0) / kDegPerRad;
+    const Vec3 axis =
+        world.plane_.turn_to_device(Vec3{std::sin(lean_rad), 0.0, std::cos(lean_rad)});
+    *pen = {{p.x, p.y, p.z}, {v.x, v.y, v.z}, sample->buttons, {axis.x, axis.y, axis.z}};
+    return 0;
+  }
+  static int write(void* self, const double* f) {
+    HdWorld& world = *static_cast<HdWorld*>(self);
+    const Vec3 force = world.plane_.turn_to_sheet(Vec3{f[0], f[1], f[2]});
+    const auto done = world.device_.write({force.x, force.y, force.z});
+    return done ? 0 : code(done.error());
+  }
+  static void stop(void* self) { static_cast<HdWorld*>(self)->device_.stop(); }
+
+  Device& device_;
+  PlaneCalibration plane_;
+};
+
+/// The maker's axes above a desk, for a sheet whose device reaches `workspace` there: the place
+/// that the device calls its origin lies 60 mm above the desk's middle.
+PlaneCalibration hd_plane(const Capabilities& in_the_sheet);
+/// What a device with these figures says of itself, in the maker's units and axes.
+FakeHdModel hd_model(const Capabilities& in_the_sheet, const PlaneCalibration& plane,
+                     const char* type);
+
+}  // namespace felt

@@ -1,0 +1,13 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "tests/devices/drivers/driver_bench.h"
+
+namespace felt {
+
+/// The OpenHaptics driver before a fake libHD of our own, whose scheduler is before_tick().
+std::unique_ptr<DriverBench> make_openhaptics_bench(std::vector<FaultWindow> faults);
+
+}  // namespace felt

@@ -1,0 +1,75 @@
+#pragma once
+
+#include <cstdint>
+
+#include "felt/devices/simulated/random.h"
+#include "tests/devices/safety/tick_record.h"
+
+namespace felt::safety {
+
+/// A random device, hand, edit side and force model, meant badly: one seed, one episode. It sees
+/// what the chain sends and says, so that it can lie in wait: calm until forces are engaged.
+class FuzzWorld {
+ public:
+  explicit FuzzWorld(std::uint64_t seed);
+
+  [[nodiscard]] const SafetyLimits& limits() const { return limits_; }
+  /// Ticks in this episode.
+  [[nodiscard]] int ticks() const { return ticks_; }
+  /// True when time passes evenly.
+  [[nodiscard]] bool is_regular() const { return mood_ == Mood::kClean; }
+
+  /// What happens at the next tick.
+  TickInput next(const SafetyReport& report, const Force& sent);
+  /// What the model asks for. Often too much.
+  Force asked(const PenSample& sample, const StiffnessScale& scale);
+
+ private:
+  enum class Mood : std::uint8_t { kClean, kRough, kWild };
+  enum class Hand : std::uint8_t { kStill, kPress, kWalk, kSweep, kFree, kNoise, kCount };
+  enum class Model : std::uint8_t {
+    kNone,
+    kConstant,
+    kPlane,
+    kStiff,
+    kActiveDamper,
+    kRandom,
+    kFlip,
+    kHuge,
+    kCount
+  };
+
+  bool chance(double p) { return random_.between(0.0, 1.0) < p; }
+  std::uint64_t below(std::uint64_t n) { return random_.bits() % n; }
+  Vec3 any_way(double length);
+  void choose_limits();
+  std::int64_t next_time();
+  void orders(const SafetyReport& report, TickInput& in);
+  void move_hand(const Force& sent, double dt_s);
+  PenSample sense(double dt_s);
+  void spoil(PenSample& sample);
+
+  Random random_;
+  SafetyLimits limits_;
+  Mood mood_ = Mood::kClean;
+  Hand hand_ = Hand::kStill;
+  Model model_ = Model::kNone;
+  int ticks_ = 0;
+  int tick_ = 0;
+  std::int64_t now_ns_ = 0;
+  double time_s_ = 0.0;
+  double next_beat_s_ = 0.0;
+  double silent_until_s_ = -1.0;
+  bool reports_velocity_ = true;
+  Vec3 position_, velocity_, aim_, last_position_;
+  double amplitude_mm_ = 10.0;
+  double rate_hz_ = 2.0;
+  int frozen_ticks_ = 0;
+  int jumped_ticks_ = 0;
+  Vec3 jump_;
+  int calm_until_ = 12;
+  Force constant_;
+  double stiffness_ = 500.0;
+};
+
+}  // namespace felt::safety

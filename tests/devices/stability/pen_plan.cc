@@ -1,0 +1,114 @@
+#include "tests/devices/stability/pen_plan.h"
+
+#include <algorithm>
+
+#include "felt/haptics/bricks/spring.h"
+#include "felt/haptics/bricks/well.h"
+
+namespace felt {
+namespace {
+
+constexpr double kHoverMm = 3.0;
+constexpr double kArmedS = 0.8;  // the safety chain has engaged by then
+constexpr double kLandedS = 1.2;
+constexpr double kMoveS = 1.6;  // whatever moves begins here
+constexpr double kSlowMmPerS = 20.0;
+constexpr double kTapS = 0.333;
+constexpr double kTapHeightMm = 2.0;
+
+// Minimum jerk from 0 to 1.
+double smooth(double from_s, double until_s, double t_s) noexcept {
+  const double t = std::clamp((t_s - from_s) / (until_s - from_s), 0.0, 1.0);
+  return t * t * t * (10.0 + t * (6.0 * t - 15.0));
+}
+
+double height_mm(Trial trial, double depth_mm, double t_s) noexcept {
+  if (trial != Trial::kTap)
+    return kHoverMm - (kHoverMm + depth_mm) * smooth(kArmedS, kLandedS, t_s);
+  const double down = smooth(kArmedS - kTapS, kArmedS, t_s);
+  const double phase = t_s > kArmedS ? (t_s - kArmedS) / kTapS : 0.0;
+  const double part = phase - static_cast<double>(static_cast<int>(phase));
+  const double press = smooth(0.0, 0.5, part) - smooth(0.5, 1.0, part);
+  const double top = kHoverMm + (kTapHeightMm - kHoverMm) * down;
+  return top - (top + depth_mm) * press;
+}
+
+// Distance from the trial's place along x, mm, and what pulls back there, N.
+struct Side {
+  double way_mm = 0.0;
+  double pull_n = 0.0;
+  double slides = 0.0;  // -1..1: friction that the movement meets
+};
+
+Side side_of(Trial trial, double t_s) noexcept {
+  Side side;
+  switch (trial) {
+    case Trial::kRest:
+    case Trial::kTap:
+      break;
+    case Trial::kSlow:
+      side.way_mm = kSlowMmPerS * std::max(0.0, t_s - kMoveS);
+      side.slides = smooth(kMoveS, kMoveS + 0.4, t_s);
+      break;
+    case Trial::kWell:
+      side.way_mm = 10.0 - 9.0 * smooth(kArmedS, kMoveS, t_s) +
+                    4.0 * (smooth(2.9, 3.5, t_s) - smooth(3.6, 4.2, t_s));
+      side.pull_n = WellShape{}.force_at_n(side.way_mm);
+      side.slides =
+          2.0 * (smooth(2.9, 3.1, t_s) - smooth(3.6, 3.8, t_s)) - smooth(kLandedS, kMoveS, t_s);
+      break;
+    case Trial::kEdit:
+      side.way_mm = 20.0 * (smooth(kMoveS, 2.2, t_s) - smooth(2.7, 3.3, t_s));
+      side.pull_n = kEditLaw.force_n(side.way_mm);
+      side.slides = smooth(kMoveS, kMoveS + 0.2, t_s) - 2.0 * smooth(2.7, 2.9, t_s);
+      break;
+  }
+  return side;
+}
+
+}  // namespace
+
+TrialTimes times_of(Trial trial, bool lets_go) noexcept {
+  if (lets_go) {
+    const double let_go_s = trial == Trial::kTap ? 0.9 : 2.0;
+    return {.measure_from_s = 3.5,
+            .measure_until_s = 4.5,
+            .energy_from_s = trial == Trial::kWell ? kMoveS : 0.0,
+            .let_go_s = let_go_s,
+            .end_s = 4.5};
+  }
+  TrialTimes times;
+  switch (trial) {
+    case Trial::kRest:
+      times = {.measure_from_s = 1.8, .measure_until_s = 2.8};
+      break;
+    case Trial::kSlow:
+      times = {.measure_from_s = 2.2, .measure_until_s = 3.4};
+      break;
+    case Trial::kTap:
+      times = {.measure_from_s = 3.5, .measure_until_s = 3.5};
+      break;
+    case Trial::kWell:
+      times = {
+          .measure_from_s = 1.9, .measure_until_s = 2.9, .energy_from_s = kMoveS, .end_s = 4.6};
+      break;
+    case Trial::kEdit:
+      times = {.measure_from_s = 1.4, .measure_until_s = 3.6};
+      break;
+  }
+  times.end_s = std::max(times.end_s, times.measure_until_s);
+  return times;
+}
+
+PlannedPen planned_pen(Trial trial, const PlanGround& ground, double t_s) noexcept {
+  const double depth_mm = 1e3 * ground.press_n / ground.plane_n_per_m;
+  const double z = height_mm(trial, depth_mm, t_s);
+  const double push_n = 1e-3 * ground.plane_n_per_m * std::max(0.0, -z);
+  const Side side = side_of(trial, t_s);
+  PlannedPen planned;
+  planned.pen = {kTrialPlace.x + side.way_mm, kTrialPlace.y, z};
+  planned.load = {-side.pull_n - side.slides * ground.friction * push_n, 0.0, push_n};
+  return planned;
+}
+
+}  // namespace felt

@@ -1,0 +1,215 @@
+#include "tests/devices/stability/stability_cell.h"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+#include "felt/devices/simulated/high_pass.h"
+#include "felt/devices/simulated/simulated_stylus.h"
+#include "felt/haptics/bricks/drawing_feel.h"
+#include "felt/haptics/bricks/spring.h"
+#include "felt/haptics/bricks/well.h"
+#include "felt/rt/servo.h"
+#include "felt/rt/virtual_clock.h"
+#include "tests/devices/stability/pen_plan.h"
+
+namespace felt {
+namespace {
+
+constexpr double kHighFromHz = 30.0;
+// Pressing, N: what the chain lets a Touch do for as long as a trial takes, other forces included.
+constexpr double kPressN = 0.8;
+constexpr double kPressBesidesN = 0.4;
+constexpr double kPressBeforeLettingGoN = 0.15;
+
+double press_of(const StabilityCell& cell) {
+  if (cell.hand == nullptr) return kPressBeforeLettingGoN;
+  const bool other_forces = cell.trial == Trial::kWell || cell.trial == Trial::kEdit;
+  return other_forces ? kPressBesidesN : kPressN;
+}
+
+StylusPreset device_of(const StabilityCell& cell) {
+  StylusPreset device = *cell.device;
+  device.capabilities.delay_ticks = cell.delay_ticks;
+  device.capabilities.period_ns = cell.period_ns;
+  center_workspace(device.capabilities, kTrialPlace + Vec{12.0, 0.0});
+  return device;
+}
+
+ForceModel model_of(const StabilityCell& cell, const Capabilities& device) {
+  // Grain is meant to be felt in motion; at rest it must be silent.
+  const HeightField* grain = cell.trial == Trial::kRest ? surface_grain(*cell.surface) : nullptr;
+  const SheetForce sheet = make_sheet_force(*cell.surface, *cell.tool, device, grain);
+  switch (cell.trial) {
+    case Trial::kWell:
+      return ForceModel(Compose(sheet, Wells(kTrialPlace)));
+    case Trial::kEdit:
+      return ForceModel(Compose(sheet, EditSpring(kTrialPlace)));
+    case Trial::kRest:
+    case Trial::kSlow:
+    case Trial::kTap:
+      break;
+  }
+  return ForceModel(sheet);
+}
+
+// Adds up what a trial shows.
+class Meter {
+ public:
+  Meter(const TrialTimes& times, bool per_contact, double period_s)
+      : times_(times),
+        per_contact_(per_contact),
+        x_(kHighFromHz, period_s),
+        y_(kHighFromHz, period_s),
+        z_(kHighFromHz, period_s) {}
+
+  // `acted` is the force while the pen went from its last place to this one.
+  void add(double t_s, const Vec3& pen, const Force& acted) {
+    const Force high{x_(acted.x), y_(acted.y), z_(acted.z)};
+    if (t_s > times_.measure_from_s && t_s <= times_.measure_until_s) {
+      sum_squares_ += dot(high, high);
+      sum_press_n_ += acted.z;
+      ++count_;
+    }
+    if (has_last_ && t_s > times_.energy_from_s) work_mj_ += work_mj(acted, pen - last_);
+    last_ = pen;
+    has_last_ = true;
+    if (per_contact_ && pen.z > 0.0 && norm(acted) == 0.0) end_contact();
+    result.finite = result.finite && is_finite(pen) && is_finite(acted);
+  }
+  StabilityResult finish() {
+    end_contact();
+    if (count_ > 0) {
+      result.high_frequency_n = std::sqrt(sum_squares_ / static_cast<double>(count_));
+      result.mean_press_n = sum_press_n_ / static_cast<double>(count_);
+    }
+    return result;
+  }
+
+  StabilityResult result;
+
+ private:
+  void end_contact() {
+    result.energy_mj = std::max(result.energy_mj, work_mj_);
+    work_mj_ = 0.0;
+  }
+
+  TrialTimes times_;
+  bool per_contact_;
+  HighPass x_, y_, z_;
+  double sum_squares_ = 0.0, sum_press_n_ = 0.0, work_mj_ = 0.0;
+  int count_ = 0;
+  Vec3 last_;
+  bool has_last_ = false;
+};
+
+// A hand that knows what it moves: it aims ahead of the planned pen by what load, mass and friction
+// take of its spring, b e' + k e = m x'' - load  (as hand_script.h).
+class KnowingHand {
+ public:
+  KnowingHand(const StabilityCell& cell, const SimulatedHand& hand, const PlanGround& ground)
+      : trial_(cell.trial),
+        hand_(hand),
+        ground_(ground),
+        mass_kg_(cell.device->mechanics.mass_kg + hand.mass_kg),
+        device_friction_n_(cell.device->mechanics.friction_n),
+        period_s_(1e-9 * static_cast<double>(cell.period_ns)) {}
+
+  Vec3 aim_at(double t_s) noexcept {
+    const PlannedPen planned = planned_pen(trial_, ground_, t_s);
+    const Vec3 before = planned_pen(trial_, ground_, t_s - kLookS).pen;
+    const Vec3 after = planned_pen(trial_, ground_, t_s + kLookS).pen;
+    const Vec3 acceleration = (1.0 / (kLookS * kLookS)) * (before + after - 2.0 * planned.pen);
+    Vec3 push = 1e-3 * mass_kg_ * acceleration;
+    push -= {planned.load.x, planned.load.y, planned.load.z};
+    if (planned.load.z > 0.0) push.z -= device_friction_n_;
+    if (planned.load.x != 0.0) push.x += std::copysign(device_friction_n_, -planned.load.x);
+    const double delay_s = hand_.damping_n_s_per_m / hand_.stiffness_n_per_m;
+    ahead_ +=
+        (period_s_ / (delay_s + period_s_)) * ((1e3 / hand_.stiffness_n_per_m) * push - ahead_);
+    return planned.pen + ahead_;
+  }
+
+ private:
+  static constexpr double kLookS = 0.005;
+
+  Trial trial_;
+  SimulatedHand hand_;
+  PlanGround ground_;
+  double mass_kg_, device_friction_n_, period_s_;
+  Vec3 ahead_;
+};
+
+}  // namespace
+
+std::string_view name_of(Trial trial) noexcept {
+  switch (trial) {
+    case Trial::kRest:
+      return "rest";
+    case Trial::kSlow:
+      return "slow";
+    case Trial::kTap:
+      return "tap";
+    case Trial::kWell:
+      return "well";
+    case Trial::kEdit:
+      return "edit";
+  }
+  return "";
+}
+
+std::string name_of(const StabilityCell& cell) {
+  std::string name(name_of(cell.trial));
+  name += ' ';
+  name += cell.device->name;
+  name += '/';
+  name += cell.hand != nullptr ? cell.hand->name : "let go";
+  name += ' ';
+  name += std::to_string(1'000'000 / cell.period_ns) + " kHz delay ";
+  name += std::to_string(cell.delay_ticks) + ' ';
+  name += cell.surface->id;
+  name += ' ';
+  name += cell.tool->id;
+  return name;
+}
+
+bool passes(const StabilityResult& result) noexcept {
+  return result.finite && result.fault == SafetyFault::kNone &&
+         result.high_frequency_n < kCleanForceN && result.energy_mj <= kPassiveEnergyMj;
+}
+
+StabilityResult run_trial(const StabilityCell& cell) {
+  const StylusPreset device = device_of(cell);
+  const bool lets_go = cell.hand == nullptr;
+  const SimulatedHand hand = lets_go ? typical_hand() : *cell.hand;
+  SimulatedStylus stylus(device, hand);
+  stylus.place(planned_pen(cell.trial, {}, 0.0).pen);
+  ServoOptions options{.period_ns = cell.period_ns, .limits = limits_for(device.capabilities)};
+  const auto servo = std::make_unique<Servo>(stylus, options);
+  servo->publish(model_of(cell, device.capabilities));
+  servo->arm();
+
+  const PlanGround ground{
+      .plane_n_per_m = plane_for(*cell.surface, device.capabilities).stiffness_n_per_m,
+      .friction = friction_of(*cell.tool, *cell.surface),
+      .press_n = press_of(cell)};
+  const TrialTimes times = times_of(cell.trial, lets_go);
+  Meter meter(times, cell.trial == Trial::kTap, 1e-9 * static_cast<double>(cell.period_ns));
+  KnowingHand knowing(cell, hand, ground);
+  VirtualClock clock(*servo);
+  bool holds = true;
+  while (1e-9 * static_cast<double>(clock.next_ns()) < times.end_s) {
+    const double t_s = 1e-9 * static_cast<double>(clock.next_ns());
+    stylus.aim(knowing.aim_at(t_s), {}, 0);
+    if (lets_go && holds && t_s >= times.let_go_s) {
+      stylus.hold(std::nullopt);
+      holds = false;
+    }
+    const TickReport& tick = clock.tick();
+    meter.add(t_s, stylus.body().position(), stylus.acting_force());
+    if (tick.safety.fault != SafetyFault::kNone) meter.result.fault = tick.safety.fault;
+  }
+  return meter.finish();
+}
+
+}  // namespace felt

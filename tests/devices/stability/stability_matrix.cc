@@ -1,0 +1,103 @@
+#include "tests/devices/stability/stability_matrix.h"
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <thread>
+
+#include "felt/haptics/bricks/drawing_feel.h"
+
+namespace felt {
+namespace {
+
+constexpr std::array kDevices{"worst",   "touch", "premium", "falcon",
+                              "touch-x", "omega", "inverse3"};
+constexpr std::array<std::int64_t, 3> kPeriodsNs{1'000'000, 250'000, 200'000};
+
+// The pencil, and the strongest friction; all other media are softer or drag less.
+bool is_extreme(const Medium& tool) {
+  return tool.id == "pencil" || tool.id == "eraser";
+}
+
+bool is_usual_loop(const StabilityCell& c) {
+  return c.period_ns == 1'000'000 && c.delay_ticks == 1;
+}
+
+// All loops, surfaces and tools of one trial, hand and device.
+void add_loops(StabilityCell cell, std::vector<StabilityCell>& cells) {
+  for (const std::int64_t period_ns : kPeriodsNs) {
+    for (const int delay : {0, 1, 2}) {
+      for (const SurfaceMaterial& surface : surface_materials()) {
+        for (const Medium& tool : media()) {
+          cell.period_ns = period_ns;
+          cell.delay_ticks = delay;
+          cell.surface = &surface;
+          cell.tool = &tool;
+          if (is_extreme(tool) || is_usual_loop(cell)) cells.push_back(cell);
+        }
+      }
+    }
+  }
+}
+
+template <class Values>
+bool has(const Values& values, std::string_view value) {
+  return std::find(values.begin(), values.end(), value) != values.end();
+}
+
+}  // namespace
+
+std::vector<StabilityCell> all_cells() {
+  std::vector<const SimulatedHand*> hands;
+  for (const SimulatedHand& hand : simulated_hands()) hands.push_back(&hand);
+  hands.push_back(nullptr);
+  std::vector<StabilityCell> cells;
+  for (const Trial trial : kTrials) {
+    for (const char* device : kDevices) {
+      for (const SimulatedHand* hand : hands) {
+        StabilityCell cell;
+        cell.trial = trial;
+        cell.device = find_stylus_preset(device);
+        cell.hand = hand;
+        add_loops(cell, cells);
+      }
+    }
+  }
+  return cells;
+}
+
+std::vector<StabilityCell> representative_cells(const std::vector<StabilityCell>& cells) {
+  constexpr std::array<std::string_view, 5> kOf{"worst", "touch", "premium", "falcon", "omega"};
+  std::vector<StabilityCell> some;
+  std::copy_if(cells.begin(), cells.end(), std::back_inserter(some), [&](const StabilityCell& c) {
+    const bool hand = c.hand == nullptr || c.hand->name == "light" || c.hand->name == "typical";
+    const bool loop =
+        c.period_ns == 1'000'000 ? c.delay_ticks > 0 : c.period_ns == 200'000 && c.delay_ticks == 1;
+    // As most people will feel them, and in the hand and device that damp the least.
+    const bool as_usual = c.device->name == "touch" && c.hand != nullptr &&
+                          c.hand->name == "typical" && is_usual_loop(c);
+    const bool at_worst = c.device->name == "worst" && c.hand != nullptr &&
+                          c.hand->name == "light" && is_usual_loop(c);
+    // The one with the finest friction and one of the hardest with the strongest.
+    const bool ends = c.surface->id == "paper" || c.surface->id == "blackboard";
+    const bool surface = as_usual || (ends && (is_extreme(*c.tool) || at_worst));
+    return has(kOf, c.device->name) && hand && loop && surface;
+  });
+  return some;
+}
+
+std::vector<StabilityResult> run_cells(const std::vector<StabilityCell>& cells, unsigned threads) {
+  for (const SurfaceMaterial& surface : surface_materials()) surface_grain(surface);  // once
+  std::vector<StabilityResult> results(cells.size());
+  std::atomic<std::size_t> next{0};
+  const auto work = [&] {
+    for (std::size_t i = next++; i < cells.size(); i = next++) results[i] = run_trial(cells[i]);
+  };
+  std::vector<std::jthread> workers;
+  for (unsigned i = 1; i < threads; ++i) workers.emplace_back(work);
+  work();
+  workers.clear();
+  return results;
+}
+
+}  // namespace felt

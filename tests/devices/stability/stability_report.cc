@@ -1,0 +1,172 @@
+#include <algorithm>
+#include <cstdio>
+#include <map>
+
+#include "tests/devices/stability/stability_matrix.h"
+
+namespace felt {
+namespace {
+
+constexpr std::string_view kListBegin = "```failing\n";
+constexpr std::string_view kListEnd = "```\n";
+
+std::string fixed(double value, int digits) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.*f", digits, value);
+  return text;
+}
+
+// What a block of cells shows.
+struct Summary {
+  int cells = 0;
+  int failing = 0;
+  double high_frequency_n = 0.0;
+  double energy_mj = 0.0;
+
+  void add(const StabilityResult& r) {
+    ++cells;
+    failing += passes(r) ? 0 : 1;
+    high_frequency_n = std::max(high_frequency_n, r.high_frequency_n);
+    energy_mj = std::max(energy_mj, r.energy_mj);
+  }
+};
+
+// Summaries by two names; rows and columns in the order of their first cell.
+class Table {
+ public:
+  void add(std::string_view row, std::string_view column, const StabilityResult& result) {
+    const auto place = [](std::vector<std::string>& names, std::string_view name) {
+      const auto at = std::find(names.begin(), names.end(), name);
+      const auto index = static_cast<std::size_t>(at - names.begin());
+      if (at == names.end()) names.emplace_back(name);
+      return index;
+    };
+    const std::size_t r = place(rows_, row);
+    summaries_[{r, place(columns_, column)}].add(result);
+  }
+  [[nodiscard]] std::string text(const std::string& corner) const {
+    std::string out = "| " + corner;
+    for (const std::string& column : columns_) out += " | " + column;
+    out += " |\n|---";
+    for (std::size_t i = 0; i < columns_.size(); ++i) out += "|---";
+    out += "|\n";
+    for (std::size_t r = 0; r < rows_.size(); ++r) {
+      out += "| " + rows_[r];
+      for (std::size_t c = 0; c < columns_.size(); ++c) out += " | " + entry(summaries_.at({r, c}));
+      out += " |\n";
+    }
+    return out + "\n";
+  }
+
+ private:
+  static std::string entry(const Summary& s) {
+    std::string text = fixed(s.high_frequency_n, 3) + " N, " + fixed(s.energy_mj, 2) + " mJ";
+    if (s.failing > 0) {
+      text += ", **" + std::to_string(s.failing) + " of " + std::to_string(s.cells) + "**";
+    }
+    return text;
+  }
+
+  std::vector<std::string> rows_, columns_;
+  std::map<std::pair<std::size_t, std::size_t>, Summary> summaries_;
+};
+
+std::string loop_of(const StabilityCell& cell) {
+  return std::to_string(1'000'000 / cell.period_ns) + " kHz, delay " +
+         std::to_string(cell.delay_ticks);
+}
+
+constexpr const char* kIntroduction = R"(# Stability
+What hands feel where nothing should be felt. Written by `./dev bench stability`; a test runs a part
+of it and wants the same cells to fail as are listed here.
+
+Every cell is a trial: the simulated stylus in a simulated hand, the loop with its safety chain and
+the tools' force bricks, in virtual time. *rest*: land, press 0.8 N, hold still. *slow*: press and
+move at 20 mm/s (smooth surface: grain is meant to be felt). *tap*: eight taps. *well*: rest 1 mm
+beside a snap target, then out to its plateau and back. *edit*: an edit spring, 20 mm out and back.
+*let go*: a typical hand lands lightly and lets go; measured where the pen has come to rest, tapping
+where it has fallen and bounced.
+
+Pencil and eraser in every loop; all other media at 1 kHz with a delay of one tick.
+
+Two figures. **HF**: rms of the device's force above 30 Hz over all axes, clean below 0.03 N (the
+least that is perceived is 0.04 N). **Energy**: what the device's force did for the hand, net, over
+a contact or a closed movement; at most 1 mJ. A trial also fails when the safety chain finds a
+fault.
+
+Entries below: the worst HF and the worst energy of all cells of that kind, and how many fail.
+
+)";
+
+constexpr const char* kWhatFails = R"(
+Why, by kind:
+
+* **worst, well or edit, 1 kHz: 0.03 to 0.07 N.** A pen without any friction of its own between two
+  springs in the sheet, the friction's bristle and the target or the edit, that together use the whole
+  budget of specification 5d (900 N/m, or 600 N/m with 2 ticks of delay). Dampers in the sheet leave
+  speeds below 6 mm/s alone, since one step of this sensor looks like 12 mm/s; so a swing of about 0.1
+  mm at about 25 Hz is not damped, and with a light hand or none nothing else damps it. It does not
+  grow. The real device with the least friction (premium, 0.04 N) is clean. Media with a softer
+  bristle (soft pencil, charcoal, crayon, eraser) fail less; under a hard tip we keep the crisp one.
+* **worst and inverse3, light hand, well, media that hardly rub (mu 0.05 to 0.07: hard pencil, ink pen
+  and brush pen on glass, brush pen on wood): 1.1 to 2.0 mJ.** Nothing hums; but what a target gives
+  to a pen that swings in it on its way back is more than so little friction and so light a hand take
+  within the trial.
+* **falcon, slow, eraser on rough paper, watercolour, canvas and blackboard.** Friction is 0.7 to 1.1
+  times the push here, so what one step of the coarsest sensor of all does to the push shows in the
+  sheet as well: 0.030 to 0.033 N. In each axis alone it is below the bound.
+* **touch, edit, blackboard, eraser.** 0.030 N: the same, just above the bound of 0.03 N and below what
+  is perceived.
+
+What had failed and does not any more: planes and bristles on coarse sensors (touch, falcon) hummed
+at 0.03 to 0.06 N between two steps; there both have become softer (`drawing_feel.h`).
+
+)";
+
+}  // namespace
+
+std::string stability_report(const std::vector<StabilityCell>& cells,
+                             const std::vector<StabilityResult>& results) {
+  Table by_device, by_hand, by_loop, by_sheet;
+  std::string failing;
+  int count = 0;
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    const StabilityCell& c = cells[i];
+    const std::string_view trial = name_of(c.trial);
+    by_device.add(c.device->name, trial, results[i]);
+    by_hand.add(c.hand != nullptr ? c.hand->name : "let go", trial, results[i]);
+    by_loop.add(loop_of(c), trial, results[i]);
+    by_sheet.add(std::string(c.surface->id) + ", " + std::string(c.tool->id), trial, results[i]);
+    if (passes(results[i])) continue;
+    ++count;
+    failing += name_of(c) + ": " + fixed(results[i].high_frequency_n, 3) + " N, " +
+               fixed(results[i].energy_mj, 2) + " mJ";
+    if (results[i].fault != SafetyFault::kNone) failing += ", fault";
+    failing += '\n';
+  }
+  std::string out = kIntroduction;
+  out += by_device.text("device") + by_hand.text("hand") + by_loop.text("loop") +
+         by_sheet.text("surface, tool");
+  out += "## What fails: " + std::to_string(count) + " of " + std::to_string(cells.size()) + "\n";
+  out += kWhatFails;
+  out += kListBegin;
+  out += failing;
+  out += kListEnd;
+  return out;
+}
+
+std::vector<std::string> failing_names(const std::string& report) {
+  std::vector<std::string> names;
+  const std::size_t begin = report.find(kListBegin);
+  if (begin == std::string::npos) return names;
+  std::size_t at = begin + kListBegin.size();
+  while (at < report.size() && report.compare(at, kListEnd.size(), kListEnd) != 0) {
+    const std::size_t end = report.find('\n', at);
+    if (end == std::string::npos) break;
+    names.push_back(report.substr(at, report.find(':', at) - at));
+    at = end + 1;
+  }
+  return names;
+}
+
+}  // namespace felt

@@ -1,0 +1,348 @@
+#include "tests/drawing/gestures/episode.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <utility>
+
+#include "felt/base/hash.h"
+#include "felt/devices/simulated/stylus_presets.h"
+#include "felt/io/ndjson/ndjson_writer.h"
+#include "tests/drawing/gestures/random_gesture.h"
+#include "tests/drawing/gestures/random_sketch.h"
+
+namespace felt::gestures {
+namespace {
+
+constexpr double kChecked = 0.12;  // of the samples
+
+const Capabilities& any_device(Dice& dice) {
+  static constexpr std::array<std::string_view, 5> kNames{"touch", "premium", "omega", "mouse",
+                                                          "tablet"};
+  return find_stylus_preset(dice.any(kNames))->capabilities;
+}
+
+/// Attraction and stabiliser of a pencil add up; everything else keeps to 1 N (R29, R35).
+double force_limit_n(std::string_view tool) {
+  return tool == "pencil" ? 2.0 : 1.0;
+}
+
+std::string text_of(const OptionValue& value) {
+  if (const double* number = std::get_if<double>(&value)) return std::to_string(*number);
+  if (const bool* on = std::get_if<bool>(&value)) return *on ? "true" : "false";
+  return std::get<std::string>(value);
+}
+
+OptionValue any_value(Dice& dice, const OptionSpec& spec) {
+  switch (spec.kind) {
+    case OptionKind::kSwitch:
+      return dice.chance(0.5);
+    case OptionKind::kChoice:
+      return std::string(dice.any(spec.choices));
+    case OptionKind::kNumber:
+      break;
+  }
+  const double k = dice.between(0.0, 1.0);
+  if (k < 0.2) return spec.min;
+  if (k < 0.4) return spec.max;
+  if (k < 0.6) return spec.fallback;
+  if (k < 0.8 && spec.min > 0.0 && spec.max > spec.min) {
+    return std::clamp(dice.over_decades(spec.min, spec.max), spec.min, spec.max);
+  }
+  return std::clamp(dice.between(spec.min, spec.max), spec.min, spec.max);
+}
+
+bool changes_something(const Edit& edit) {
+  return !edit.layers.empty() ||
+         std::any_of(edit.changes.begin(), edit.changes.end(), [](const StrokeChange& c) {
+           return !c.before || !c.after || !(*c.before == *c.after) ||
+                  !(c.before_place == c.after_place);
+         });
+}
+
+}  // namespace
+
+std::string bytes_of(const Document& document) {
+  std::string bytes;
+  for (const Layer& layer : document.layers()) {
+    bytes += layer.name + (layer.visible ? " visible" : "") + (layer.locked ? " locked\n" : "\n");
+    for (const StrokeId id : layer.strokes) {
+      append_sketch_line(bytes, std::to_string(id.value), document.find(id)->data());
+    }
+  }
+  return bytes;
+}
+
+Episode::Episode(const EpisodeOptions& options, const std::vector<Stroke>& real, Totals& totals)
+    : options_(options),
+      totals_(totals),
+      dice_(options.seed),
+      probe_(any_device(dice_)),
+      session_(make_tools(), session_options(real)) {}
+
+SessionOptions Episode::session_options(const std::vector<Stroke>& real) {
+  SessionOptions options;
+  Dice same(options_.seed);
+  options.device = any_device(same);
+  options.document = random_document(dice_, real);
+  last_ = start_ = options.document;
+  options.on_edit = [this](const Edit& edit) { see_edit(edit); };
+  return options;
+}
+
+ToolTotals& Episode::tool_totals() {
+  return totals_.tools[std::string(session_.tool().info().id)];
+}
+
+void Episode::break_rule(Broken broken) {
+  if (!broken_) broken_ = std::move(broken);
+}
+
+void Episode::see_edit(const Edit& edit) {
+  ++edits_;
+  if (!is_command_) {
+    ++commits_;
+    ++tool_totals().edits;
+    break_rule(check_edit(last_, edit));
+    if (edit.label.empty()) break_rule("an edit without a label");
+    if (!changes_something(edit)) break_rule("an edit that changes nothing");
+  }
+  break_rule(check_locality(last_, session_.document(), edit));
+  last_ = session_.document();
+}
+
+template <class What>
+void Episode::apply(const What& what) {
+  if (broken_) return;
+  // What might have been a bounce is a lift for whatever ends what the tool holds back.
+  if (pen_is_up_) contact_ = {};
+  Event event;
+  event.time_ns = now_ns_;
+  event.what.emplace<What>(what);
+  const Result<void> done = session_.apply(event);
+  if (!done) break_rule("an event is refused: " + done.error().message);
+  break_rule(check_selection(session_.document(), session_.selection()));
+}
+
+template <class What>
+void Episode::command(const What& what) {
+  is_command_ = true;
+  apply(what);
+  is_command_ = false;
+}
+
+void Episode::take(const PenSample& sample) {
+  if (broken_) return;
+  now_ns_ = sample.time_ns;
+  ++totals_.samples;
+  ++samples_in_gesture_;
+  const Vec3& at = sample.position;
+  const bool is_place = std::abs(at.x) <= 1e9 && std::abs(at.y) <= 1e9 && std::abs(at.z) <= 1e9;
+  pen_is_up_ = is_place ? !in_contact(sample) : pen_is_up_;
+  if (is_place && contact_.update(sample) == Contact::Change::kTouched) ++touches_;
+  const Result<void> done = session_.sample(sample);
+  if (!done) return break_rule("a sample is refused: " + done.error().message);
+  if (commits_ > touches_) return break_rule("a gesture is more than one step");
+  if (!is_place) return;
+  if (session_.preview()) ++tool_totals().previews;
+  if (!(session_.selection() == last_selection_)) {
+    last_selection_ = session_.selection();
+    ++tool_totals().selections;
+  }
+  if (dice_.chance(kChecked)) check_state(sample);
+}
+
+void Episode::check_state(const PenSample& told) {
+  if (session_.preview()) break_rule(check_edit(session_.document(), *session_.preview()));
+  break_rule(check_selection(session_.document(), session_.selection()));
+  PenSample sample = told;
+  if (sample.pressure && !(*sample.pressure >= 0.0)) sample.pressure.reset();
+  const double dt_s = 1e-9 * static_cast<double>(sample.time_ns - velocity_ns_);
+  sample.velocity = velocity_.update(sample.position, dt_s);
+  velocity_ns_ = sample.time_ns;
+  const std::string_view tool = session_.tool().info().id;
+  break_rule(probe_.check(session_.force(), sample, force_limit_n(tool), tool == "pencil"));
+  ToolTotals& totals = tool_totals();
+  totals.largest_n = std::max(totals.largest_n, probe_.take_largest_n());
+  session_.draw(overlay_);
+  break_rule(check_overlay(overlay_, session_.document(), samples_in_gesture_));
+}
+
+Broken Episode::run() {
+  for (int k = 0; k < options_.gestures && !broken_; ++k) one_gesture(k);
+  if (!broken_) back_and_forth();
+  return broken_;
+}
+
+void Episode::one_gesture(int number) {
+  where_ = "gesture " + std::to_string(number);
+  choose_tool();
+  where_ += ", " + std::string(session_.tool().info().id);
+  choose_options();
+  between_gestures();
+  const PenGesture gesture = random_gesture(dice_, session_.document(), now_ns_ + 1'000'000);
+  where_ += ", " + std::string(gesture.kind);
+  if (options_.trace) std::fprintf(stderr, "%s\n", where_.c_str());
+  ++tool_totals().gestures;
+  samples_in_gesture_ = 0;
+  std::optional<std::size_t> interference;
+  if (dice_.chance(0.2)) interference = dice_.pick(gesture.samples.size());
+  for (std::size_t i = 0; i < gesture.samples.size() && !broken_; ++i) {
+    if (interference == i) interfere();
+    take(gesture.samples[i]);
+  }
+}
+
+void Episode::choose_tool() {
+  if (!dice_.chance(0.7)) return;
+  const auto tools = session_.tools();
+  std::string id(dice_.any(tools)->info().id);
+  if (!options_.tool.empty() && dice_.chance(0.8)) id = options_.tool;
+  apply(SelectTool{id});
+}
+
+void Episode::choose_options() {
+  const ToolInfo& tool = session_.tool().info();
+  if (dice_.chance(0.5) && !tool.options.empty()) {
+    for (int k = dice_.pick(1, 4); k > 0; --k) choose_option(tool.id, dice_.any(tool.options));
+  }
+  if (dice_.chance(0.05)) choose_option("sheet", dice_.any(SheetOptions::table()));
+}
+
+void Episode::choose_option(std::string_view owner, const OptionSpec& spec) {
+  const OptionValue value = any_value(dice_, spec);
+  const std::string id = std::string(owner) + "." + std::string(spec.id);
+  where_ += ", " + id + " = " + text_of(value);
+  apply(SetOption{id, value});
+}
+
+void Episode::between_gestures() {
+  const double k = dice_.between(0.0, 1.0);
+  if (k < 0.15) return undo_and_redo();
+  if (k < 0.2) return cancel();
+  if (k < 0.23) return import();
+  if (k < 0.33) return select_or_delete();
+  if (k < 0.38) return change_layers();
+}
+
+/// Something happens in the middle of a gesture.
+void Episode::interfere() {
+  switch (dice_.pick(8)) {
+    case 0:
+      return undo_and_redo();
+    case 1:
+      where_ += ", a tool is chosen";
+      return choose_tool();
+    case 2:
+      return choose_options();
+    case 3:
+      return import();
+    case 4:
+      return select_or_delete();
+    case 5:
+      return change_layers();
+    case 6: {
+      where_ += ", it is finished";
+      const Result<void> done = session_.finish();
+      if (!done) break_rule("finish: " + done.error().message);
+      // The session forgets that the pen is down: what it does next is a gesture of its own.
+      contact_ = {};
+      return;
+    }
+    default:
+      return cancel();
+  }
+}
+
+void Episode::undo_and_redo() {
+  where_ += ", undo and redo";
+  for (int k = dice_.pick(1, 4); k > 0 && !broken_; --k) {
+    if (dice_.chance(0.6)) {
+      command(UndoEvent{});
+    } else {
+      command(RedoEvent{});
+    }
+    ++totals_.undone;
+  }
+  if (dice_.chance(0.3) && session_.history().can_undo() && !session_.gesture_in_work()) {
+    const Document before = session_.document();
+    command(UndoEvent{});
+    command(RedoEvent{});
+    if (!(session_.document() == before)) break_rule("undo and redo lead elsewhere");
+  }
+}
+
+void Episode::cancel() {
+  where_ += ", cancel";
+  const std::uint64_t edits = edits_;
+  const Document before = session_.document();
+  apply(CancelEvent{});
+  if (edits_ != edits || !(session_.document() == before)) break_rule("cancel changed something");
+  if (session_.preview()) break_rule("cancel left a preview");
+}
+
+void Episode::import() {
+  where_ += ", import";
+  Dice other(dice_.seed());
+  const Document document = random_document(other, {});
+  Sketch sketch;
+  for (const Layer& layer : document.layers()) {
+    for (const StrokeId id : layer.strokes) sketch.push_back({"x", *document.find(id)});
+  }
+  if (sketch.size() > 2) sketch.erase(sketch.begin() + 2, sketch.end());
+  ++touches_;  // a step of its own
+  const Result<void> done = session_.import(now_ns_, {"random"}, sketch);
+  if (!done) break_rule("import: " + done.error().message);
+  contact_ = {};
+}
+
+void Episode::select_or_delete() {
+  const double k = dice_.between(0.0, 1.0);
+  where_ += ", selects, deletes or duplicates";
+  if (k < 0.5) return apply(SelectStrokes{SelectStrokes::What::kAll});
+  if (k < 0.6) return apply(SelectStrokes{SelectStrokes::What::kInvert});
+  if (k < 0.7) return apply(SelectStrokes{SelectStrokes::What::kNone});
+  if (k < 0.85) return command(DeleteEvent{});
+  // Doubling without end would only cost time.
+  if (session_.document().stroke_count() < 60) command(DuplicateEvent{});
+}
+
+void Episode::change_layers() {
+  LayerEvent event;
+  event.what = static_cast<LayerEvent::Do>(dice_.pick(0, static_cast<int>(LayerEvent::Do::kMove)));
+  if (event.what != LayerEvent::Do::kAdd) event.layer = dice_.any(session_.document().layers()).id;
+  event.name = dice_.chance(0.5) ? "other" : "";
+  event.index = static_cast<std::size_t>(dice_.pick(0, 4));
+  where_ += ", layer " + std::to_string(static_cast<int>(event.what));
+  const std::uint64_t edits = edits_;
+  is_command_ = true;
+  // What cannot be, the last open layer hidden, is refused and changes nothing.
+  const Result<void> done = session_.apply({now_ns_, event});
+  is_command_ = false;
+  if (!done && edits_ != edits) break_rule("a layer event is refused and changes something");
+  break_rule(check_selection(session_.document(), session_.selection()));
+}
+
+void Episode::back_and_forth() {
+  where_ = "at the end";
+  const Result<void> done = session_.finish();
+  if (!done) return break_rule("finish: " + done.error().message);
+  const Document end = session_.document();
+  const std::string end_bytes = bytes_of(end);
+  std::size_t steps = 0;
+  for (; session_.history().can_undo() && !broken_; ++steps) command(UndoEvent{});
+  if (broken_) return;
+  if (!(session_.document() == start_) || bytes_of(session_.document()) != bytes_of(start_)) {
+    return break_rule("undo does not lead back to the start");
+  }
+  for (; steps > 0 && !broken_; --steps) command(RedoEvent{});
+  if (broken_) return;
+  if (!(session_.document() == end) || bytes_of(session_.document()) != end_bytes) {
+    return break_rule("redo does not lead to the end");
+  }
+  for (const char c : end_bytes) {
+    totals_.digest = (totals_.digest ^ static_cast<unsigned char>(c)) * 0x100000001b3ULL;
+  }
+}
+
+}  // namespace felt::gestures

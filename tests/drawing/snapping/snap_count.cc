@@ -1,0 +1,162 @@
+#include "tests/drawing/snapping/snap_count.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <limits>
+#include <sstream>
+#include <utility>
+
+#include "felt/devices/simulated/samples/sample_sets.h"
+#include "felt/geometry/nearest.h"
+#include "felt/io/ndjson/ndjson_lines.h"
+#include "felt/stroke/stroke_tip.h"
+#include "replay_run.h"
+
+namespace felt::snap_test {
+
+Result<SnapCount> draw_lines(const std::string& ndjson, const SnapHand& hand,
+                             const std::string& snap) {
+  const cli::ReplaySettings settings = cli::replay_settings(
+      *find_stylus_preset(hand.device), *find_hand(hand.name), hand.forces, {}, {});
+  cli::ReplayMachine machine(settings, Document(), {});
+  if (!snap.empty()) {
+    if (Result<void> set = machine.set_option("pencil.snap", snap); !set) {
+      return tl::unexpected(set.error());
+    }
+  }
+  cli::ReplayRun run(machine, 1.0, hand.tremor_seed);
+  if (Result<void> read = run.script("scene", "", read_text(ndjson)); !read) {
+    return tl::unexpected(read.error());
+  }
+  if (Result<void> played = run.play(); !played) return tl::unexpected(played.error());
+  const cli::ReplayStats stats = machine.take_stats();
+  SnapCount count{.meant = static_cast<int>(stats.strokes_meant),
+                  .strokes = static_cast<int>(stats.strokes),
+                  .closed = 0,
+                  .mean_mm = stats.distance.mean_mm(),
+                  .ink = {}};
+  for (const SketchStroke& stroke : machine.session().sketch()) {
+    count.closed += stroke.stroke.closed() ? 1 : 0;
+    count.ink.push_back(stroke.stroke);
+  }
+  return count;
+}
+
+namespace {
+
+constexpr double kDrawnToMm = 1.5;
+constexpr double kContinuedToMm = 0.8;
+constexpr double kMeetMm = 0.5;
+constexpr double kSameMm = 1e-6;
+
+/// Of the `n` lines from `i` on, the largest gap from one to the next, and from the last to the
+/// first.
+std::pair<double, double> gaps(const std::vector<Stroke>& ink, std::size_t i, std::size_t n) {
+  double between = 0.0, last = 0.0;
+  for (std::size_t k = 0; k < n; ++k) {
+    const Point end = tip_point(ink[i + k], StrokeTip::kEnd);
+    last = distance(end, tip_point(ink[i + (k + 1) % n], StrokeTip::kStart));
+    if (k + 1 < n) between = std::max(between, last);
+  }
+  return {between, last};
+}
+
+/// Distance from a point to the centre line.
+double gap_to(const Stroke& stroke, Point p) {
+  double squared = std::numeric_limits<double>::infinity();
+  for (int i = 0; i < stroke.segment_count(); ++i) {
+    squared = std::min(squared, nearest(stroke.segment(i), p).distance_squared);
+  }
+  return std::sqrt(squared);
+}
+
+double extent_of(const Rect& box) {
+  return std::hypot(box.width(), box.height());
+}
+
+Rect box_of(const std::vector<Point>& points) {
+  Rect box;
+  for (const Point& p : points) box.extend(p);
+  return box;
+}
+
+}  // namespace
+
+std::vector<std::vector<Point>> paths_of(const std::string& ndjson) {
+  std::vector<std::vector<Point>> paths;
+  std::istringstream lines(ndjson);
+  for (std::string line; std::getline(lines, line);) {
+    std::size_t at = line.find("\"points\":[");
+    if (at == std::string::npos) continue;
+    paths.emplace_back();
+    for (at = line.find('[', at); (at = line.find('[', at + 1)) != std::string::npos;) {
+      char* end = nullptr;
+      const double x = std::strtod(&line[at + 1], &end);
+      paths.back().push_back({x, std::strtod(end + 1, nullptr)});
+    }
+  }
+  return paths;
+}
+
+int shapes_drawn(const SnapCount& drawn, const std::vector<std::vector<Point>>& meant,
+                 int lines_per_shape) {
+  const auto n = static_cast<std::size_t>(lines_per_shape);
+  if (meant.size() != drawn.ink.size()) return 0;  // this hand loses lines
+  int count = 0;
+  for (std::size_t i = 0; i + n <= drawn.ink.size(); i += n) {
+    const auto [between, last] = gaps(drawn.ink, i, n);
+    bool same_size = true;
+    for (std::size_t k = i; k < i + n; ++k) {
+      const double ratio =
+          extent_of(box_of(drawn.ink[k].data().points)) / extent_of(box_of(meant[k]));
+      same_size = same_size && ratio > 0.75 && ratio < 1.33;
+    }
+    const bool near = between <= kContinuedToMm && last <= (n < 3 ? kDrawnToMm : kContinuedToMm);
+    count += near && same_size ? 1 : 0;
+  }
+  return count;
+}
+
+int shapes_meant(const std::vector<std::vector<Point>>& meant) {
+  return static_cast<int>(std::count_if(meant.begin(), meant.end(), [](const auto& path) {
+    return extent_of(box_of(path)) > kDrawnToMm && distance(path.front(), path.back()) <= kMeetMm;
+  }));
+}
+
+int shapes_closed(const SnapCount& count, int lines_per_shape) {
+  if (lines_per_shape < 3) return count.closed;
+  const auto n = static_cast<std::size_t>(lines_per_shape);
+  int closed = 0;
+  for (std::size_t i = 0; i + n <= count.ink.size(); i += n) {
+    closed += gaps(count.ink, i, n) == std::pair(0.0, 0.0) ? 1 : 0;
+  }
+  return closed;
+}
+
+int ends_met_unasked(const SnapCount& count, const SnapCount& off) {
+  if (off.ink.size() != count.ink.size()) return 0;  // joined() says so
+  int ends = 0;
+  for (std::size_t i = 0; i < count.ink.size(); ++i) {
+    for (const StrokeTip tip : {StrokeTip::kStart, StrokeTip::kEnd}) {
+      const Point end = tip_point(count.ink[i], tip), drawn = tip_point(off.ink[i], tip);
+      for (std::size_t k = 0; k < count.ink.size(); ++k) {
+        if (k == i || gap_to(count.ink[k], end) > kSameMm) continue;
+        ends += gap_to(off.ink[k], drawn) > kContinuedToMm ? 1 : 0;
+        break;
+      }
+    }
+  }
+  return ends;
+}
+
+std::string lines_of(const SnapScene& scene, std::uint64_t seed) {
+  WritingHand hand({.seed = seed});
+  SampleSet set;
+  for (const Gesture& gesture : scene.strokes) {
+    set.strokes.push_back({std::to_string(set.strokes.size() + 1), hand.draw(gesture)});
+  }
+  return to_ndjson(set);
+}
+
+}  // namespace felt::snap_test

@@ -1,0 +1,233 @@
+#include "tests/formats/svg/scene_picture.h"
+
+#include <agg2/agg_conv_stroke.h>
+#include <agg2/agg_conv_transform.h>
+#include <agg2/agg_path_storage.h>
+#include <agg2/agg_pixfmt_rgba.h>
+#include <agg2/agg_rasterizer_scanline_aa.h>
+#include <agg2/agg_renderer_base.h>
+#include <agg2/agg_renderer_scanline.h>
+#include <agg2/agg_rendering_buffer.h>
+#include <agg2/agg_scanline_u.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdlib>
+
+#include "felt/io/svg/svg_dashes.h"
+
+namespace felt::testing {
+namespace {
+
+class Collector final : public SvgSceneSink {
+ public:
+  explicit Collector(PaintedScene& scene) : scene_(scene) {}
+  void root(const SvgRoot& root) override { scene_.root = root; }
+  void layer(const SvgLayer& layer) override { visible_ = layer.visible; }
+  void shape(SvgShape shape) override {
+    if (visible_) scene_.shapes.push_back(std::move(shape));
+  }
+  void paper(Rgba color) override { scene_.paper = color; }
+  void notice(std::int64_t line, std::string element, std::string what) override {
+    scene_.notices.push_back("line " + std::to_string(line) + ": " + element + " " + what);
+  }
+
+ private:
+  PaintedScene& scene_;
+  bool visible_ = true;
+};
+
+using Cells = agg::rasterizer_scanline_aa<agg::rasterizer_sl_clip_dbl>;
+using Format = agg::pixfmt_rgba32_pre;
+
+constexpr int kPieces = 48;  ///< straight pieces of each cubic
+
+void append(agg::path_storage& path, const SvgContour& contour) {
+  path.move_to(contour.points[0].x, contour.points[0].y);
+  for (std::size_t i = 0; i < contour.segment_count(); ++i) {
+    const Cubic c = contour.segment(i);
+    const int pieces = flatness(c) < 1e-9 * control_length(c) ? 1 : kPieces;
+    for (int k = 1; k <= pieces; ++k) {
+      const Point p = evaluate(c, static_cast<double>(k) / pieces);
+      path.line_to(p.x, p.y);
+    }
+  }
+  if (contour.closed) path.close_polygon();
+}
+
+bool is_dot(const SvgContour& c) {
+  return std::all_of(c.points.begin(), c.points.end(), [&](Point p) { return p == c.points[0]; });
+}
+
+class Painter {
+ public:
+  Painter(Image& image, double px_per_mm)
+      : buffer_(image.pixels().data, static_cast<unsigned>(image.width()),
+                static_cast<unsigned>(image.height()), static_cast<int>(image.pixels().stride)),
+        format_(buffer_),
+        base_(format_),
+        width_(image.width()),
+        height_(image.height()),
+        scale_(px_per_mm) {}
+
+  void paint(const SvgShape& shape) {
+    if (shape.fill) fill(shape);
+    if (shape.line) line(shape);
+  }
+
+ private:
+  [[nodiscard]] agg::trans_affine to_px(const SvgShape& s) const {
+    const Affine& m = s.to_mm;
+    agg::trans_affine map(m.a, m.b, m.c, m.d, m.e, m.f);
+    map *= agg::trans_affine_scaling(scale_);
+    return map;
+  }
+
+  void begin(const SvgShape& shape, bool even_odd) {
+    cells_.reset();
+    Rect clip{0.0, 0.0, static_cast<double>(width_), static_cast<double>(height_)};
+    if (shape.frame) {
+      clip = {
+          std::max(clip.x0, scale_ * shape.frame->x0), std::max(clip.y0, scale_ * shape.frame->y0),
+          std::min(clip.x1, scale_ * shape.frame->x1), std::min(clip.y1, scale_ * shape.frame->y1)};
+    }
+    nothing_ = clip.empty();
+    cells_.clip_box(clip.x0, clip.y0, clip.x1, clip.y1);
+    cells_.filling_rule(even_odd ? agg::fill_even_odd : agg::fill_non_zero);
+  }
+
+  void finish(Rgba color) {
+    if (nothing_) return;
+    agg::rgba8 ink(color.r, color.g, color.b, color.a);
+    agg::render_scanlines_aa_solid(cells_, scanline_, base_, ink.premultiply());
+  }
+
+  void fill(const SvgShape& shape) {
+    begin(shape, shape.fill->even_odd);
+    agg::path_storage path;
+    for (const SvgContour& c : shape.contours) append(path, c);
+    agg::trans_affine map = to_px(shape);
+    agg::conv_transform<agg::path_storage> moved(path, map);
+    cells_.add_path(moved);
+    finish(shape.fill->color);
+  }
+
+  void line(const SvgShape& shape) {
+    const SvgLine& l = *shape.line;
+    begin(shape, false);
+    agg::trans_affine map = to_px(shape);
+    for (const SvgContour& c : shape.contours) {
+      std::vector<SvgContour> parts{c};
+      if (!l.dashes.empty()) {
+        parts = svg_dashes(c, l.dashes, l.dash_offset, l.cap != SvgCap::kButt, 100000)
+                    .value_or(std::vector<SvgContour>{c});
+      }
+      for (const SvgContour& part : parts) stroke(part, l, map);
+    }
+    finish(l.color);
+  }
+
+  void stroke(const SvgContour& contour, const SvgLine& l, agg::trans_affine& map) {
+    agg::path_storage path;
+    if (is_dot(contour)) {
+      dot(path, contour.points[0], l);
+      agg::conv_transform<agg::path_storage> moved(path, map);
+      return cells_.add_path(moved);
+    }
+    append(path, contour);
+    agg::conv_stroke<agg::path_storage> wide(path);
+    wide.width(l.width);
+    wide.line_cap(l.cap == SvgCap::kButt    ? agg::butt_cap
+                  : l.cap == SvgCap::kRound ? agg::round_cap
+                                            : agg::square_cap);
+    wide.line_join(l.join == SvgJoin::kMiter   ? agg::miter_join_revert
+                   : l.join == SvgJoin::kRound ? agg::round_join
+                                               : agg::bevel_join);
+    wide.inner_join(agg::inner_round);
+    wide.miter_limit(l.miter_limit);
+    wide.approximation_scale(4.0 * map.scale());
+    agg::conv_transform<agg::conv_stroke<agg::path_storage>> moved(wide, map);
+    cells_.add_path(moved);
+  }
+
+  static void dot(agg::path_storage& path, Point p, const SvgLine& l) {
+    if (l.cap == SvgCap::kButt) return;
+    const int corners = l.cap == SvgCap::kSquare ? 4 : 64;
+    const double r = 0.5 * l.width * (corners == 4 ? std::sqrt(2.0) : 1.0);
+    for (int k = 0; k < corners; ++k) {
+      const double angle = (2.0 * k + 1.0) * 3.141592653589793 / corners;
+      const double x = p.x + r * std::cos(angle), y = p.y + r * std::sin(angle);
+      k == 0 ? path.move_to(x, y) : path.line_to(x, y);
+    }
+    path.close_polygon();
+  }
+
+  agg::rendering_buffer buffer_;
+  Format format_;
+  agg::renderer_base<Format> base_;
+  int width_, height_;
+  double scale_;
+  Cells cells_;
+  agg::scanline_u8 scanline_;
+  bool nothing_ = false;
+};
+
+/// Whether the pixel of `a` at a place is within the span of the nine of `b` around it.
+bool has_like(const Image& a, const Image& b, int x, int y, int tolerance) {
+  const auto at = [](const Image& image, int u, int v) {
+    return image.bytes().data() + 4 * (static_cast<std::ptrdiff_t>(v) * image.width() + u);
+  };
+  const std::uint8_t* pixel = at(a, x, y);
+  const std::uint8_t* same = at(b, x, y);
+  bool close = true;
+  for (int c = 0; c < 4; ++c) close = close && std::abs(pixel[c] - same[c]) <= tolerance;
+  if (close) return true;
+  std::array<int, 4> least{255, 255, 255, 255}, most{};
+  for (int v = std::max(0, y - 1); v <= std::min(b.height() - 1, y + 1); ++v) {
+    for (int u = std::max(0, x - 1); u <= std::min(b.width() - 1, x + 1); ++u) {
+      for (std::size_t c = 0; c < 4; ++c) {
+        least[c] = std::min<int>(least[c], at(b, u, v)[c]);
+        most[c] = std::max<int>(most[c], at(b, u, v)[c]);
+      }
+    }
+  }
+  for (std::size_t c = 0; c < 4; ++c) {
+    if (pixel[c] < least[c] - tolerance || pixel[c] > most[c] + tolerance) return false;
+  }
+  return true;
+}
+
+std::int64_t pixels_without_like(const Image& a, const Image& b, int tolerance) {
+  std::int64_t count = 0;
+  for (int y = 0; y < a.height(); ++y) {
+    for (int x = 0; x < a.width(); ++x) count += has_like(a, b, x, y, tolerance) ? 0 : 1;
+  }
+  return count;
+}
+
+}  // namespace
+
+Result<PaintedScene> paint_scene(std::string_view svg) {
+  PaintedScene scene;
+  Collector collector(scene);
+  if (auto ok = read_svg_scene(svg, collector); !ok) return tl::unexpected(ok.error());
+  return scene;
+}
+
+Result<Image> scene_picture(const PaintedScene& scene, int width_px, int height_px) {
+  Result<Image> image = Image::create(width_px, height_px);
+  if (!image) return image;
+  const double width_mm = scene.root.width_mm.value_or(0.0);
+  fill(image->pixels(), image->pixels().rect(), scene.paper);
+  Painter painter(*image, width_mm > 0.0 ? width_px / width_mm : 96.0 / 25.4);
+  for (const SvgShape& shape : scene.shapes) painter.paint(shape);
+  return image;
+}
+
+std::int64_t pixels_apart(const Image& a, const Image& b, int tolerance) {
+  if (a.width() != b.width() || a.height() != b.height()) return -1;
+  return pixels_without_like(a, b, tolerance) + pixels_without_like(b, a, tolerance);
+}
+
+}  // namespace felt::testing

@@ -1,0 +1,73 @@
+#include "tests/formats/svg/suite.h"
+
+#include <algorithm>
+#include <filesystem>
+
+#include "felt/base/read_file.h"
+#include "felt/io/picture/png.h"
+#include "tests/formats/svg/scene_picture.h"
+
+namespace felt::testing {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+/// Whether a file asks for what ink is not.
+bool needs_more(const std::vector<std::string>& notices) {
+  for (const std::string& notice : notices) {
+    for (const char* what : {"no ink", "gradient", "pattern", "clip path", "mask", "filter"}) {
+      if (notice.find(what) != std::string::npos) return true;
+    }
+  }
+  return false;
+}
+
+}  // namespace
+
+std::vector<std::string> suite_names(const std::string& root) {
+  std::vector<std::string> names;
+  if (!fs::is_directory(root)) return names;
+  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(root)) {
+    fs::path path = entry.path();
+    if (path.extension() != ".svg") continue;
+    path.replace_extension(".png");
+    if (!fs::exists(path)) continue;
+    names.push_back(fs::relative(path.replace_extension(), root).string());
+  }
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+SuiteResult compare_pictures(const std::string& svg_path, const std::string& png_path,
+                             const std::string& out) {
+  constexpr std::size_t kMost = std::size_t{64} << 20;
+  const Result<std::string> svg = read_file(svg_path, kMost), png = read_file(png_path, kMost);
+  if (!svg) return {false, svg.error().message, false};
+  if (!png) return {false, png.error().message, false};
+  const Result<PngPicture> theirs = decode_png(*png);
+  if (!theirs) return {false, theirs.error().message, false};
+  const Result<PaintedScene> scene = paint_scene(*svg);
+  if (!scene) return {false, scene.error().message, false};
+  const Result<Image> ours = scene_picture(*scene, theirs->image.width(), theirs->image.height());
+  if (!ours) return {false, ours.error().message, false};
+  const std::int64_t apart = pixels_apart(*ours, theirs->image);
+  if (apart <= kPixelsAllowed) return {true, {}, needs_more(scene->notices)};
+  if (!out.empty()) {
+    std::string name = svg_path;
+    std::replace(name.begin(), name.end(), '/', '_');
+    fs::create_directories(out);
+    static_cast<void>(write_png(out + "/" + name + ".ours.png", *ours, 96.0));
+    static_cast<void>(write_png(out + "/" + name + ".theirs.png", theirs->image, 96.0));
+  }
+  std::string why = std::to_string(apart) + " pixels apart";
+  for (const std::string& notice : scene->notices) why += "; " + notice;
+  return {false, why, needs_more(scene->notices)};
+}
+
+SuiteResult compare_with_suite(const std::string& root, const std::string& name,
+                               const std::string& out) {
+  return compare_pictures(root + "/" + name + ".svg", root + "/" + name + ".png", out);
+}
+
+}  // namespace felt::testing

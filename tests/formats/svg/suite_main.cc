@@ -1,0 +1,50 @@
+// svg_suite FOLDER [--list] [--pictures OUT]: compares the pictures of our scenes with those beside
+// the files of a suite (NAME.svg, NAME.png), and prints a table of what agrees, by folder; --list
+// prints the names of those that agree; --pictures leaves ours and theirs where they do not.
+#include <cstdio>
+#include <cstring>
+#include <filesystem>
+#include <map>
+#include <string>
+
+#include "tests/formats/svg/suite.h"
+
+namespace fs = std::filesystem;
+
+int main(int argc, char** argv) {
+  if (argc < 2) return 2;
+  const std::string root = argv[1];
+  bool list = false;
+  std::string out;
+  for (int i = 2; i < argc; ++i) {
+    if (std::strcmp(argv[i], "--list") == 0) list = true;
+    if (std::strcmp(argv[i], "--pictures") == 0 && i + 1 < argc) out = argv[++i];
+  }
+  struct Row {
+    int agree = 0, all = 0, agree_plain = 0, plain = 0;
+  };
+  std::map<std::string, Row> table;
+  Row sum;
+  for (const std::string& name : felt::testing::suite_names(root)) {
+    const felt::testing::SuiteResult result = felt::testing::compare_with_suite(root, name, out);
+    for (Row* row : {&table[fs::path(name).parent_path().string()], &sum}) {
+      row->all += 1;
+      row->agree += result.agrees ? 1 : 0;
+      row->plain += result.needs_more ? 0 : 1;
+      row->agree_plain += result.agrees && !result.needs_more ? 1 : 0;
+    }
+    if (list && result.agrees) std::printf("%s\n", name.c_str());
+    if (!list && !result.agrees) std::printf("%s: %s\n", name.c_str(), result.why.c_str());
+  }
+  if (list) return 0;
+  std::printf(
+      "\n| folder | agree | of | agree, of those that need only lines and fillings | of |\n");
+  std::printf("|---|---|---|---|---|\n");
+  const auto print = [](const std::string& name, const Row& row) {
+    std::printf("| %s | %d | %d | %d | %d |\n", name.c_str(), row.agree, row.all, row.agree_plain,
+                row.plain);
+  };
+  for (const auto& [folder, row] : table) print(folder, row);
+  print("all", sum);
+  return 0;
+}

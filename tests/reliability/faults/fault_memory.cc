@@ -1,0 +1,37 @@
+// Stands in front of every allocation of the driver and of its shared libraries. glibc keeps its
+// own names for the real ones, so that no look-up allocates. Declared by hand: headers differ in
+// their exception specifications, and only the ABI counts here.
+#include <cstddef>
+
+#include "tests/reliability/faults/fault_state.h"
+
+#define FELT_EXPORT extern "C" __attribute__((visibility("default")))
+
+extern "C" {
+void* __libc_malloc(std::size_t size);
+void* __libc_calloc(std::size_t count, std::size_t size);
+void* __libc_realloc(void* old, std::size_t size);
+void* __libc_memalign(std::size_t alignment, std::size_t size);
+}
+
+using felt::faults::allocation_fails;
+
+FELT_EXPORT void* malloc(std::size_t size) {
+  return allocation_fails() ? nullptr : __libc_malloc(size);
+}
+FELT_EXPORT void* calloc(std::size_t count, std::size_t size) {
+  return allocation_fails() ? nullptr : __libc_calloc(count, size);
+}
+FELT_EXPORT void* realloc(void* old, std::size_t size) {
+  return allocation_fails() ? nullptr : __libc_realloc(old, size);
+}
+FELT_EXPORT void* aligned_alloc(std::size_t alignment, std::size_t size) {
+  return allocation_fails() ? nullptr : __libc_memalign(alignment, size);
+}
+FELT_EXPORT void* memalign(std::size_t alignment, std::size_t size) {
+  return allocation_fails() ? nullptr : __libc_memalign(alignment, size);
+}
+FELT_EXPORT int posix_memalign(void** out, std::size_t alignment, std::size_t size) {
+  *out = allocation_fails() ? nullptr : __libc_memalign(alignment, size);
+  return *out == nullptr ? 12 : 0;
+}

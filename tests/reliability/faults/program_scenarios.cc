@@ -1,0 +1,65 @@
+// `feltline convert` into every format, over a file that is there: the program from outside, with
+// the interposer preloaded. The output is the old bytes or the new ones, and the exit code tells
+// which.
+#include <filesystem>
+
+#include "felt/base/atomic_file.h"
+#include "felt/base/read_file.h"
+#include "tests/reliability/faults/scenario.h"
+
+namespace felt::faults {
+namespace {
+
+constexpr std::size_t kMostBytes = std::size_t{64} << 20;
+constexpr const char* kOld = "what was there before\n";
+
+std::string bytes_of(const std::string& path) {
+  return read_file(path, kMostBytes).value_or(std::string());
+}
+
+Scenario convert_to(const std::string& program, const std::string& extension) {
+  const std::string name = "out." + extension;
+  Scenario scenario{
+      "convert_" + extension,
+      [=](const std::string& folder) {
+        if (!write_felt(folder + "/in.felt", drawing_of(0))) std::abort();
+        // What an undisturbed run makes, to compare with: writers give equal bytes each time.
+        const std::string output = folder + "/wanted." + extension;
+        const std::string line =
+            program + " convert " + folder + "/in.felt -o " + output + " >/dev/null";
+        if (std::system(line.c_str()) != 0) return;  // check() says so
+        static_cast<void>(write_file(folder + "/" + name, kOld));
+      },
+      nullptr,
+      [=](const std::string& folder, const FaultState& after) -> std::string {
+        const std::string wanted = bytes_of(folder + "/wanted." + extension);
+        if (wanted.empty()) return "there is nothing to compare with";
+        const std::string bytes = bytes_of(folder + "/" + name);
+        if (bytes != kOld && bytes != wanted) return "DAMAGED: neither old nor new";
+        if (after.outcome == Outcome::kOk && bytes != wanted) return "LOST: the exit code was 0";
+        if (after.outcome == Outcome::kError &&
+            std::string(after.message).find(folder) == std::string::npos) {
+          return std::string("an error without the file: ") + after.message;
+        }
+        const bool lived = after.outcome != Outcome::kRunning;
+        const std::string left = others_in(folder, {"in.felt", name, "wanted." + extension});
+        const bool could_remove =
+            !after.persistent && std::string(after.hit_name).rfind("unlink", 0) != 0;
+        // A document keeps the one before it where the save failed late.
+        const bool is_kept = after.outcome == Outcome::kError && left.ends_with(".old");
+        return lived && could_remove && !left.empty() && !is_kept ? "left behind: " + left : "";
+      }};
+  scenario.command = {program, "convert", "@/in.felt", "-o", "@/" + name};
+  scenario.stride = 5;
+  return scenario;
+}
+
+}  // namespace
+
+void add_program_scenarios(std::vector<Scenario>& to, const std::string& program) {
+  for (const char* extension : {"felt", "ndjson", "svg", "pdf", "png"}) {
+    to.push_back(convert_to(program, extension));
+  }
+}
+
+}  // namespace felt::faults

@@ -1,0 +1,218 @@
+// The working store behind a drawing that is worked on: created, committed to, renewed, taken up
+// again after a crash; and the saver, which goes elsewhere when a place fails.
+#include <cstdlib>
+#include <filesystem>
+
+#include "felt/autosave/saver.h"
+#include "tests/reliability/faults/scenario.h"
+#include "tests/reliability/faults/store_steps.h"
+
+namespace felt::faults {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string root_in(const std::string& folder) {
+  return folder + "/state";
+}
+
+/// Commits until one fails. An error ends the use of the store, as its header says.
+void commit_generations(WorkingStore& store, std::uint32_t first, std::uint32_t last) {
+  for (std::uint32_t generation = first; generation <= last; ++generation) {
+    state->started = generation;
+    if (const auto done = commit_generation(store, generation); !done) return say(done.error());
+    state->acknowledged = generation;
+  }
+}
+
+/// What is recovered is whole and has all that was committed; and nothing is left once it is saved.
+std::string check_stores(const std::string& root, const FaultState& after) {
+  std::string why;
+  const int found = generation_in_stores(root, why);
+  if (found < 0) return "DAMAGED: " + why;
+  if (found < static_cast<int>(after.acknowledged)) {
+    return "LOST: generation " + std::to_string(found) + " where " +
+           std::to_string(after.acknowledged) + " was committed";
+  }
+  if (found > static_cast<int>(after.started)) return "DAMAGED: more than was ever made";
+  return remove_stores(root);
+}
+
+std::string check_store(const std::string& folder, const FaultState& after) {
+  const std::string problem = check_stores(root_in(folder), after);
+  if (!problem.empty() || after.outcome != Outcome::kError) return problem;
+  const std::string message = after.message;
+  const bool names_it = message.find(root_in(folder)) == 0 && message.size() > folder.size() + 20;
+  return names_it ? "" : "an error without folder or reason: " + message;
+}
+
+/// Creating is generation 1.
+Scenario store_create() {
+  return {"store_create", [](const std::string&) {},
+          [](const std::string& folder) {
+            state->started = 1;
+            const auto store = new_store(root_in(folder), 1);
+            if (!store) return say(store.error());
+            state->acknowledged = 1;
+          },
+          check_store};
+}
+
+Scenario store_commit() {
+  return {"store_commit", [](const std::string&) {},
+          [](const std::string& folder) {
+            state->armed = false;
+            auto store = new_store(root_in(folder), 1);
+            if (!store) std::abort();
+            state->acknowledged = 1;
+            state->armed = true;
+            commit_generations(*store, 2, 4);
+          },
+          check_store};
+}
+
+/// A new base, written while the edits go on, and what it makes useless removed.
+Scenario store_renew() {
+  return {"store_renew", [](const std::string&) {},
+          [](const std::string& folder) {
+            state->armed = false;
+            auto store = new_store(root_in(folder), 1);
+            if (!store) std::abort();
+            commit_generations(*store, 2, 6);
+            state->armed = true;
+            auto begun = store->begin_base(std::make_shared<StoredDrawing>(drawing_of(6)));
+            if (!begun) return say(begun.error());
+            for (bool done = false; !done;) {
+              const auto part = store->write_base_part();
+              if (!part) return say(part.error());
+              done = *part;
+            }
+            commit_generations(*store, 7, 7);
+            for (bool more = true; more && state->outcome != Outcome::kError;) {
+              const auto tidied = store->tidy();
+              if (!tidied) return say(tidied.error());
+              more = *tidied;
+              if (const auto done = store->commit(); !done) return say(done.error());
+            }
+            if (state->outcome != Outcome::kError) commit_generations(*store, 8, 8);
+          },
+          check_store};
+}
+
+/// Enough commits that what they wrote is moved from the journal into the database.
+Scenario store_checkpoint() {
+  Scenario scenario = store_commit();
+  scenario.name = "store_checkpoint";
+  scenario.stride = 401;
+  scenario.act = [](const std::string& folder) {
+    state->armed = false;
+    auto store = new_store(root_in(folder), 1);
+    if (!store) std::abort();
+    // A long line in work fills the journal to just below the mark: once as it
+    // comes, once as it goes, for SQLite clears what it lets go.
+    constexpr std::size_t kLineBytes = std::size_t{460} * 4096;
+    if (!store->add_live(LiveKind::kSamples, std::string(kLineBytes, '\0')) || !store->commit() ||
+        !store->clear_live() || !store->commit()) {
+      std::abort();
+    }
+    state->armed = true;
+    commit_generations(*store, 2, 9);
+  };
+  return scenario;
+}
+
+/// After a crash: everything is recovered, saved, and only then removed. What a person sees as
+/// "recovered, saved" is generation 6.
+Scenario store_recover() {
+  return {"store_recover",
+          [](const std::string& folder) {
+            auto store = new_store(root_in(folder), 1);
+            for (std::uint32_t generation = 2; store && generation <= 6; ++generation) {
+              if (!commit_generation(*store, generation)) std::abort();
+            }
+            if (!store) std::abort();
+          },
+          [](const std::string& folder) {
+            const std::string path = folder + "/recovered.felt";
+            state->started = 6;
+            for (AbandonedStore& store : find_abandoned({root_in(folder)})) {
+              const auto recovered = recover_store(store.folder);
+              if (!recovered) return say(recovered.error());
+              // A person who is told of problems keeps the store.
+              if (!recovered->problems.empty()) return state->say_error(store.folder + ": told of");
+              if (const auto saved = write_felt(path, recovered->drawing); !saved) {
+                return say(saved.error());
+              }
+              if (const auto removed = std::move(store).remove(); !removed) {
+                return say(removed.error());
+              }
+            }
+          },
+          [](const std::string& folder, const FaultState&) -> std::string {
+            std::string why;
+            const std::string path = folder + "/recovered.felt";
+            int found = generation_in_stores(root_in(folder), why);
+            if (found < 0) return "DAMAGED: " + why;
+            if (fs::exists(path)) found = std::max(found, generation_at(path, 6, why));
+            if (found < 6) return "LOST: generation " + std::to_string(found) + " of 6 " + why;
+            return remove_stores(root_in(folder));
+          }};
+}
+
+/// The saver with two places, of which only the first fails: nothing that it says is kept is lost,
+/// and a place that fails is left for the other.
+Scenario saver_elsewhere() {
+  return {"saver_elsewhere", [](const std::string&) {},
+          [](const std::string& folder) {
+            std::snprintf(state->folder, sizeof state->folder, "%s/first", folder.c_str());
+            SaverOptions options;
+            options.roots = {folder + "/first", folder + "/second"};
+            options.live = false;
+            Saver saver(std::move(options));
+            state->started = 1;
+            saver.begin(drawing_of(1), "a drawing", "", true);
+            for (std::uint32_t generation = 1; generation <= 4; ++generation) {
+              state->started = generation;
+              for (const Edit& edit : edits_to(generation)) {
+                if (generation > 1) saver.edit(edit);
+              }
+              saver.head(drawing_of(generation));
+              saver.flush();
+              const SaverStatus status = saver.status();
+              if (status.state == SaverStatus::State::kFailing) {
+                return state->say_error("failing, though the second place works: " + status.why);
+              }
+              state->acknowledged = generation;
+            }
+          },
+          [](const std::string& folder, const FaultState& after) -> std::string {
+            if (after.outcome == Outcome::kError) return after.message;
+            std::string why_first, why;
+            const int first = generation_in_stores(folder + "/first", why_first);
+            const int second = generation_in_stores(folder + "/second", why);
+            if (second < 0) return "DAMAGED: " + why;
+            if (first < 0 && second < static_cast<int>(after.acknowledged)) {
+              return "DAMAGED: " + why_first;
+            }
+            const int found = std::max(first, second);
+            if (found < static_cast<int>(after.acknowledged)) {
+              return "LOST: generation " + std::to_string(found) + " where " +
+                     std::to_string(after.acknowledged) + " was kept";
+            }
+            return "";
+          }};
+}
+
+}  // namespace
+
+void add_store_scenarios(std::vector<Scenario>& to) {
+  for (Scenario scenario :
+       {store_create(), store_commit(), store_renew(), store_recover(), saver_elsewhere()}) {
+    scenario.has_memory = true;
+    scenario.stride = 13;
+    to.push_back(scenario);
+  }
+  to.push_back(store_checkpoint());
+}
+
+}  // namespace felt::faults

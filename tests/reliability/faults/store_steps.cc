@@ -1,0 +1,85 @@
+#include "tests/reliability/faults/store_steps.h"
+
+#include <algorithm>
+#include <filesystem>
+
+#include "tests/reliability/faults/drawings.h"
+
+namespace felt::faults {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+WorkingAbout about_of(std::uint32_t generation) {
+  WorkingAbout about{"a drawing", "", true, drawing_of(generation)};
+  about.head.document = Document();
+  return about;
+}
+
+/// A store whose first commit never came: nobody was told that anything is in it.
+bool is_begun(const RecoveredDrawing& recovered) {
+  return recovered.problems.size() == 1 && recovered.drawing == StoredDrawing{} &&
+         recovered.problems.front().find("not copied wholly yet") != std::string::npos;
+}
+
+}  // namespace
+
+Result<WorkingStore> new_store(const std::string& root, std::uint32_t first) {
+  Result<WorkingStore> store = WorkingStore::create(root, "store");
+  if (!store) return store;
+  Result<void> done = store->write_base(drawing_of(first));
+  if (done) done = store->put_about(about_of(first));
+  if (done) done = store->commit();
+  if (!done) return tl::unexpected(done.error());
+  return store;
+}
+
+Result<void> commit_generation(WorkingStore& store, std::uint32_t generation) {
+  // A line's beginning: no script, nothing selected.
+  Result<void> done = store.add_live(LiveKind::kContext, std::string(8, '\0'));
+  if (done) done = store.commit();
+  for (const Edit& edit : edits_to(generation)) {
+    if (done) done = store.add_edit(edit).map([](std::uint64_t) {});
+  }
+  if (done) done = store.clear_live();
+  if (done) done = store.put_about(about_of(generation));
+  return done ? store.commit() : done;
+}
+
+int generation_in_stores(const std::string& root, std::string& why) {
+  int newest = 0;
+  for (const AbandonedStore& store : find_abandoned({root})) {
+    const Result<RecoveredDrawing> recovered = recover_store(store.folder);
+    if (!recovered) {
+      why = recovered.error().message;
+      return -1;
+    }
+    if (is_begun(*recovered)) continue;
+    if (!recovered->problems.empty()) {
+      why = store.folder + ": " + recovered->problems.front();
+      return -1;
+    }
+    const int found = generation_of(recovered->drawing);
+    if (found < 0) {
+      why = store.folder + ": holds a drawing that nobody made";
+      return -1;
+    }
+    newest = std::max(newest, found);
+  }
+  return newest;
+}
+
+std::string remove_stores(const std::string& root) {
+  for (AbandonedStore& store : find_abandoned({root})) {
+    if (const auto removed = std::move(store).remove(); !removed) return removed.error().message;
+  }
+  if (!fs::exists(root)) return "";
+  std::string left;
+  for (const fs::directory_entry& entry : fs::directory_iterator(root)) {
+    left += " " + entry.path().filename().string();
+  }
+  return left.empty() ? "" : "still there:" + left;
+}
+
+}  // namespace felt::faults

@@ -1,0 +1,198 @@
+// The working store while the power goes: commits, new bases, checkpoints, its first creation, the
+// recovery after a crash, and saves of the person's file meanwhile.
+#include <unistd.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "felt/autosave/saver.h"
+#include "tests/reliability/faults/drawings.h"
+#include "tests/reliability/faults/store_steps.h"
+#include "tests/reliability/power_cut/workload.h"
+
+namespace felt::power_cut {
+namespace {
+
+namespace fs = std::filesystem;
+using faults::commit_generation;
+using faults::drawing_of;
+
+constexpr unsigned kPauseUs = 20'000;  // the saver's
+
+std::string root_in(const std::string& folder) {
+  return folder + "/state";
+}
+std::string document_in(const std::string& folder) {
+  return folder + "/drawing.felt";
+}
+
+int find_in_stores(const std::string& folder, std::uint32_t most, std::string& why) {
+  const int found = faults::generation_in_stores(root_in(folder), why);
+  if (found <= static_cast<int>(most)) return found;
+  why = "more than was ever made";
+  return -1;
+}
+
+/// Takes up what a power cut left, as a program does when it starts: a new store is whole before
+/// the one it came from goes.
+Result<WorkingStore> take_up(const std::string& folder, std::uint32_t from) {
+  std::vector<AbandonedStore> left = find_abandoned({root_in(folder)});
+  Result<WorkingStore> store = faults::new_store(root_in(folder), from);
+  if (!store) return store;
+  for (AbandonedStore& old : left) {
+    if (const auto gone = std::move(old).remove(); !gone) return tl::unexpected(gone.error());
+  }
+  return store;
+}
+
+using Between = std::function<Result<void>(WorkingStore& store, std::uint32_t generation)>;
+
+Workload commit_loop(std::string name, std::uint32_t commits, unsigned pause_us, Between between) {
+  return {std::move(name),
+          [=](const std::string& folder, std::uint32_t from, Diary& diary) {
+            const std::uint32_t first = std::max<std::uint32_t>(from, 1);
+            diary.start(first);
+            Result<WorkingStore> store = take_up(folder, first);
+            if (!store) return diary.fail(store.error().message);
+            diary.acknowledge(first);
+            for (std::uint32_t i = first + 1; i < first + commits; ++i) {
+              diary.start(i);
+              Result<void> done = commit_generation(*store, i);
+              if (!done) return diary.fail(done.error().message);
+              diary.acknowledge(i);
+              if (done = between(*store, i); !done) return diary.fail(done.error().message);
+              if (pause_us > 0) ::usleep(pause_us);
+            }
+          },
+          find_in_stores};
+}
+
+Result<void> nothing(WorkingStore&, std::uint32_t) {
+  return {};
+}
+
+/// Every fifth time a new base, and what is of no more use goes in the commits after it.
+Result<void> renew(WorkingStore& store, std::uint32_t generation) {
+  Result<void> done;
+  if (generation % 5 == 0) {
+    done = store.begin_base(std::make_shared<StoredDrawing>(drawing_of(generation)));
+    for (bool more = true; done && more;) {
+      done = store.write_base_part().map([&more](bool is_last) { more = !is_last; });
+    }
+  } else {
+    done = store.tidy().map([](bool) {});
+  }
+  return done ? store.commit() : done;
+}
+
+/// After a crash of the program: recovered again and again, saved, and the store removed.
+Workload recover() {
+  return {"recover",
+          [](const std::string& folder, std::uint32_t from, Diary& diary) {
+            const std::uint32_t last = from + 5;
+            diary.start(last);
+            {
+              Result<WorkingStore> store = take_up(folder, from + 1);
+              if (!store) return diary.fail(store.error().message);
+              for (std::uint32_t i = from + 2; i <= last; ++i) {
+                if (const auto done = commit_generation(*store, i); !done) {
+                  return diary.fail(done.error().message);
+                }
+              }
+            }
+            diary.acknowledge(last);
+            for (int round = 0; round < 8; ++round) {
+              for (AbandonedStore& store : find_abandoned({root_in(folder)})) {
+                const auto recovered = recover_store(store.folder);
+                if (!recovered) return diary.fail(recovered.error().message);
+                if (faults::generation_of(recovered->drawing) != static_cast<int>(last)) {
+                  return diary.fail("recovered another drawing");
+                }
+                const auto saved = write_felt(document_in(folder), recovered->drawing);
+                if (!saved) return diary.fail(saved.error().message);
+                if (round == 7) static_cast<void>(std::move(store).remove());
+              }
+              ::usleep(kPauseUs);
+            }
+          },
+          [](const std::string& folder, std::uint32_t most, std::string& why) {
+            const int in_stores = find_in_stores(folder, most, why);
+            if (in_stores < 0 || !fs::exists(document_in(folder))) return in_stores;
+            const int saved = faults::generation_at(document_in(folder), most, why);
+            return saved < 0 ? -1 : std::max(in_stores, saved);
+          }};
+}
+
+/// A person draws, and saves at every sixth commit: the file is never older than the last save.
+Workload save_while_committing() {
+  Workload workload = commit_loop("save_and_commit", 40, kPauseUs, nothing);
+  workload.run = [](const std::string& folder, std::uint32_t from, Diary& diary) {
+    const Between save = [&](WorkingStore&, std::uint32_t generation) -> Result<void> {
+      if (generation % 6 != 0) return {};
+      const std::string mark = folder + "/saved";
+      auto saved = write_felt(document_in(folder), drawing_of(generation));
+      // Says on the same disk what was acknowledged, synchronised, after it was.
+      if (saved) saved = write_felt(mark, drawing_of(generation));
+      return saved;
+    };
+    commit_loop("", 40, kPauseUs, save).run(folder, from, diary);
+  };
+  workload.find = [](const std::string& folder, std::uint32_t most, std::string& why) {
+    if (fs::exists(folder + "/saved")) {
+      const int marked = faults::generation_at(folder + "/saved", most, why);
+      const int saved = faults::generation_at(document_in(folder), most, why);
+      if (marked < 0 || saved < marked) {
+        why = "saved " + std::to_string(marked) + ", found " + std::to_string(saved) + " " + why;
+        return -1;
+      }
+    }
+    return find_in_stores(folder, most, why);
+  };
+  return workload;
+}
+
+/// All of it as the desktop program has it: the saver with its thread.
+Workload saver() {
+  return {"saver",
+          [](const std::string& folder, std::uint32_t from, Diary& diary) {
+            const std::uint32_t first = std::max<std::uint32_t>(from, 1);
+            std::vector<AbandonedStore> left = find_abandoned({root_in(folder)});
+            SaverOptions options;
+            options.roots = {root_in(folder)};
+            options.longest_log_bytes = 20'000;  // new bases, now and then
+            // flush() does not wait for it, and nothing is committed between.
+            options.gather = std::chrono::seconds(5);
+            // Never ended, as when the machine stops.
+            auto* saver = new Saver(std::move(options));
+            diary.start(first);
+            saver->begin(drawing_of(first), "a drawing", "", true);
+            for (std::uint32_t i = first; i < first + 40; ++i) {
+              diary.start(i);
+              for (const Edit& edit : faults::edits_to(i)) {
+                if (i > first) saver->edit(edit);
+              }
+              saver->head(drawing_of(i));
+              saver->flush();
+              const SaverStatus status = saver->status();
+              if (status.state != SaverStatus::State::kWorking) return diary.fail(status.why);
+              diary.acknowledge(i);
+              for (AbandonedStore& old : left) static_cast<void>(std::move(old).remove());
+              left.clear();
+            }
+          },
+          find_in_stores};
+}
+
+}  // namespace
+
+void add_store_workloads(std::vector<Workload>& to) {
+  to.push_back(commit_loop("commit", 60, kPauseUs, nothing));
+  to.push_back(commit_loop("create", 2, 0, nothing));
+  to.push_back(commit_loop("renew", 60, kPauseUs / 4, renew));
+  to.push_back(commit_loop("checkpoint", 150, 0, nothing));
+  to.push_back(recover());
+  to.push_back(save_while_committing());
+  to.push_back(saver());
+}
+
+}  // namespace felt::power_cut
