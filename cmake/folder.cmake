@@ -2,7 +2,8 @@
 #             [PRIVATE_LIBRARIES ...] [TEST_LIBRARIES ...])
 #
 # Declares the folder PATH (a/b) with all that lies in and below it:
-#   *.cc, *.h    the static library felt_a_b, installed as feltline::a_b
+#   *.cc, *.h    the static library felt_a_b, installed as feltline::a_b, with the headers that are
+#                listed in src/felt/API.md
 #   *_test.cc    the GoogleTest program a_b_test, linked with this library and no more, so that a
 #                forbidden dependency does not link
 #   *_bench.cc   the Google Benchmark program a_b_bench
@@ -27,6 +28,12 @@ foreach(line IN LISTS felt_rule_lines)
   list(POP_FRONT words _ layer)
   set(FELT_MAY_INCLUDE_${layer} ${words})
 endforeach()
+
+# FELT_PUBLIC_HEADERS: the headers that are installed.
+set(felt_api ${PROJECT_SOURCE_DIR}/src/felt/API.md)
+set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${felt_api})
+file(STRINGS ${felt_api} FELT_PUBLIC_HEADERS REGEX "^\\* .*\\.h\\)")
+list(TRANSFORM FELT_PUBLIC_HEADERS REPLACE "^[^(]*\\(([^)]*)\\).*" "${PROJECT_SOURCE_DIR}/src/felt/\\1")
 
 function(felt_folder path)
   cmake_parse_arguments(ARG "FLAT;QT" ""
@@ -87,7 +94,13 @@ function(felt_library_folder target name)
   set_target_properties(${target} PROPERTIES EXPORT_NAME ${name})
   felt_quick_library(${target})
   target_compile_features(${target} PUBLIC cxx_std_20)
-  target_sources(${target} PUBLIC FILE_SET HEADERS BASE_DIRS ${PROJECT_SOURCE_DIR}/src FILES ${ARGN})
+  set(public "")
+  foreach(header IN LISTS ARGN)
+    if(header IN_LIST FELT_PUBLIC_HEADERS)
+      list(APPEND public ${header})
+    endif()
+  endforeach()
+  target_sources(${target} PUBLIC FILE_SET HEADERS BASE_DIRS ${PROJECT_SOURCE_DIR}/src FILES ${public})
   install(TARGETS ${target} EXPORT feltline-targets
     FILE_SET HEADERS COMPONENT dev
     ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT dev)

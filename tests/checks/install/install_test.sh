@@ -53,29 +53,48 @@ awk '
     if (faces < 100 || points - edges / 2 + faces != 2) { print "no closed body"; exit 1 }
   }' "$work/body.obj"
 ! "$work/inflate/inflate" "$work/missing.ndjson" >"$work/none.obj" 2>"$work/why"
-grep -q 'missing.ndjson: cannot be opened' "$work/why"
+grep -q 'missing.ndjson: cannot read' "$work/why"
 
-# compiles: the text on stdin, with what is installed and nothing else.
+# compiles OPTION...: the text on stdin, with what is installed and nothing else.
 compiles() {
   cat >"$work/one.cc"
   # shellcheck disable=SC2046
-  quietly "$export_cxx" -std=c++20 -Wall -Wextra -Werror -fsyntax-only \
+  quietly "$export_cxx" -std=c++20 -Wall -Wextra -Werror -fsyntax-only "$@" \
     $(pkg-config --cflags feltline) "$work/one.cc"
 }
 
-echo "every installed header compiles:"
+echo "public headers:"
 mapfile -t headers < <(cd "$prefix/include" && find felt -name '*.h' | LC_ALL=C sort)
-[ ${#headers[@]} -gt 5 ]
+sed -nE 's|^\* \[([^]]+\.h)\].*|felt/\1|p' "$source_dir/src/felt/API.md" | LC_ALL=C sort |
+  diff - <(printf '%s\n' "${headers[@]}")
 printf '#include "%s"\n' "${headers[@]}" "${headers[@]}" | compiles  # what they include is there, too
+
+# Whether a source of its own includes it first: then the build has compiled it alone.
+built_alone() {
+  local own
+  for own in "$source_dir/src/${1%.h}.cc" "$source_dir/src/${1%.h}_test.cc"; do
+    ! grep -sm 1 '^#include' "$own" | grep -qF "\"$1\"" || return 0
+  done
+  return 1
+}
+
+echo "every header compiles alone:"
 alone=0
 for header in "${headers[@]}"; do
-  # The build has done so already with those that a source includes first.
-  ! grep -m 1 '^#include' "$source_dir/src/${header%.h}.cc" 2>/dev/null | grep -qF "\"$header\"" ||
-    continue
+  ! built_alone "$header" || continue
   printf '#include "%s"\n' "$header" | compiles
   alone=$((alone + 1))
 done
-echo "  ${#headers[@]} headers, $alone of them alone, too"
+echo "  public: ${#headers[@]}, $alone of them without a source of their own"
+mapfile -t internal < <(cd "$source_dir/src" && find felt -name '*.h' -not -path '*/testing/*' |
+  LC_ALL=C sort | comm -23 - <(printf '%s\n' "${headers[@]}"))
+alone=0
+for header in "${internal[@]}"; do
+  ! built_alone "$header" || continue
+  printf '#include "%s"\n' "$header" | compiles -I"$source_dir/src"
+  alone=$((alone + 1))
+done
+echo "  internal: ${#internal[@]}, $alone of them without a source of their own"
 
 if [ -e "$build_dir/bin/feltline" ]; then
   echo "program:"
