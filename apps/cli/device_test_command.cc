@@ -5,11 +5,11 @@
 #include "commands.h"
 #include "console_person.h"
 #include "felt/devices/simulated/simulated_stylus.h"
+#include "felt/io/ndjson/json_text.h"
 #include "felt/validate/driver_subject.h"
 #include "felt/validate/simulated_subject.h"
 #include "felt/validate/validator.h"
 #include "interrupt.h"
-#include "json_text.h"
 #include "output.h"
 #include "print.h"
 #include "real_device.h"
@@ -55,7 +55,7 @@ std::string report_json(const ValidationReport& report) {
   all.add_text("time", report.loop);
   all.add_raw("seed", std::to_string(report.seed));
   all.add_number("level", report.level);
-  all.add_raw("interrupted", report.was_interrupted ? "true" : "false");
+  all.add_bool("interrupted", report.was_interrupted);
   all.add_raw("passed", report.passed() ? "true" : "false");
   all.add_raw("checks", json_array(checks));
   return all.text() + "\n";

@@ -8,7 +8,7 @@
 #include "felt/devices/drivers.h"
 #include "felt/devices/simulated/simulated_hand.h"
 #include "felt/devices/simulated/stylus_presets.h"
-#include "json_text.h"
+#include "felt/io/ndjson/json_text.h"
 #include "print.h"
 #include "text_table.h"
 
@@ -127,7 +127,7 @@ std::string device_json(const StylusPreset& preset) {
   JsonObject object;
   object.add_text("name", preset.name);
   object.add_text("label", preset.label);
-  object.add_raw("simulated", "true");
+  object.add_bool("simulated", true);
   object.add_number("sensed_axes", can.sensed_axes);
   object.add_number("actuated_axes", can.actuated_axes);
   object.add_number("max_force_n", can.max_force_n);
@@ -140,7 +140,7 @@ std::string device_json(const StylusPreset& preset) {
   object.add_number("position_step_mm", can.position_step_mm);
   object.add_number("rate_hz", 1e9 / static_cast<double>(can.period_ns));
   object.add_number("delay_ticks", can.delay_ticks);
-  object.add_raw("senses_pressure", can.senses_pressure ? "true" : "false");
+  object.add_bool("senses_pressure", can.senses_pressure);
   object.add_number("mass_kg", preset.mechanics.mass_kg);
   object.add_number("friction_n", preset.mechanics.friction_n);
   object.add_number("viscous_n_s_per_m", preset.mechanics.viscous_n_s_per_m);
@@ -152,7 +152,7 @@ std::string device_json(const StylusPreset& preset) {
 std::string hand_json(const SimulatedHand& hand) {
   JsonObject object;
   object.add_text("name", hand.name);
-  object.add_raw("simulated", "true");
+  object.add_bool("simulated", true);
   object.add_number("mass_kg", hand.mass_kg);
   object.add_number("stiffness_n_per_m", hand.stiffness_n_per_m);
   object.add_number("damping_n_s_per_m", hand.damping_n_s_per_m);
@@ -164,7 +164,7 @@ std::string real_json(const DeviceDescriptor& device) {
   JsonObject object;
   object.add_text("name", device.id);
   object.add_text("label", device.label);
-  object.add_raw("simulated", "false");
+  object.add_bool("simulated", false);
   object.add_text("driver", device.driver);
   object.add_text("gives", device.kind == DeviceKind::kForce ? "force" : "cues");
   object.add_text("model", device.model);

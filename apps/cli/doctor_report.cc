@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "json_text.h"
+#include "felt/io/ndjson/json_text.h"
 
 namespace felt::cli {
 namespace {

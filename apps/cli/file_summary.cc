@@ -8,10 +8,10 @@
 
 #include "felt/base/printable.h"
 #include "felt/formats/format_traits.h"
+#include "felt/io/ndjson/json_text.h"
 #include "felt/io/ndjson/ndjson_writer.h"
 #include "felt/store/felt_recording.h"
 #include "felt/stroke/color_text.h"
-#include "json_text.h"
 
 namespace felt::cli {
 namespace {

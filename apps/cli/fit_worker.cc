@@ -105,9 +105,7 @@ Result<void> FitWorker::scale_to_mm() {
   for (std::size_t i = 0; i < raw_.samples.size(); ++i) {
     Point& p = raw_.samples[i].position;
     p = {p.x * settings_.mm_per_unit, p.y * settings_.mm_per_unit};
-    if (std::fabs(p.x) <= limits::kMaxCoordinate && std::fabs(p.y) <= limits::kMaxCoordinate) {
-      continue;
-    }
+    if (is_in_range(p)) continue;
     return fail(ErrorCode::kLimitExceeded,
                 fmt::format("points[{}]: beyond 1e9 mm after --mm-per-unit", i));
   }

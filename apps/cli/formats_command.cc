@@ -2,7 +2,7 @@
 
 #include "commands.h"
 #include "felt/formats/format_traits.h"
-#include "json_text.h"
+#include "felt/io/ndjson/json_text.h"
 #include "print.h"
 #include "text_table.h"
 

@@ -5,8 +5,8 @@
 
 #include "commands.h"
 #include "felt/base/read_file.h"
+#include "felt/io/ndjson/json_text.h"
 #include "felt/material/material_fields.h"
-#include "json_text.h"
 #include "own_materials.h"
 #include "print.h"
 #include "text_table.h"

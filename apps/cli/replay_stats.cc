@@ -1,6 +1,6 @@
 #include "replay_stats.h"
 
-#include "json_text.h"
+#include "felt/io/ndjson/json_text.h"
 
 namespace felt::cli {
 

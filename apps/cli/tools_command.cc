@@ -3,9 +3,9 @@
 #include <memory>
 
 #include "commands.h"
+#include "felt/io/ndjson/json_text.h"
 #include "felt/session/sheet_options.h"
 #include "felt/tools/tool.h"
-#include "json_text.h"
 #include "own_materials.h"
 #include "print.h"
 #include "text_table.h"

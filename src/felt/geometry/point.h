@@ -14,6 +14,15 @@ struct Point {
   friend constexpr bool operator==(Point, Point) noexcept = default;
 };
 
+/// The largest magnitude of a coordinate that is accepted anywhere: 1,000 km. Doubles still
+/// resolve 1e-7 mm there.
+inline constexpr double kMaxCoordinateMm = 1e9;
+
+/// Returns true if both coordinates are numbers of at most kMaxCoordinateMm.
+inline bool is_in_range(Point p) noexcept {
+  return std::fabs(p.x) <= kMaxCoordinateMm && std::fabs(p.y) <= kMaxCoordinateMm;
+}
+
 constexpr Vec operator-(Point a, Point b) noexcept {
   return {a.x - b.x, a.y - b.y};
 }

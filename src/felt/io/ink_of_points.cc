@@ -33,8 +33,7 @@ StrokeData data_of(const FittedCurve& curve) {
 }
 
 bool is_usable(const WidePoint& p) {
-  return std::fabs(p.position.x) <= InkFitter::kMaxCoordinateMm &&
-         std::fabs(p.position.y) <= InkFitter::kMaxCoordinateMm && std::isfinite(p.width_mm);
+  return is_in_range(p.position) && std::isfinite(p.width_mm);
 }
 
 }  // namespace

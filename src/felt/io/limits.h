@@ -2,6 +2,8 @@
 
 #include <cstddef>
 
+#include "felt/geometry/point.h"
+
 /// What the readers of this layer accept. Everything above is an error that names its place;
 /// nothing is clamped in silence. docs/formats/ndjson.md and events.md tell users the same numbers.
 namespace felt::limits {
@@ -14,7 +16,7 @@ inline constexpr std::size_t kMaxLineBytes = std::size_t{512} << 20;
 inline constexpr std::size_t kMaxNumberChars = 64;
 
 /// Largest magnitude of a coordinate of raw ink, in the unit of the file. 1e9 mm is 1000 km.
-inline constexpr double kMaxCoordinate = 1e9;
+inline constexpr double kMaxCoordinate = kMaxCoordinateMm;
 
 /// Largest magnitude of a number in a sketch: a curve through ink at the limit above may reach a
 /// little beyond it, and its handles as far as the samples are apart.

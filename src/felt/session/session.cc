@@ -16,13 +16,8 @@
 namespace felt {
 namespace {
 
-/// Beyond this a place is no place on a sheet; the script format has the same limit.
-constexpr double kFarthestMm = 1e9;
-
 bool is_place(const Vec3& at) {
-  // NaN compares false.
-  return std::fabs(at.x) <= kFarthestMm && std::fabs(at.y) <= kFarthestMm &&
-         std::fabs(at.z) <= kFarthestMm;
+  return is_in_range(Point{at.x, at.y}) && std::fabs(at.z) <= kMaxCoordinateMm;
 }
 
 std::optional<double> clean_pressure(std::optional<double> pressure) {

@@ -7,10 +7,8 @@ namespace felt {
 namespace {
 
 bool is_usable(const PenSample& sample) {
-  // NaN compares false.
-  return std::fabs(sample.position.x) <= GestureTool::kFarthestMm &&
-         std::fabs(sample.position.y) <= GestureTool::kFarthestMm &&
-         std::fabs(sample.position.z) <= GestureTool::kFarthestMm;
+  const Vec3& at = sample.position;
+  return is_in_range(Point{at.x, at.y}) && std::fabs(at.z) <= kMaxCoordinateMm;
 }
 
 /// Strokes that came out as they were are no change, and an edit without a change is no step.

@@ -13,14 +13,12 @@ namespace felt {
 ///                     |
 ///                     +--cancel--> waiting for the lift --> air     drop()
 ///
-/// Samples without a place (not finite, or farther than 1e9 mm) are ignored. Samples out of contact
-/// that may be a bounce (Contact) are held back: they are told when the pen is back, and forgotten
-/// when it was the lift. A button that changes within a gesture changes its samples only. Options
-/// that are set during a gesture take effect after it.
+/// Samples without a place (not finite, or farther than kMaxCoordinateMm) are ignored. Samples out
+/// of contact that may be a bounce (Contact) are held back: they are told when the pen is back, and
+/// forgotten when it was the lift. A button that changes within a gesture changes its samples only.
+/// Options that are set during a gesture take effect after it.
 class GestureTool : public Tool {
  public:
-  static constexpr double kFarthestMm = 1e9;
-
   /// `info` must outlive the tool.
   explicit GestureTool(const ToolInfo& info);
 

@@ -7,8 +7,8 @@
 
 #include "felt/base/hash.h"
 #include "felt/io/limits.h"
-#include "felt/io/xml/material_texts.h"
 #include "felt/io/number_list.h"
+#include "felt/io/xml/material_texts.h"
 #include "felt/io/xml/xml_text.h"
 #include "felt/stroke/color_text.h"
 #include "felt/stroke/edit/mend_joints.h"
@@ -89,12 +89,12 @@ Result<void> append_name(std::string& out, const char* key, std::string_view nam
 
 Result<void> check_range(const StrokeData& d) {
   for (const Point& p : d.points) {
-    if (!(std::fabs(p.x) <= limits::kMaxCoordinate && std::fabs(p.y) <= limits::kMaxCoordinate)) {
+    if (!is_in_range(p)) {
       return fail(ErrorCode::kLimitExceeded, "a coordinate beyond 1e9 mm cannot be written");
     }
   }
   for (const WidthKnot& knot : d.widths) {
-    if (!(knot.width_mm <= limits::kMaxCoordinate)) {
+    if (!(knot.width_mm <= kMaxCoordinateMm)) {
       return fail(ErrorCode::kLimitExceeded, "a width beyond 1e9 mm cannot be written");
     }
   }

@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "felt/base/result.h"
+#include "felt/io/ndjson/json_text.h"
 #include "felt/io/ndjson/ndjson_record.h"
 
 namespace felt {
@@ -27,11 +28,5 @@ void append_raw_line(std::string& out, std::string_view id, std::span<const InkS
 
 /// {"feltline":1,"unit":"mm"}
 void append_header_line(std::string& out);
-
-/// The shortest text that reads back as the same finite double.
-void append_number(std::string& out, double number);
-
-/// Quoted and escaped as JSON.
-void append_json_string(std::string& out, std::string_view text);
 
 }  // namespace felt

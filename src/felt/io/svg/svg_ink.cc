@@ -6,12 +6,12 @@
 
 #include "felt/base/utf8.h"
 #include "felt/io/limits.h"
-#include "felt/io/xml/material_texts.h"
 #include "felt/io/svg/svg_center_line.h"
 #include "felt/io/svg/svg_dashes.h"
 #include "felt/io/svg/svg_line_width.h"
 #include "felt/io/svg/svg_scan.h"
 #include "felt/io/svg/svg_variable_width.h"
+#include "felt/io/xml/material_texts.h"
 #include "felt/stroke/color_text.h"
 
 namespace felt {
@@ -20,7 +20,6 @@ namespace {
 /// Where ink is drawn that stands in no layer.
 constexpr const char* kLayerName = "Ink";
 /// As far as files can be written.
-constexpr double kFarthestMm = 1e9;
 constexpr const char* kFar = "reaches farther than 1e9 mm and was left out";
 
 Rect bounds_mm(const SvgShape& shape) {
@@ -48,8 +47,8 @@ bool shows_filling(const SvgShape& shape) {
 }
 
 bool is_far(const Rect& r) {
-  return !(r.x0 >= -kFarthestMm && r.y0 >= -kFarthestMm && r.x1 <= kFarthestMm &&
-           r.y1 <= kFarthestMm);
+  return !(r.x0 >= -kMaxCoordinateMm && r.y0 >= -kMaxCoordinateMm && r.x1 <= kMaxCoordinateMm &&
+           r.y1 <= kMaxCoordinateMm);
 }
 
 std::optional<SheetPage> page_of(double width_mm, double height_mm) {

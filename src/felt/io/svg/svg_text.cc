@@ -8,16 +8,14 @@
 #include <vector>
 
 #include "felt/io/exact_numbers.h"
-#include "felt/io/picture/grain_mask.h"
 #include "felt/io/ndjson/ndjson_writer.h"
+#include "felt/io/picture/grain_mask.h"
 #include "felt/io/xml/xml_text.h"
 #include "felt/stroke/color_text.h"
 #include "felt/stroke/width_profile.h"
 
 namespace felt {
 namespace {
-
-constexpr double kFarthestMm = 1e9;
 
 /// A place on the grid of path coordinates. Integers, so that differences are exact.
 struct GridPoint {
@@ -240,7 +238,8 @@ void append_tones(std::string& out, const StrokeData& d) {
 }
 
 bool within_reach(const Rect& r) noexcept {
-  return r.x0 >= -kFarthestMm && r.y0 >= -kFarthestMm && r.x1 <= kFarthestMm && r.y1 <= kFarthestMm;
+  return r.x0 >= -kMaxCoordinateMm && r.y0 >= -kMaxCoordinateMm && r.x1 <= kMaxCoordinateMm &&
+         r.y1 <= kMaxCoordinateMm;
 }
 
 }  // namespace

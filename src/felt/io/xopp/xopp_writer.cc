@@ -134,7 +134,7 @@ class XoppParts final : public DrawingParts {
 
   static Result<void> check(const Stroke& stroke, std::size_t number) {
     for (const Point& p : stroke.data().points) {
-      if (std::max(std::fabs(p.x), std::fabs(p.y)) <= limits::kMaxCoordinate) continue;
+      if (is_in_range(p)) continue;
       return fail(ErrorCode::kLimitExceeded, "stroke " + std::to_string(number) +
                                                  ": a coordinate beyond 1e9 mm cannot be written");
     }

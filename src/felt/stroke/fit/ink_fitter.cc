@@ -11,8 +11,7 @@ namespace felt {
 namespace {
 
 bool is_ink(const InkSample& sample) {
-  return std::fabs(sample.position.x) <= InkFitter::kMaxCoordinateMm &&
-         std::fabs(sample.position.y) <= InkFitter::kMaxCoordinateMm;
+  return is_in_range(sample.position);
 }
 
 }  // namespace

@@ -9,9 +9,9 @@
 #include "felt/stroke/fit/curve_fitter.h"
 #include "felt/stroke/fit/ink_sample.h"
 #include "felt/stroke/fit/pen_filter.h"
-#include "felt/stroke/stroke.h"
 #include "felt/stroke/fit/width_fitter.h"
 #include "felt/stroke/fit/width_map.h"
+#include "felt/stroke/stroke.h"
 
 namespace felt {
 
@@ -84,9 +84,6 @@ class InkFitter {
   [[nodiscard]] const FittedCurve& curve() const;
   /// The finished stroke with its width profile. After end(). Error: no sample was taken.
   [[nodiscard]] Result<Stroke> stroke() const;
-
-  /// Coordinates beyond this are not ink; doubles still resolve 1e-7 mm there.
-  static constexpr double kMaxCoordinateMm = 1e9;
 
  private:
   struct State;

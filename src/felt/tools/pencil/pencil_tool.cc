@@ -17,9 +17,7 @@ constexpr ToolInfo kInfo{.id = "pencil",
 
 /// True when the fitter could take it.
 bool is_usable(const PenSample& sample) {
-  return is_finite(sample.position) &&
-         std::fabs(sample.position.x) <= InkFitter::kMaxCoordinateMm &&
-         std::fabs(sample.position.y) <= InkFitter::kMaxCoordinateMm;
+  return is_finite(sample.position) && is_in_range(Point{sample.position.x, sample.position.y});
 }
 
 }  // namespace
