@@ -1,14 +1,225 @@
 #include "desktop/materials/material_fields_view.h"
 
+#include <QColorDialog>
+#include <QElapsedTimer>
 #include <QLabel>
+#include <QPainter>
+#include <QSignalBlocker>
 #include <algorithm>
 #include <array>
+#include <random>
 #include <type_traits>
 
-#include "desktop/materials/figure_rows.h"
+#include "desktop/panels/tool_icons.h"
+#include "desktop/panels/tool_texts.h"
 
 namespace felt::desktop {
 namespace {
+
+/// What a row needs to know of a field of either table.
+struct FigureSpec {
+  std::string id;
+  MaterialFieldKind kind = MaterialFieldKind::kNumber;
+  OptionSpec option;  ///< as panels/OptionRow shows it; texts of the table, which live for good
+};
+
+template <class Field>
+FigureSpec figure_spec(const Field& field);
+
+/// The row that suits the kind.
+FigureRow* make_figure_row(const FigureSpec& spec, QWidget* parent);
+
+/// "µm" for "um".
+std::string_view shown_unit(std::string_view unit) noexcept;
+
+template <class Field>
+FigureSpec figure_spec(const Field& field) {
+  FigureSpec spec{std::string(field.id), field.kind, {}};
+  spec.option.id = field.id;
+  spec.option.label = field.label;
+  spec.option.unit = shown_unit(field.unit);
+  spec.option.min = field.min;
+  spec.option.max = field.max;
+  spec.option.choices = field.choices;
+  spec.option.help = field.help;
+  if (field.kind == MaterialFieldKind::kSwitch) spec.option.kind = OptionKind::kSwitch;
+  if (field.kind == MaterialFieldKind::kChoice) spec.option.kind = OptionKind::kChoice;
+  return spec;
+}
+
+constexpr int kSameRunMs = 700;  // keys and wheel: two that are no farther apart are one step
+constexpr QSize kColorPx{44, 16};
+
+/// Numbers drags: what comes between pressing and letting go, or shortly after the last.
+class Runs {
+ public:
+  void begin() { held_ = next(); }
+  void end() { held_ = 0; }
+  quint64 now() {
+    if (held_ != 0) return held_;
+    if (!since_.isValid() || since_.elapsed() > kSameRunMs) loose_ = next();
+    since_.start();
+    return loose_;
+  }
+
+ private:
+  static quint64 next() {
+    static quint64 last = 0;
+    return ++last;
+  }
+  quint64 held_ = 0, loose_ = 0;
+  QElapsedTimer since_;
+};
+
+/// The tools' own row: slider and number, check box, list.
+class OptionFigureRow final : public FigureRow {
+ public:
+  OptionFigureRow(const FigureSpec& spec, QWidget* parent)
+      : FigureRow(parent), spec_(spec), row_(new OptionRow(spec.option, this)) {
+    auto* lines = new QVBoxLayout(this);
+    lines->setContentsMargins({});
+    lines->addWidget(row_);
+    connect(row_, &OptionRow::chosen, this,
+            [this](const OptionValue& value) { Q_EMIT chosen(number_of(value), runs_.now()); });
+    if (auto* slider = row_->findChild<QSlider*>()) {
+      connect(slider, &QSlider::sliderPressed, this, [this] { runs_.begin(); });
+      connect(slider, &QSlider::sliderReleased, this, [this] { runs_.end(); });
+    }
+  }
+  [[nodiscard]] const std::string& field() const noexcept override { return spec_.id; }
+  void show_value(double now, double origin) override {
+    row_->set_default(value_of(origin));
+    row_->show_value(value_of(now));
+  }
+
+ private:
+  [[nodiscard]] OptionValue value_of(double number) const {
+    if (spec_.kind == MaterialFieldKind::kSwitch) return number != 0.0;
+    if (spec_.kind != MaterialFieldKind::kChoice) return number;
+    const std::size_t last = spec_.option.choices.size() - 1;
+    return std::string(spec_.option.choices[std::min(static_cast<std::size_t>(number), last)]);
+  }
+  [[nodiscard]] double number_of(const OptionValue& value) const {
+    if (const auto* number = std::get_if<double>(&value)) return *number;
+    if (const auto* on = std::get_if<bool>(&value)) return *on ? 1.0 : 0.0;
+    const auto& choices = spec_.option.choices;
+    const auto at = std::find(choices.begin(), choices.end(), std::get<std::string>(value));
+    return static_cast<double>(at - choices.begin());
+  }
+
+  FigureSpec spec_;
+  OptionRow* row_;
+  Runs runs_;
+};
+
+/// Name and control side by side.
+class PlainFigureRow : public FigureRow {
+ public:
+  PlainFigureRow(const FigureSpec& spec, QWidget* parent)
+      : FigureRow(parent), spec_(spec), line_(new QHBoxLayout(this)) {
+    line_->setContentsMargins({});
+    setToolTip(help());
+  }
+  [[nodiscard]] const std::string& field() const noexcept override { return spec_.id; }
+
+ protected:
+  void add(QWidget* control, const QString& name) {
+    control->setAccessibleName(name);
+    control->setAccessibleDescription(help());
+    control->setToolTip(help());
+    if (line_->isEmpty()) {
+      auto* label = new QLabel(this->name(), this);
+      label->setBuddy(control);
+      line_->addWidget(label, 1);
+    }
+    line_->addWidget(control);
+  }
+  [[nodiscard]] QString name() const { return translated(spec_.option.label); }
+  [[nodiscard]] QString help() const { return translated(spec_.option.help); }
+
+ private:
+  FigureSpec spec_;
+  QHBoxLayout* line_;
+};
+
+/// A whole number that means nothing but another one: typed, or thrown.
+class SeedRow final : public PlainFigureRow {
+ public:
+  SeedRow(const FigureSpec& spec, QWidget* parent)
+      : PlainFigureRow(spec, parent), spin_(new QDoubleSpinBox(this)) {
+    spin_->setDecimals(0);
+    spin_->setRange(spec.option.min, spec.option.max);
+    spin_->setKeyboardTracking(false);
+    spin_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+    add(spin_, name());
+    auto* other = new QToolButton(this);
+    other->setText(MaterialFieldsView::tr("Another"));
+    other->setFocusPolicy(Qt::StrongFocus);
+    add(other, MaterialFieldsView::tr("Another seed"));
+    connect(spin_, &QDoubleSpinBox::valueChanged, this,
+            [this](double value) { Q_EMIT chosen(value, 0); });
+    connect(other, &QToolButton::clicked, this, [this] {
+      std::random_device device;
+      Q_EMIT chosen(static_cast<double>(device() % 10'000), 0);
+    });
+  }
+  void show_value(double now, double) override {
+    const QSignalBlocker quiet(spin_);
+    spin_->setValue(now);
+  }
+
+ private:
+  QDoubleSpinBox* spin_;
+};
+
+class ColorRow final : public PlainFigureRow {
+ public:
+  ColorRow(const FigureSpec& spec, QWidget* parent)
+      : PlainFigureRow(spec, parent), button_(new QToolButton(this)) {
+    button_->setIconSize(kColorPx);
+    button_->setFocusPolicy(Qt::StrongFocus);
+    button_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    add(button_, name());
+    connect(button_, &QToolButton::clicked, this, [this] {
+      const QColor color = QColorDialog::getColor(color_, window(), name());
+      if (color.isValid()) Q_EMIT chosen(static_cast<double>(color.rgb() & 0xFFFFFFU), 0);
+    });
+  }
+  void show_value(double now, double) override {
+    color_ = QColor::fromRgb(static_cast<QRgb>(now));
+    QPixmap swatch(kColorPx * devicePixelRatioF());
+    swatch.setDevicePixelRatio(devicePixelRatioF());
+    swatch.fill(color_);
+    QPainter painter(&swatch);
+    painter.setPen(QColor(128, 128, 128));
+    painter.drawRect(0, 0, kColorPx.width() - 1, kColorPx.height() - 1);
+    painter.end();
+    button_->setIcon(swatch);
+    button_->setText(color_.name());
+  }
+
+ private:
+  QToolButton* button_;
+  QColor color_;
+};
+
+std::string_view shown_unit(std::string_view unit) noexcept {
+  return unit == "um" ? std::string_view("µm") : unit;
+}
+
+FigureRow* make_figure_row(const FigureSpec& spec, QWidget* parent) {
+  switch (spec.kind) {
+    case MaterialFieldKind::kColor:
+      return new ColorRow(spec, parent);
+    case MaterialFieldKind::kWhole:
+      return new SeedRow(spec, parent);
+    case MaterialFieldKind::kNumber:
+    case MaterialFieldKind::kSwitch:
+    case MaterialFieldKind::kChoice:
+      break;
+  }
+  return new OptionFigureRow(spec, parent);
+}
 
 constexpr int kRowGapPx = 7;
 constexpr int kGroupGapPx = 8;

@@ -1,17 +1,116 @@
 #include "felt/store/stroke_blob.h"
 
+#include <bit>
 #include <cmath>
 #include <cstdint>
+#include <string>
+#include <string_view>
 #include <utility>
 
 #include "felt/base/utf8.h"
 #include "felt/store/byte_stream.h"
 #include "felt/store/crc32c.h"
-#include "felt/store/packed_numbers.h"
 #include "felt/stroke/width_profile.h"
 
 namespace felt {
 namespace {
+
+/// Doubles in few bytes, to the last bit (docs/formats/felt.md, "Packed numbers"): each as how far
+/// it is from a guess that the reader makes too, or as its leading bytes where it is a round
+/// number. Good guesses cost half a byte, none cost half a byte more than the double itself.
+class NumberPacker {
+ public:
+  void put(double value, double guess);
+  void append_to(std::string& out) const;
+
+ private:
+  std::string lengths_, bytes_;
+  bool is_odd_ = false;
+};
+
+/// Takes them off again. The guesses must be those of the packer.
+class NumberUnpacker {
+ public:
+  /// Requires of the bytes nothing: of too few of them, in.ok() is false in the end.
+  NumberUnpacker(ByteReader& in, std::size_t count);
+
+  double take(double guess);
+  /// That what is no number in the lengths is zero, as the packer leaves it.
+  [[nodiscard]] bool is_clean() const noexcept;
+
+ private:
+  std::string_view lengths_;
+  ByteReader& in_;
+  std::size_t count_;
+  std::size_t taken_ = 0;
+};
+
+constexpr std::uint64_t kSign = std::uint64_t{1} << 63;
+/// Lengths up to 8 are of a difference; above, less 8, of leading bytes.
+constexpr unsigned kMostDifferenceBytes = 8;
+
+/// The doubles in their order as whole numbers, neighbours next to each other.
+std::uint64_t rank_of(double value) noexcept {
+  const auto bits = std::bit_cast<std::uint64_t>(value);
+  return (bits & kSign) != 0 ? ~bits : bits | kSign;
+}
+
+double of_rank(std::uint64_t rank) noexcept {
+  return std::bit_cast<double>((rank & kSign) != 0 ? rank ^ kSign : ~rank);
+}
+
+/// 0, -1, 1, -2, ... as 0, 1, 2, 3, ...
+std::uint64_t folded(std::uint64_t difference) noexcept {
+  return (difference << 1) ^ ((difference & kSign) != 0 ? ~std::uint64_t{0} : 0);
+}
+
+std::uint64_t unfolded(std::uint64_t n) noexcept {
+  return (n >> 1) ^ ((n & 1) != 0 ? ~std::uint64_t{0} : 0);
+}
+
+void NumberPacker::put(double value, double guess) {
+  const std::uint64_t difference = folded(rank_of(value) - rank_of(guess));
+  const auto bits = std::bit_cast<std::uint64_t>(value);
+  const auto size = static_cast<unsigned>(std::bit_width(difference) + 7) / 8;
+  const auto leading = bits == 0 ? 1U : 8U - static_cast<unsigned>(std::countr_zero(bits)) / 8;
+  const bool is_round = leading < size;
+  const unsigned length = is_round ? kMostDifferenceBytes + leading : size;
+  if (is_odd_) {
+    lengths_.back() = static_cast<char>(static_cast<unsigned char>(lengths_.back()) | length << 4);
+  } else {
+    lengths_ += static_cast<char>(length);
+  }
+  is_odd_ = !is_odd_;
+  const std::uint64_t n = is_round ? bits >> (64 - 8 * leading) : difference;
+  for (unsigned i = 0; i < (is_round ? leading : size); ++i) {
+    bytes_ += static_cast<char>((n >> (8 * i)) & 0xff);
+  }
+}
+
+void NumberPacker::append_to(std::string& out) const {
+  out += lengths_;
+  out += bytes_;
+}
+
+NumberUnpacker::NumberUnpacker(ByteReader& in, std::size_t count)
+    : lengths_(in.bytes((count + 1) / 2)), in_(in), count_(count) {}
+
+double NumberUnpacker::take(double guess) {
+  const std::size_t at = taken_++;
+  if (at / 2 >= lengths_.size()) return 0.0;
+  const auto pair = static_cast<unsigned char>(lengths_[at / 2]);
+  const unsigned length = at % 2 == 0 ? pair & 0xfU : pair >> 4;
+  if (length <= kMostDifferenceBytes) {
+    return of_rank(rank_of(guess) + unfolded(in_.whole(length)));
+  }
+  const unsigned leading = length - kMostDifferenceBytes;
+  return std::bit_cast<double>(in_.whole(leading) << (64 - 8 * leading));
+}
+
+bool NumberUnpacker::is_clean() const noexcept {
+  return count_ % 2 == 0 || lengths_.empty() ||
+         static_cast<unsigned char>(lengths_.back()) >> 4 == 0;
+}
 
 /// Of a stroke whose tones are those of its widths; all that there was before strokes had tones.
 constexpr std::uint8_t kPlain = 1;
