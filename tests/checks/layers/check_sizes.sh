@@ -2,7 +2,7 @@
 # check_sizes.sh [ROOT]: which files and functions grew beyond what reads well?
 #
 # Prints what is over the target and fails on what is over the bound:
-#   header 150 lines (bound 300), source 250 (bound 500), function 60 lines (bound 60, not in tests).
+#   header 150 lines (bound 300), source 400 (bound 500), function 60 lines (bound 60, not in tests).
 # Functions need universal-ctags; without it only files are measured, and it says so.
 set -euo pipefail
 cd "${1:-.}"
@@ -14,7 +14,7 @@ status=0
 
 wc -l "${files[@]}" | LC_ALL=C sort -rn | awk '
   $2 == "total" || $2 ~ /_test\.cc$/ || $2 ~ /^tests\// { next }
-  { header = $2 ~ /\.h$/; target = header ? 150 : 250; bound = header ? 300 : 500 }
+  { header = $2 ~ /\.h$/; target = header ? 150 : 400; bound = header ? 300 : 500 }
   $1 > bound { printf "%s: %d lines, the bound is %d\n", $2, $1, bound; over = 1; next }
   $1 > target { printf "%s: %d lines, the target is %d\n", $2, $1, target }
   END { exit over }' || status=1
