@@ -76,7 +76,7 @@ void print_row(double tolerance_mm, const char* what, const FitStats& stats) {
   print("{:>9g}  {:8} {:>8} {:>9} {:>9} {:>8} {:>11.6f} {:>10.1f} {:>8} {:>8} {:>10.1f} {:>9g}\n",
         tolerance_mm, what, stats.strokes, stats.samples, stats.segments, stats.corners,
         stats.max_error_mm, per(static_cast<double>(stats.fit_ns), stats.samples),
-        stats.calls.quantile_ns(0.999), stats.calls.max_ns(),
+        stats.calls.quantile(0.999), stats.calls.max(),
         per(static_cast<double>(stats.refine_ns), stats.samples),
         per(static_cast<double>(stats.allocations), stats.samples));
 }

@@ -11,11 +11,11 @@
 #include "demo_scripts.h"
 #include "felt/io/picture/png.h"
 #include "felt/render/page.h"
+#include "felt/replay/replay_run.h"
 #include "force_plot.h"
-#include "forces_csv.h"
+#include "forces_file.h"
 #include "print.h"
 #include "replay_arguments.h"
-#include "replay_run.h"
 #include "sketch_output.h"
 #include "text_table.h"
 
@@ -44,7 +44,7 @@ struct DemoArguments {
 
 /// What is written while the acts are played.
 struct DemoRecorder {
-  ForcesCsv forces;
+  ForcesFile forces;
   ForcePlot plot;
   std::optional<double> first_contact_s{};
   PenSample pen{};
@@ -191,7 +191,7 @@ Result<void> play_acts(const DemoArguments& args, Console& console, DemoRecorder
 void run_demo(const DemoArguments& args, Console& console) {
   if (Result<void> made = make_folder(args.folder); !made)
     return console.error(made.error().message);
-  Result<ForcesCsv> forces = ForcesCsv::create(path_in(args, "forces.csv"));
+  Result<ForcesFile> forces = ForcesFile::create(path_in(args, "forces.csv"));
   if (!forces) return console.error(forces.error().message);
   const Capabilities device = args.pen.settings().device.capabilities;
   DemoRecorder recorder{*std::move(forces), ForcePlot(1e-9 * static_cast<double>(device.period_ns),

@@ -6,13 +6,13 @@
 #include "console_person.h"
 #include "felt/devices/simulated/simulated_stylus.h"
 #include "felt/io/ndjson/json_text.h"
+#include "felt/replay/real_device.h"
 #include "felt/validate/driver_subject.h"
 #include "felt/validate/simulated_subject.h"
 #include "felt/validate/validator.h"
 #include "interrupt.h"
 #include "output.h"
 #include "print.h"
-#include "real_device.h"
 
 namespace felt::cli {
 namespace {

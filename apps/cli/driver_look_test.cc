@@ -5,7 +5,7 @@
 
 #include "felt/driver/testing/fake_system.h"
 #include "packed.h"
-#include "testing/scripted_driver.h"
+#include "apps/cli/testing/scripted_driver.h"
 
 namespace felt::cli {
 namespace {

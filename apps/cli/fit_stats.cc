@@ -36,7 +36,7 @@ std::string stats_json(const FitStats& stats) {
                      "\n",
                      stats.strokes, stats.samples, stats.segments, stats.corners, max_error,
                      mean_error, per(static_cast<double>(stats.fit_ns), stats.samples),
-                     stats.calls.quantile_ns(0.999), stats.calls.max_ns(),
+                     stats.calls.quantile(0.999), stats.calls.max(),
                      per(static_cast<double>(stats.refine_ns), stats.samples),
                      per(static_cast<double>(stats.allocations), stats.samples));
 }

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <string>
 
-#include "latency_histogram.h"
+#include "felt/base/histogram.h"
 
 namespace felt::cli {
 
@@ -18,7 +18,7 @@ struct FitStats {
   std::int64_t fit_ns = 0;       ///< thread CPU time from pen-down to pen-up
   std::int64_t refine_ns = 0;    ///< thread CPU time of the refinement
   std::int64_t allocations = 0;  ///< while samples come in, once warm
-  LatencyHistogram calls;        ///< thread CPU time of the call for a single sample
+  Histogram calls;               ///< thread CPU time of the call for a single sample
 
   void add(const FitStats& other) noexcept;
 };

@@ -11,4 +11,7 @@ bool ask(const std::string& question);
 /// Is somebody there to ask?
 bool somebody_is_there();
 
+/// Returns true if Enter was pressed at the terminal since the last call.
+bool enter_pressed();
+
 }  // namespace felt::cli

@@ -9,18 +9,18 @@
 #include "commands.h"
 #include "drawing_output.h"
 #include "felt/io/events/event_writer.h"
+#include "felt/replay/option_text.h"
+#include "felt/replay/record_copy.h"
+#include "felt/replay/record_run.h"
+#include "felt/replay/replay_drawing.h"
 #include "felt/session/recorder.h"
 #include "felt/tools/tool.h"
-#include "forces_csv.h"
+#include "forces_file.h"
 #include "given_files.h"
 #include "interrupt.h"
-#include "option_text.h"
 #include "own_materials.h"
 #include "print.h"
 #include "question.h"
-#include "record_copy.h"
-#include "record_run.h"
-#include "replay_drawing.h"
 #include "sketch_output.h"
 
 namespace felt::cli {
@@ -53,7 +53,7 @@ constexpr const char* kRecordExamples =
 struct RecordOutputs {
   std::optional<DrawingOutput> drawing;
   std::optional<Output> events;
-  std::optional<ForcesCsv> forces;
+  std::optional<ForcesFile> forces;
   Result<void> written = {};  ///< of the events so far
 };
 
@@ -72,7 +72,7 @@ Result<RecordOutputs> open_outputs(const RecordArguments& args, const Rect& page
     outputs.events.emplace(*std::move(events));
   }
   if (!args.forces.empty()) {
-    Result<ForcesCsv> forces = ForcesCsv::create(args.forces);
+    Result<ForcesFile> forces = ForcesFile::create(args.forces);
     if (!forces) return tl::unexpected(forces.error());
     outputs.forces.emplace(*std::move(forces));
   }
@@ -140,6 +140,65 @@ bool agrees_to_forces(const RecordArguments& args) {
   _exit(EXIT_FAILURE);
 }
 
+const char* state_words(SafetyState state) {
+  switch (state) {
+    case SafetyState::kOff:
+      return "forces off";
+    case SafetyState::kWaiting:
+      return "lift the pen: forces come then";
+    case SafetyState::kEngaging:
+      return "forces begin";
+    case SafetyState::kActive:
+      return "forces on";
+    case SafetyState::kSilent:
+      return "damping only";
+    case SafetyState::kFalling:
+      return "forces fall";
+    case SafetyState::kLatched:
+      return "forces off after a fault";
+  }
+  return "";
+}
+
+std::string status_line(const RecordStatus& status) {
+  return fmt::format("{:.0f} Hz  {:.2f} N  {}  {} strokes  (Enter: forces {}, Ctrl-C: end)",
+                     status.rate_hz, status.sent_n, state_words(status.state), status.strokes,
+                     status.wants_forces ? "off" : "on");
+}
+
+/// The recording's options; `console`, `outputs` and `copy` must outlive it.
+RecordOptions record_options(const RecordArguments& args, const Rect& page, Console& console,
+                             RecordOutputs& outputs, RecordCopy& copy) {
+  RecordOptions options{.page = page,
+                        .force_limit_n = args.limit_n,
+                        .forces = args.forces_on,
+                        .seconds = args.seconds,
+                        .is_over = Interrupt::was_asked,
+                        .wants_pause = Interrupt::wants_pause,
+                        .has_agreed = args.yes,
+                        .enter_pressed = enter_pressed};
+  options.pause = [&console] {
+    console.end_progress();
+    Interrupt::pause();
+  };
+  options.may_move = [asks = !args.yes](const std::string& instructions) {
+    say("{}\n", instructions);
+    return !asks || ask("Ready?");
+  };
+  // Not a notice: --quiet does not hide what the user agrees to.
+  options.ask_consent = [&console] {
+    console.end_progress();
+    say("{}\nEnter again: you agree to forces.\n", kConsent);
+  };
+  options.on_notice = [&console](const std::string& words) { console.notice(words); };
+  options.on_status = [&console](const RecordStatus& s) { console.status(status_line(s)); };
+  options.on_tick = [&outputs](const TickReport& tick) {
+    return outputs.forces ? outputs.forces->add(tick, tick.sample.pressure) : Result<void>();
+  };
+  options.keep = [&copy](const Session& session) { copy.keep(session); };
+  return options;
+}
+
 void run_record(const RecordArguments& args, Console& console) {
   check_given_files({}, {{"-o", args.output}, {"--events", args.events}, {"--forces", args.forces}},
                     console);
@@ -162,20 +221,10 @@ void run_record(const RecordArguments& args, Console& console) {
     return console.error("nobody agreed to forces; without --forces-on it draws without them");
   }
   const Interrupt interrupt(OnSuspend::kPause);
-  RecordRun run(*device, session, console, outputs->forces ? &*outputs->forces : nullptr,
-                {.page = **page,
-                 .force_limit_n = args.limit_n,
-                 .forces = args.forces_on,
-                 .asks = !args.yes,
-                 .seconds = args.seconds,
-                 .is_over = Interrupt::was_asked,
-                 .wants_pause = Interrupt::wants_pause,
-                 .pause = Interrupt::pause,
-                 .has_agreed = args.yes,
-                 .consent = kConsent,
-                 .keep = [&copy](const Session& drawn) { copy.keep(drawn); }});
+  RecordRun run(*device, session, record_options(args, **page, console, *outputs, copy));
   if (Result<void> begun = run.begin(); !begun) return console.error(begun.error().message);
   const Result<void> drawn = run.draw();
+  console.end_progress();
   if (!drawn) console.error(drawn.error().message);
   if (Result<void> written = write_outputs(*outputs, recorder, session); !written) {
     console.error(written.error().message);

@@ -10,11 +10,11 @@
 #include <vector>
 
 #include "commands.h"
-#include "felt/base/printable.h"
 #include "felt/autosave/folder_lock.h"
 #include "felt/autosave/recovery.h"
+#include "felt/base/printable.h"
+#include "felt/replay/record_copy.h"
 #include "print.h"
-#include "record_copy.h"
 
 namespace felt::cli {
 namespace {

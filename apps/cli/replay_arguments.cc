@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "commands.h"
+#include "replay_input.h"
 
 namespace felt::cli {
 namespace {
@@ -40,8 +41,10 @@ void ReplayArguments::add_loop_to(CLI::App& command) {
 }
 
 ReplaySettings ReplayArguments::settings() const {
-  return replay_settings(*find_stylus_preset(device), *find_hand(hand), !no_force, rate_hz,
-                         delay_ticks);
+  ReplaySettings settings = replay_settings(*find_stylus_preset(device), *find_hand(hand),
+                                            !no_force, rate_hz, delay_ticks);
+  settings.read_import = read_sketch;
+  return settings;
 }
 
 }  // namespace felt::cli

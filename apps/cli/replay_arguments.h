@@ -3,7 +3,7 @@
 #include <optional>
 #include <string>
 
-#include "replay_settings.h"
+#include "felt/replay/replay_machine.h"
 
 namespace CLI {
 class App;

@@ -11,20 +11,20 @@
 #include "felt/formats/own_materials.h"
 #include "felt/io/limits.h"
 #include "felt/io/picture/png.h"
+#include "felt/replay/replay_drawing.h"
+#include "felt/replay/replay_run.h"
 #include "felt/store/felt_recording.h"
 #include "felt/stroke/color_text.h"
 #include "force_plot.h"
-#include "forces_csv.h"
+#include "forces_file.h"
 #include "given_files.h"
 #include "input.h"
 #include "overlay_picture.h"
 #include "own_materials.h"
 #include "picture.h"
 #include "print.h"
-#include "recording.h"
 #include "replay_arguments.h"
-#include "replay_drawing.h"
-#include "replay_run.h"
+#include "replay_input.h"
 #include "replay_sound.h"
 
 namespace felt::cli {
@@ -120,7 +120,7 @@ struct ReplayOutputs {
   PictureOptions picture;
   std::optional<SessionView> stopped;        ///< what was in work when the play was stopped,
   std::optional<Document> stopped_document;  ///< and the document with it
-  std::optional<ForcesCsv> forces;
+  std::optional<ForcesFile> forces;
   std::optional<ForcePlot> plot;
   std::unique_ptr<ReplaySound> sound;  ///< large
   std::optional<FeltRecorder> recorder;
@@ -210,7 +210,7 @@ Result<ReplayOutputs> open_outputs(const ReplayCommandArguments& args,
     }
   }
   if (!args.forces.empty()) {
-    Result<ForcesCsv> opened = ForcesCsv::create(args.forces);
+    Result<ForcesFile> opened = ForcesFile::create(args.forces);
     if (!opened) return tl::unexpected(opened.error());
     outputs.forces.emplace(*std::move(opened));
   }
@@ -263,7 +263,7 @@ void set_options(const ReplayCommandArguments& args, const StoredDrawing& start,
 Result<void> play_scripts(const ReplayCommandArguments& args, ReplayRun& run) {
   run.expect(args.scripts);
   for (const std::string& script : args.scripts) {
-    if (Result<void> taken = run.file(script); !taken) return taken;
+    if (Result<void> read = read_script_file(script, run); !read) return read;
   }
   return run.play();
 }
@@ -398,7 +398,7 @@ Result<void> draw_recorded(const ReplayCommandArguments& args, OpenedDrawing sta
                            Console& console) {
   if (Result<void> begun = take_up(start.drawing, session); !begun) return begun;
   if (outputs.sound) outputs.sound->begin(session);
-  Result<OpenedDrawing> frame = tell_recording(args.scripts.front(), session);
+  Result<OpenedDrawing> frame = apply_recording_file(args.scripts.front(), session);
   if (!frame) return tl::unexpected(frame.error());
   if (session.option_defaults() != kOptionDefaults) {
     console.notice(input_name(args.scripts.front()) +

@@ -17,15 +17,13 @@
 #include <string>
 #include <vector>
 
+#include "apps/cli/text_table.h"
 #include "felt/io/ndjson/ndjson_lines.h"
-#include "replay_run.h"
+#include "felt/replay/replay_run.h"
 #include "snap_bars.h"
-#include "text_table.h"
 
 namespace felt::bench {
 namespace {
-
-using cli::ReplayStats;
 
 struct Options {
   std::vector<std::string> files;
@@ -101,14 +99,14 @@ struct Row {
 };
 
 Result<ReplayStats> draw(const Options& options, const std::string& material, bool forces) {
-  const cli::ReplaySettings settings = cli::replay_settings(
-      *find_stylus_preset(options.device), *find_hand(options.hand), forces, {}, {});
-  cli::ReplayMachine machine(settings, Document(), {});
+  const ReplaySettings settings = replay_settings(*find_stylus_preset(options.device),
+                                                  *find_hand(options.hand), forces, {}, {});
+  ReplayMachine machine(settings, Document(), {});
   if (Result<void> set = machine.set_option("pencil.material", material); !set) {
     return tl::unexpected(set.error());
   }
   const auto start = std::chrono::steady_clock::now();
-  cli::ReplayRun run(machine, options.mm_per_unit, 0);
+  ReplayRun run(machine, options.mm_per_unit, 0);
   std::size_t left = options.limit;
   for (const std::string& path : options.files) {
     const Result<std::string> text = lines_of(path, left);

@@ -7,8 +7,8 @@
 #include <fstream>
 #include <iterator>
 
+#include "apps/cli/text_table.h"
 #include "tests/drawing/snapping/snap_count.h"
-#include "text_table.h"
 
 namespace felt::bench {
 namespace {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <string>
 
-#include "script_feed.h"
+#include "felt/replay/script_feed.h"
 
 namespace felt::desktop {
 namespace {
@@ -31,14 +31,14 @@ bool is_pose(const Event& event) {
 
 Result<void> ScriptPlayer::load(const QString& name, std::string_view text) {
   events_.clear();
-  cli::FeedOptions options;
+  FeedOptions options;
   options.hand = hand_of(studio_);
-  cli::FeedSink sink;
+  FeedSink sink;
   sink.event = [this](const Event& event) -> Result<void> {
     events_.push_back(event);
     return {};
   };
-  cli::ScriptFeed feed(options, std::move(sink));
+  ScriptFeed feed(options, std::move(sink));
   feed.begin_play(0);
   Result<void> read = feed.read(name.toStdString(), read_text(text));
   if (read) read = feed.rest();

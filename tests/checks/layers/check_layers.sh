@@ -7,6 +7,7 @@
 #   - project headers are included by their full name ("felt/...");
 #   - no header includes itself over others;
 #   - folders of the desktop program include only what their line allows;
+#   - the programs include the library and themselves, never each other;
 #   - every layer and room has a README.md, and every public header a comment.
 set -euo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
@@ -74,6 +75,17 @@ LC_ALL=C awk '
       complain((room == "" ? layer : room) " must not include the room " room_of " (" name ")")
   }
 
+  # What stands between quotes in a program.
+  function check_app_include(name,    app, n, start, i) {
+    for (app in app_allowed) if (index(FILENAME, app "/") == 1) break
+    if (index(FILENAME, app "/") != 1 || (is_test && name ~ /^tests\//)) return
+    n = split(app_allowed[app], start, " ")
+    for (i = 1; i <= n; ++i) {
+      if (start[i] == "." ? name !~ /\// : index(name, start[i] "/") == 1) return
+    }
+    complain(app " must not include \"" name "\"")
+  }
+
   function check_foreign_include(name,    i, j, n, folder, ok, names) {
     if (is_test) return
     for (i = 1; i <= only_count; ++i) {
@@ -103,6 +115,9 @@ LC_ALL=C awk '
         if (!(("desktop/" $i) in known)) complain($i " stands above " name "; list folders bottom up")
         allowed[name, "desktop/" $i] = 1
       }
+    } else if ($1 == "app") {
+      name = $2; sub(/:$/, "", name); line = $0; sub(/^[^:]*: */, "", line)
+      app_allowed[name] = line
     } else if ($1 == "only") {
       line = $0; sub(/^only +/, "", line); at = index(line, ": ")
       only_pattern[++only_count] = substr(line, 1, at - 1)
@@ -114,7 +129,8 @@ LC_ALL=C awk '
 
   is_header && /\/\/\// { commented[FILENAME] = 1 }
   /^[ \t]*#[ \t]*include[ \t]*"/ { split($0, quoted, "\""); line_of[FILENAME, "src/" quoted[2]] = FNR
-    check_project_include(quoted[2]); check_foreign_include(quoted[2]) }
+    check_project_include(quoted[2]); check_app_include(quoted[2])
+    check_foreign_include(quoted[2]) }
   /^[ \t]*#[ \t]*include[ \t]*</ { name = $0; sub(/^[^<]*</, "", name); sub(/>.*/, "", name)
     if (name ~ /^felt\//) check_project_include(name)
     check_foreign_include(name) }

@@ -27,6 +27,9 @@ clean_tree() {
   printf '/// Fits.\n#include "felt/stroke/ink.h"\n' | file src/felt/stroke/fit/fitter.h
   printf '/// A tool that fits.\n#include "felt/stroke/fit/fitter.h"\n' | file src/felt/tools/fits.h
   printf '#include "desktop/engine/studio.h"\n' | file apps/desktop/canvas/canvas.cc
+  printf '#include "print.h"\n#include "felt/tools/tool.h"\n' | file apps/cli/print.cc
+  printf '#include "apps/cli/print.h"\n#include "tests/support/near.h"\n' | file apps/cli/print_test.cc
+  printf '#include "tests/support/near.h"\n' | file apps/desktop/canvas/canvas_test.cc
 }
 
 # expect WHAT TEXT: the check must fail now, and say TEXT.
@@ -90,5 +93,20 @@ expect "a layer includes a folder of its own" "stroke must not include stroke/fi
 printf '#include "desktop/canvas/canvas.h"\n' | file apps/desktop/engine/bad.cc
 expect "a folder of the desktop includes one above it" \
   "desktop/engine must not include desktop/canvas"
+
+for include in desktop/engine/studio.h apps/desktop/engine/studio.h ../desktop/engine/studio.h; do
+  printf '#include "%s"\n' $include | file apps/cli/bad.cc
+  expect "the command line includes the desktop as $include" \
+    "apps/cli/bad.cc:1: apps/cli must not include \"$include\""
+done
+for include in print.h cli/print.h apps/cli/print.h ../cli/print.h tests/support/near.h; do
+  printf '#include "%s"\n' $include | file apps/desktop/canvas/bad.cc
+  expect "the desktop includes $include" \
+    "apps/desktop/canvas/bad.cc:1: apps/desktop must not include \"$include\""
+done
+printf '#include "script_feed.h"\n' | file apps/desktop/canvas/bad_test.cc
+expect "a test of the desktop is no exception" "apps/desktop must not include \"script_feed.h\""
+printf '#include "felt/devices/simulated/hand.h"\n' | file src/felt/devices/bad.cc
+expect "devices include the simulated one" "devices must not include devices/simulated"
 
 exit $((failures > 0))

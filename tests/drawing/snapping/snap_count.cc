@@ -10,27 +10,27 @@
 #include "felt/devices/simulated/samples/sample_sets.h"
 #include "felt/geometry/nearest.h"
 #include "felt/io/ndjson/ndjson_lines.h"
+#include "felt/replay/replay_run.h"
 #include "felt/stroke/stroke_tip.h"
-#include "replay_run.h"
 
 namespace felt::snap_test {
 
 Result<SnapCount> draw_lines(const std::string& ndjson, const SnapHand& hand,
                              const std::string& snap) {
-  const cli::ReplaySettings settings = cli::replay_settings(
-      *find_stylus_preset(hand.device), *find_hand(hand.name), hand.forces, {}, {});
-  cli::ReplayMachine machine(settings, Document(), {});
+  const ReplaySettings settings =
+      replay_settings(*find_stylus_preset(hand.device), *find_hand(hand.name), hand.forces, {}, {});
+  ReplayMachine machine(settings, Document(), {});
   if (!snap.empty()) {
     if (Result<void> set = machine.set_option("pencil.snap", snap); !set) {
       return tl::unexpected(set.error());
     }
   }
-  cli::ReplayRun run(machine, 1.0, hand.tremor_seed);
+  ReplayRun run(machine, 1.0, hand.tremor_seed);
   if (Result<void> read = run.script("scene", "", read_text(ndjson)); !read) {
     return tl::unexpected(read.error());
   }
   if (Result<void> played = run.play(); !played) return tl::unexpected(played.error());
-  const cli::ReplayStats stats = machine.take_stats();
+  const ReplayStats stats = machine.take_stats();
   SnapCount count{.meant = static_cast<int>(stats.strokes_meant),
                   .strokes = static_cast<int>(stats.strokes),
                   .closed = 0,

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "felt/replay/forces_csv.h"
+#include "output.h"
+
+namespace felt::cli {
+
+/// The file of `--forces`. Nothing shows under its name before `finish`.
+class ForcesFile {
+ public:
+  /// Fails if the file cannot be written. Messages begin with its name.
+  static Result<ForcesFile> create(const std::string& path) {
+    Result<Output> output = Output::create(path);
+    if (!output) return tl::unexpected(output.error());
+    Result<ForcesCsv> csv = ForcesCsv::create();
+    if (!csv) return tl::unexpected(csv.error());
+    return ForcesFile(*std::move(output), *std::move(csv));
+  }
+
+  /// Adds a tick. `pressure` 0..1 decides the width.
+  Result<void> add(const TickReport& tick, std::optional<double> pressure) {
+    return csv_.add(tick, pressure);
+  }
+  /// Completes the file. Call once.
+  Result<void> finish() {
+    const Result<void> done =
+        csv_.finish([this](std::string_view bytes) { return output_.write(bytes); });
+    return done ? output_.commit() : done;
+  }
+
+ private:
+  ForcesFile(Output output, ForcesCsv csv) : output_(std::move(output)), csv_(std::move(csv)) {}
+
+  Output output_;
+  ForcesCsv csv_;
+};
+
+}  // namespace felt::cli

@@ -1,0 +1,119 @@
+#include "replay_input.h"
+
+#include <fmt/core.h>
+
+#include <utility>
+
+#include "felt/document/visible_strokes.h"
+#include "felt/formats/line_drawing.h"
+#include "felt/replay/recording.h"
+#include "input.h"
+
+namespace felt::cli {
+namespace {
+
+constexpr std::size_t kBatchBytes = std::size_t{64} << 10;
+
+/// Returns the folder of a path with its slash; "" for the working directory.
+std::string folder_of(const std::string& path) {
+  return path.substr(0, path.find_last_of('/') + 1);
+}
+
+tl::unexpected<Error> failed(const std::string& path, const Error& error) {
+  return fail(error.code, input_name(path) + ": " + error.message);
+}
+
+/// Reads an input that is not lines of strokes.
+Result<OpenedDrawing> read_whole(const Input& input) {
+  Result<OpenedDrawing> opened = input.read_drawing({});
+  if (opened) return opened;
+  return fail(opened.error().code, input.name() + ": " + opened.error().message);
+}
+
+/// Reads lines of strokes. Any wrong line is an error, because what a script draws depends on it.
+Result<Sketch> read_lines(const Input& input) {
+  LineReader reader(input.reader());
+  LineBatch batch;
+  LineStrokes strokes;
+  Sketch sketch;
+  for (;;) {
+    const Result<bool> more = reader.fill(batch, kBatchBytes);
+    if (!more) return fail(more.error().code, input.name() + ": " + more.error().message);
+    if (!*more) return sketch;
+    for (std::size_t i = 0; i < batch.size(); ++i) {
+      const NdjsonLine line = batch.line(i);
+      Result<std::optional<SketchStroke>> stroke = strokes.read(line);
+      if (!stroke) {
+        return fail(stroke.error().code,
+                    fmt::format("{}:{}: {}", input.name(), line.number(), stroke.error().message));
+      }
+      if (*stroke) sketch.push_back(**std::move(stroke));
+    }
+  }
+}
+
+/// Applies the newest recording of a drawing, and returns what else that drawing has.
+Result<OpenedDrawing> apply_drawing(const Input& input, const ReadImport& read_import,
+                                    Session& session) {
+  Result<OpenedDrawing> opened = input.read_drawing({});
+  if (!opened) return tl::unexpected(with_context(opened.error(), input.name()));
+  if (auto done = apply_recording(opened->drawing, read_import, session); !done) {
+    return tl::unexpected(with_context(done.error(), input.name()));
+  }
+  StoredDrawing frame;
+  frame.page = std::move(opened->drawing.page);
+  frame.palette = std::move(opened->drawing.palette);
+  frame.view = opened->drawing.view;
+  opened->drawing = std::move(frame);
+  return opened;
+}
+
+}  // namespace
+
+Result<OpenedDrawing> read_start(const std::string& path) {
+  const Result<Input> input = Input::open(path);
+  if (!input) return failed(path, input.error());
+  if (!input->is_lines()) return read_whole(*input);
+  return read_lines(*input).map([](const Sketch& sketch) {
+    OpenedDrawing opened;
+    opened.drawing.document = document_of(sketch);
+    return opened;
+  });
+}
+
+Result<Sketch> read_sketch(const std::string& path) {
+  const Result<Input> input = Input::open_regular(path);
+  if (!input) return failed(path, input.error());
+  if (input->is_lines()) return read_lines(*input);
+  return read_whole(*input).map(
+      [](const OpenedDrawing& opened) { return visible_strokes(opened.drawing.document); });
+}
+
+Result<void> read_script_file(const std::string& path, ReplayRun& run) {
+  const Result<Input> input = Input::open(path);
+  if (!input) return failed(path, input.error());
+  if (input->format() != FileFormat::kNdjson) {
+    return fail(ErrorCode::kUnsupported, input->name() + ": is no script, which is .ndjson");
+  }
+  return run.script(input->name(), folder_of(path), input->reader());
+}
+
+Result<OpenedDrawing> apply_recording_file(const std::string& path, Session& session) {
+  const Result<Input> input = Input::open(path);
+  if (!input) return failed(path, input.error());
+  const ReadImport read_import = [folder = folder_of(path)](const std::string& import) {
+    return read_sketch(import.rfind('/', 0) == 0 ? import : folder + import);
+  };
+  if (input->format() == FileFormat::kFelt) return apply_drawing(*input, read_import, session);
+  if (input->format() != FileFormat::kNdjson) {
+    return fail(ErrorCode::kUnsupported,
+                input->name() + ": is no script, which is .ndjson, and no drawing of Feltline");
+  }
+  if (Result<void> done = apply_script(input->name(), input->reader(), read_import, session);
+      !done) {
+    return tl::unexpected(done.error());
+  }
+  return OpenedDrawing();
+}
+
+}  // namespace felt::cli

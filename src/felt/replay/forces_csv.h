@@ -1,0 +1,67 @@
+#pragma once
+
+#include <cstdio>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "felt/base/result.h"
+#include "felt/rt/servo.h"
+
+namespace felt {
+
+/// A table of forces: a header, then a row per tick, with numbers in the shortest form that reads
+/// back as the same double:
+///
+///   t_ms,x,y,z,vx,vy,vz,pressure,ask_x,ask_y,ask_z,sent_x,sent_y,sent_z,plane_x,plane_y,plane_z,..
+///
+/// in ms, mm, mm/s and N. After the fixed columns come three for each force term that occurs, in
+/// the order in which they first do; a term is 0 on ticks without it. `pressure` is empty if it is
+/// unknown.
+///
+/// Which terms occur is known at the end only, so rows wait in a temporary file without a name, and
+/// memory does not grow with the ticks.
+class ForcesCsv {
+ public:
+  using Write = std::function<Result<void>(std::string_view bytes)>;
+
+  /// Fails if there is no temporary file.
+  static Result<ForcesCsv> create();
+
+  /// Adds a tick. `pressure` 0..1 decides the width.
+  Result<void> add(const TickReport& tick, std::optional<double> pressure);
+  /// Writes the whole table, a piece at a time. Call once.
+  Result<void> finish(const Write& write);
+
+ private:
+  struct Close {
+    void operator()(std::FILE* file) const { std::fclose(file); }
+  };
+  /// From this row on, rows have a group of columns for each of the first `terms` names.
+  struct Growth {
+    std::int64_t row;
+    std::size_t terms;
+  };
+
+  ForcesCsv() = default;
+  std::size_t group_of(std::string_view name);
+  Result<void> spool();
+  /// Returns what a row lacks to be as wide as the header.
+  [[nodiscard]] std::string padding_of(std::int64_t row) const;
+  /// Adds a piece of the rows, padded; `row` is the number of the one that it begins in.
+  void pad_rows(std::span<const char> bytes, std::int64_t& row, std::string& text) const;
+  Result<void> copy_rows(const Write& write);
+
+  std::unique_ptr<std::FILE, Close> spool_;
+  std::string rows_;                // not yet in the spool
+  std::vector<std::string> names_;  // of the terms, by group
+  std::vector<Force> forces_;       // of this row, by group
+  std::vector<Growth> growth_;
+  std::int64_t row_count_ = 0;
+};
+
+}  // namespace felt

@@ -1,0 +1,103 @@
+#pragma once
+
+#include <chrono>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "felt/replay/live_loop.h"
+#include "felt/session/session.h"
+
+namespace felt {
+
+/// How a recording is doing.
+struct RecordStatus {
+  double rate_hz = 0.0;  ///< of the loop
+  double sent_n = 0.0;
+  SafetyState state{};
+  std::size_t strokes = 0;
+  bool wants_forces = false;
+};
+
+/// Functions may be null.
+struct RecordOptions {
+  Rect page;
+  double force_limit_n = 3.0;
+  bool forces = false;
+  std::optional<double> seconds = {};  ///< how long; none: until `is_over`
+  std::function<bool()> is_over = {};
+  /// Returns true if the program should be suspended; `pause` does it, once no force is left.
+  std::function<bool()> wants_pause = {};
+  std::function<void()> pause = {};
+  LiveLoop::MayMove may_move = {};
+  /// True if the user agreed to forces already. Otherwise the first Enter calls `ask_consent`, and
+  /// the second one agrees.
+  bool has_agreed = false;
+  std::function<void()> ask_consent = {};
+  /// Returns true if Enter was pressed since the last call.
+  std::function<bool()> enter_pressed = {};
+  std::function<void(const std::string&)> on_notice = {};
+  std::function<void(const RecordStatus&)> on_status = {};  ///< every 4 ms
+  /// Receives reports of the loop, about 250 a second, with times of the session.
+  std::function<Result<void>(const TickReport&)> on_tick = {};
+  /// Called every 4 ms: saves a copy of the drawing that survives a crash.
+  std::function<void(const Session&)> keep = {};
+};
+
+/// A drawing session with a real device, live: the edit side of the loop without a window. When the
+/// device fails, the ink stays, and the session continues when the device is connected again,
+/// without forces until the user allows them again.
+///
+/// Enter switches forces off and on; notices say so.
+class RecordRun {
+ public:
+  /// Device and session must outlive it.
+  RecordRun(const RealDevice& device, Session& session, RecordOptions options);
+
+  /// Opens the device. Call it before the first event, because it tells the session what the device
+  /// can do.
+  Result<void> begin();
+  /// Draws until the end. Fails if the device hangs, or `on_tick` fails; the session has all ink so
+  /// far in any case.
+  Result<void> draw();
+  /// True if the device hung and was abandoned with its loop: its driver must not be used any more,
+  /// nor destroyed, and the program should exit without running the exit code of libraries.
+  [[nodiscard]] bool hangs() const noexcept { return hangs_; }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  Result<void> turn();
+  Result<void> report_tick(const TickReport& report);
+  void notice(const std::string& words) const;
+  void report_faults(const TickReport& report);
+  void report_status(const TickReport& report) const;
+  void handle_enter();
+  void end_loop();
+  Result<void> pause();
+  Result<void> reconnect(const std::string& why);
+  bool tries_again(std::optional<Error>& refusal);
+  [[nodiscard]] bool is_back() const;
+  [[nodiscard]] bool is_enter_pressed() const;
+  [[nodiscard]] std::int64_t elapsed_ns() const;
+  [[nodiscard]] bool is_over() const;
+
+  const RealDevice& device_;
+  Session& session_;
+  RecordOptions options_;
+  std::unique_ptr<LiveLoop> loop_;
+  Clock::time_point start_ = Clock::now();
+  std::int64_t offset_ns_ = 0;  // of the loop's clock in the session's
+  std::int64_t last_ns_ = 0;    // of the session
+  std::int64_t last_tick_ns_ = -1;
+  std::uint32_t reported_faults_ = 0;  // of this loop
+  std::uint32_t reported_cuts_ = 0;    // of this loop
+  std::optional<DeviceFault> reported_device_fault_;
+  std::optional<ShortText> reported_notice_;
+  bool wants_forces_ = false;
+  bool has_agreed_ = false;
+  bool hangs_ = false;
+};
+
+}  // namespace felt

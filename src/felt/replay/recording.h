@@ -1,0 +1,29 @@
+#pragma once
+
+#include <functional>
+#include <string>
+
+#include "felt/base/result.h"
+#include "felt/io/ndjson/ndjson_lines.h"
+#include "felt/session/session.h"
+#include "felt/store/felt_file.h"
+
+/// Applies a recording to a session, every event as it is: its samples went through a device and a
+/// loop when it was made, and do not again. At the end the gesture in progress is ended.
+///
+/// Fails at an event that the session refuses, or whose file cannot be read; what preceded it has
+/// been applied.
+namespace felt {
+
+/// Reads the strokes of the file that an import event names.
+using ReadImport = std::function<Result<Sketch>(const std::string& path)>;
+
+/// Applies a script. `name` is for errors, "NAME:LINE: reason".
+Result<void> apply_script(const std::string& name, ReadBytes read, const ReadImport& read_import,
+                          Session& session);
+
+/// Applies the newest recording in a drawing. Fails if there is none.
+Result<void> apply_recording(const StoredDrawing& drawing, const ReadImport& read_import,
+                             Session& session);
+
+}  // namespace felt

@@ -1,0 +1,58 @@
+#include "felt/replay/replay_drawing.h"
+
+#include <variant>
+
+#include "felt/formats/own_materials.h"
+#include "felt/material/material_file.h"
+#include "felt/stroke/color_text.h"
+
+namespace felt {
+namespace {
+
+/// Returns the media whose texts a drawing contains, with or without ink of them.
+std::vector<std::string> media_of(const StoredDrawing& drawing) {
+  std::vector<std::string> ids;
+  for (const std::string& text : drawing.materials) {
+    const Result<AnyMaterial> material = read_material(text);
+    if (material && std::holds_alternative<Medium>(*material)) ids.push_back(id_of(*material));
+  }
+  return ids;
+}
+
+}  // namespace
+
+std::vector<std::pair<std::string, std::string>> options_of(const StoredDrawing& drawing,
+                                                            const Materials& known) {
+  std::vector<std::pair<std::string, std::string>> options;
+  if (known.find_surface(drawing.page.surface)) {
+    options.emplace_back("sheet.material", drawing.page.surface);
+  }
+  if (drawing.color != Rgba{}) options.emplace_back("sheet.color", color_to_text(drawing.color));
+  return options;
+}
+
+OpenedDrawing drawing_after(OpenedDrawing start, const Session& session, Document document) {
+  StoredDrawing& drawing = start.drawing;
+  const Materials& known = session.materials();
+  const std::string& sheet = session.sheet().material().id;
+  // An unknown id stays, unless another surface was chosen than the first one, which the session
+  // used instead.
+  const std::string& old = drawing.page.surface;
+  const bool stays = !old.empty() && !known.find_surface(old) && sheet == known.surfaces()[0].id;
+  if (!stays) drawing.page.surface = sheet;
+  drawing.document = std::move(document);
+  drawing.color = session.sheet().color();
+  drawing.layer = session.layer();
+  drawing.materials =
+      texts_of_used(drawing.document, drawing.page.surface, known, media_of(drawing));
+  return start;
+}
+
+Document seen_document(const Session& session) {
+  Document seen = session.document();
+  // A preview that does not fit is a bug of the tool, which its commit will report.
+  if (session.preview()) (void)seen.apply(*session.preview());
+  return seen;
+}
+
+}  // namespace felt

@@ -1,0 +1,247 @@
+#include "felt/replay/replay_machine.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "felt/replay/option_text.h"
+#include "felt/tools/medium_line.h"
+#include "felt/tools/pressing.h"
+
+namespace felt {
+namespace {
+
+/// The tool whose ink is compared with the path of the hand.
+constexpr const char* kDrawingTool = "pencil";
+
+/// About 200 s of aims, 20 MB.
+constexpr std::size_t kManyEvents = 200'000;
+
+/// Half the workspace, in mm; beyond the largest coordinate that a script can name.
+constexpr double kEndlessMm = 1e10;
+
+double number_option(const Session& session, const char* id, double otherwise) {
+  const Result<OptionValue> value = session.option(id);
+  const double* number = value ? std::get_if<double>(&*value) : nullptr;
+  return number ? *number : otherwise;
+}
+
+/// Returns the medium that the pencil has now, or null.
+const Medium* pencil_medium(const Session& session) {
+  const Result<OptionValue> value = session.option("pencil.material");
+  const auto* id = value ? std::get_if<std::string>(&*value) : nullptr;
+  return id ? session.materials().find_medium(*id) : nullptr;
+}
+
+bool presses(const HandEvent& aim) {
+  return aim.target.z < 0.0 || aim.pressure.value_or(0.0) > 0.0;
+}
+
+}  // namespace
+
+ReplaySettings replay_settings(const StylusPreset& device, const SimulatedHand& hand, bool force,
+                               std::optional<double> rate_hz, std::optional<int> delay_ticks) {
+  ReplaySettings settings{.device = device, .hand = hand, .force = force, .script = {}};
+  Capabilities& can = settings.device.capabilities;
+  can.workspace_min.x = can.workspace_min.y = -kEndlessMm;
+  can.workspace_max.x = can.workspace_max.y = kEndlessMm;
+  if (rate_hz) can.period_ns = std::llround(1e9 / *rate_hz);
+  if (delay_ticks) can.delay_ticks = *delay_ticks;
+  settings.script = script_options_for(settings.device, hand);
+  if (!force) {
+    settings.script.contact = ContactBy::kPressure;
+    can.senses_pressure = true;
+  }
+  return settings;
+}
+
+ReplayMachine::ReplayMachine(const ReplaySettings& settings, Document document, Observer observer)
+    : settings_(settings),
+      observer_(std::move(observer)),
+      stylus_(settings.device, settings.hand),
+      session_(make_tools(), {.device = settings.device.capabilities,
+                              .materials = settings.materials,
+                              .document = std::move(document),
+                              .on_event = observer_.event,
+                              .on_edit = [this](const Edit& edit) { handle_edit(edit); }}),
+      probe_(make_tools(), {.device = settings.device.capabilities,
+                            .materials = settings.materials,
+                            .document = {},
+                            .on_event = {},
+                            .on_edit = {}}),
+      player_(stylus_, &stylus_, session_, player_options()) {}
+
+PlayerOptions ReplayMachine::player_options() {
+  PlayerOptions options;
+  options.period_ns = settings_.device.capabilities.period_ns;
+  options.forces = settings_.force;
+  options.on_tick = [this](const TickReport& report) { handle_tick(report); };
+  if (settings_.read_import) {
+    options.read_import = [this](const ImportEvent& import) {
+      return settings_.read_import(import.path);
+    };
+  }
+  options.is_cancelled = [this] { return handle_turn(); };
+  return options;
+}
+
+bool ReplayMachine::handle_turn() {
+  if (observer_.turn && !events_.empty()) {
+    const std::int64_t start_ns = events_.front().time_ns;
+    const auto all = static_cast<double>(events_.back().time_ns - start_ns);
+    const auto done = static_cast<double>(pen_.time_ns - start_ns);
+    observer_.turn(session_, all > 0.0 ? std::clamp(done / all, 0.0, 1.0) : 1.0);
+  }
+  if (observer_.until_ns && pen_.time_ns >= *observer_.until_ns) {
+    is_stopped_ = true;
+    if (observer_.stopped) observer_.stopped(session_, pen_);
+  }
+  return is_stopped_ || !observed_;
+}
+
+HandScriptOptions ReplayMachine::hand_options() const {
+  HandScriptOptions options = settings_.script;
+  set_surface(options, probe_.sheet().material(), probe_.device(), pencil_medium(probe_));
+  return options;
+}
+
+Result<void> ReplayMachine::set_option(const std::string& id, const std::string& text) {
+  const Result<OptionValue> present = probe_.option(id);
+  if (!present) return tl::unexpected(present.error());
+  const Result<OptionValue> value = value_like(*present, text);
+  if (!value) return fail(value.error().code, id + ": " + value.error().message);
+  const Event event{0, SetOption{id, *value}};
+  if (Result<void> known = probe_.apply(event); !known) return known;
+  return session_.apply(event);
+}
+
+Result<void> ReplayMachine::add(const Event& event) {
+  const auto* import = std::get_if<ImportEvent>(&event.what);
+  if (import && settings_.read_import) {
+    const Result<Sketch> sketch = settings_.read_import(import->path);
+    if (!sketch) return tl::unexpected(sketch.error());
+  } else if (import || std::holds_alternative<SelectTool>(event.what) ||
+             std::holds_alternative<SetOption>(event.what) ||
+             std::holds_alternative<UseMaterial>(event.what)) {
+    if (Result<void> known = probe_.apply(event); !known) return known;
+  } else if (const auto* aim = std::get_if<HandEvent>(&event.what)) {
+    add_aim(event.time_ns, *aim);
+  }
+  events_.push_back(event);
+  return {};
+}
+
+void ReplayMachine::add_aim(std::int64_t time_ns, const HandEvent& aim) {
+  if (in_stroke_) {
+    if (meant_.back().start_ns < 0) meant_.back().start_ns = time_ns;
+    return;
+  }
+  const bool is_down = presses(aim) && probe_.tool().info().id == kDrawingTool;
+  if (is_down && !hand_is_down_) meant_.push_back({time_ns, {}});
+  if (is_down) meant_.back().path.push_back(on_sheet(aim.target));
+  hand_is_down_ = is_down;
+}
+
+void ReplayMachine::begin_stroke() {
+  in_stroke_ = true;
+  meant_.push_back({-1, {}});
+}
+
+void ReplayMachine::stroke_drawn(const std::vector<Point>& meant) {
+  // The stroke is what was meant, not the aims, which compensate for mass and friction.
+  meant_.back().path = meant;
+  in_stroke_ = hand_is_down_ = false;
+}
+
+bool ReplayMachine::is_full() const noexcept {
+  return events_.size() >= kManyEvents;
+}
+
+ReplayStats ReplayMachine::take_stats() {
+  ReplayStats taken = std::exchange(stats_, {});
+  taken.strokes_changed = std::ssize(changed_);
+  changed_.clear();
+  for (const SketchStroke& stroke : session_.sketch()) {
+    ++taken.strokes;
+    taken.segments += stroke.stroke.segment_count();
+  }
+  return taken;
+}
+
+Result<void> ReplayMachine::play() {
+  if (is_stopped_) events_.clear();
+  if (events_.empty()) return {};
+  const Result<PlayReport> report = player_.play(events_);
+  if (!report) return tl::unexpected(report.error());
+  if (!observed_) return observed_;
+  stats_.ticks += static_cast<std::int64_t>(report->ticks);
+  stats_.simulated_s += 1e-9 * static_cast<double>(settings_.device.capabilities.period_ns) *
+                        static_cast<double>(report->ticks);
+  stats_.edits += static_cast<std::int64_t>(report->edits);
+  stats_.soft_faults += report->safety.soft_faults;
+  stats_.hard_faults += report->safety.hard_faults;
+  stats_.max_asked_n = std::max(stats_.max_asked_n, report->largest_asked_n);
+  stats_.max_sent_n = std::max(stats_.max_sent_n, report->largest_sent_n);
+  next_ns_ = report->end_ns + settings_.device.capabilities.period_ns;
+  compare_ink();
+  events_.clear();
+  return {};
+}
+
+void ReplayMachine::handle_tick(const TickReport& report) {
+  if (in_contact(report.sample) && !in_contact(pen_)) ++stats_.touches;
+  pen_ = report.sample;
+  if (in_contact(report.sample)) {
+    ++stats_.ticks_in_contact;
+    stats_.sent_sum_n += norm(report.sent);
+  }
+  if (!observer_.tick || !observed_) return;
+  const Pressing pressing(session_.sheet().material(), settings_.device.capabilities);
+  const std::optional<double> pressure = pressing.of(report.sample);
+  observed_ = observer_.tick({report, pressure, width_at(report, pressure)});
+}
+
+std::optional<double> ReplayMachine::width_at(const TickReport& report,
+                                              std::optional<double> pressure) {
+  const bool was_down = std::exchange(pen_is_down_, in_contact(report.sample));
+  if (!pen_is_down_) return std::nullopt;
+  if (!was_down) {
+    InkFitOptions ink;
+    ink.width_map = {.min_mm = number_option(session_, "pencil.min_width_mm", 0.3),
+                     .max_mm = number_option(session_, "pencil.max_width_mm", 6.0),
+                     .gamma = number_option(session_, "pencil.gamma", 1.0)};
+    const Medium* medium = pencil_medium(session_);
+    widths_ = WidthMap((medium ? drawn_with(*medium, ink) : ink).width_map);
+  }
+  return widths_
+      .push({on_sheet(report.sample.position), pressure, report.sample.time_ns,
+             report.sample.lean_deg})
+      .width_mm;
+}
+
+void ReplayMachine::handle_edit(const Edit& edit) {
+  for (const StrokeChange& change : edit.changes) {
+    changed_.insert(change.id);
+    if (change.after && session_.tool().info().id == kDrawingTool)
+      ink_.push_back({pen_.time_ns, *change.after});
+  }
+}
+
+/// Ink belongs to the last path that began before the ink was finished.
+void ReplayMachine::compare_ink() {
+  auto ink = ink_.begin();
+  std::vector<Stroke> strokes;
+  for (std::size_t i = 0; i < meant_.size(); ++i) {
+    const bool is_last = i + 1 == meant_.size();
+    strokes.clear();
+    for (; ink != ink_.end() && (is_last || ink->time_ns < meant_[i + 1].start_ns); ++ink) {
+      if (ink->time_ns >= meant_[i].start_ns) strokes.push_back(ink->stroke);
+    }
+    stats_.distance.add(meant_[i].path, strokes);
+  }
+  stats_.strokes_meant += static_cast<std::int64_t>(meant_.size());
+  meant_.clear();
+  ink_.clear();
+}
+
+}  // namespace felt

@@ -1,0 +1,140 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "felt/base/result.h"
+#include "felt/devices/simulated/hand_script.h"
+#include "felt/devices/simulated/simulated_hand.h"
+#include "felt/devices/simulated/simulated_stylus.h"
+#include "felt/devices/simulated/stylus_presets.h"
+#include "felt/material/materials.h"
+#include "felt/replay/replay_stats.h"
+#include "felt/session/player.h"
+#include "felt/session/session.h"
+#include "felt/stroke/fit/width_map.h"
+
+namespace felt {
+
+/// The simulated pen of a replay, the hand that holds it, and how the loop runs.
+struct ReplaySettings {
+  StylusPreset device;
+  SimulatedHand hand;
+  bool force = true;  ///< false: the loop sends no forces
+  /// How the hand draws raw strokes with it.
+  HandScriptOptions script;
+  /// Surfaces and media that options may name.
+  Materials materials = Materials::built_in();
+  /// Reads the strokes of a drawing that a script imports. Null: an import is an error.
+  std::function<Result<Sketch>(const std::string& path)> read_import{};
+};
+
+/// Returns the settings for a preset and a hand. `rate_hz` and `delay_ticks`: by default the
+/// device's.
+///
+/// The workspace is endless in x and y, as if the paper were moved under the device. Without force
+/// the pressure tells the hand how hard it presses, because nothing stops it.
+ReplaySettings replay_settings(const StylusPreset& device, const SimulatedHand& hand, bool force,
+                               std::optional<double> rate_hz, std::optional<int> delay_ticks);
+
+/// One tick of the loop, as an observer sees it.
+struct ReplayTick {
+  const TickReport& report;
+  std::optional<double> pressure;  ///< 0..1, decides the width
+  std::optional<double> width_mm;  ///< of the ink at the pen; none if the pen leaves no ink
+};
+
+/// Device, hand, loop, tools and document in one object: plays events on a virtual clock, and
+/// counts what happens. The same events give the same ticks and the same document.
+///
+/// An event that the session would refuse is an error when it is added. Events are kept until
+/// `play`, after which the loop starts again with what follows.
+class ReplayMachine {
+ public:
+  struct Observer {
+    std::function<Result<void>(const ReplayTick&)> tick{};  ///< an error ends the play
+    std::function<void(const Event&)> event{};              ///< each that the session handles
+    /// Called every 4 ms with the progress through what was added, 0..1.
+    std::function<void(const Session& session, double fraction)> turn{};
+    /// The play stops at this time, to 4 ms, even in the middle of a gesture.
+    std::optional<std::int64_t> until_ns{};
+    /// Called then, before the gesture in progress is ended as at the end of a script.
+    std::function<void(const Session& session, const PenSample& pen)> stopped{};
+  };
+
+  ReplayMachine(const ReplaySettings& settings, Document document, Observer observer);
+  ReplayMachine(const ReplayMachine&) = delete;
+  ReplayMachine& operator=(const ReplayMachine&) = delete;
+
+  /// Sets an option before the first event, "pencil.snap" to "off" or "sheet.material" to "felt".
+  /// The text is read as the kind of value that the option has.
+  Result<void> set_option(const std::string& id, const std::string& text);
+
+  /// Adds the next event; times never run backwards. Fails if an import cannot be read.
+  Result<void> add(const Event& event);
+  /// The next events draw a stroke ...
+  void begin_stroke();
+  /// ... along this path, with which its ink is compared. Outside of such strokes ink is compared
+  /// with the aims of the hand while it presses.
+  void stroke_drawn(const std::vector<Point>& meant);
+  /// True if so many events wait that they should be played as soon as the hand is in the air.
+  [[nodiscard]] bool is_full() const noexcept;
+  /// Plays what was added. Does nothing once a play was stopped.
+  Result<void> play();
+  /// Returns the time from which the next event may come.
+  [[nodiscard]] std::int64_t next_ns() const noexcept { return next_ns_; }
+
+  /// Returns what was counted since the last call, without the wall time; strokes and segments are
+  /// those of the document now.
+  ReplayStats take_stats();
+
+  /// Returns how the hand draws on the surface and with the medium chosen so far.
+  [[nodiscard]] HandScriptOptions hand_options() const;
+  [[nodiscard]] const Session& session() const noexcept { return session_; }
+
+ private:
+  /// A path that the hand meant to draw, from when to when.
+  struct Meant {
+    std::int64_t start_ns = 0;
+    std::vector<Point> path;
+  };
+  struct Ink {
+    std::int64_t time_ns = 0;
+    Stroke stroke;
+  };
+
+  [[nodiscard]] PlayerOptions player_options();
+  /// Returns true when the play is over.
+  bool handle_turn();
+  void handle_tick(const TickReport& report);
+  void handle_edit(const Edit& edit);
+  void add_aim(std::int64_t time_ns, const HandEvent& aim);
+  void compare_ink();
+  std::optional<double> width_at(const TickReport& report, std::optional<double> pressure);
+
+  ReplaySettings settings_;
+  Observer observer_;
+  SimulatedStylus stylus_;
+  Session session_;
+  Session probe_;  // has tools and options only: finds events that the session would refuse
+  Player player_;
+  std::vector<Event> events_;  // not played yet
+  std::vector<Meant> meant_;   // of these events
+  bool hand_is_down_ = false;
+  bool in_stroke_ = false;
+  std::vector<Ink> ink_;        // of this play
+  std::set<StrokeId> changed_;  // since take_stats
+  PenSample pen_;               // of the last tick
+  bool is_stopped_ = false;
+  std::int64_t next_ns_ = 0;
+  bool pen_is_down_ = false;
+  WidthMap widths_;
+  Result<void> observed_;  // the observer's first error
+  ReplayStats stats_;
+};
+
+}  // namespace felt

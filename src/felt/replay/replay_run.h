@@ -1,0 +1,40 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "felt/replay/replay_machine.h"
+#include "felt/replay/script_feed.h"
+
+namespace felt {
+
+/// Feeds scripts to a machine.
+class ReplayRun {
+ public:
+  /// The machine must outlive this.
+  ReplayRun(ReplayMachine& machine, double mm_per_unit, std::uint64_t seed);
+
+  /// Announces the files to come, so that progress() knows their size.
+  void expect(const std::vector<std::string>& paths);
+  /// Returns the progress through all scripts, 0..1, if the current play is at `part`, 0..1.
+  [[nodiscard]] double progress(double part) const noexcept;
+
+  /// Reads a script. `name` is for errors, imports are relative to `folder`, which ends with
+  /// a slash ("": the working directory). The error is "NAME:LINE: reason".
+  Result<void> script(const std::string& name, const std::string& folder, ReadBytes read);
+  /// Plays what was read so far; more may follow.
+  Result<void> play();
+
+ private:
+  FeedSink sink();
+
+  ReplayMachine& machine_;
+  ScriptFeed feed_;
+  std::string name_;  // of the last script
+  std::string folder_;
+  double expected_bytes_ = 0.0;  // of all files
+  double read_bytes_ = 0.0;      // so far
+  double played_bytes_ = 0.0;    // before the current play
+};
+
+}  // namespace felt

@@ -1,0 +1,64 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+
+#include "felt/base/histogram.h"
+#include "felt/geometry/bvh.h"
+#include "felt/stroke/stroke.h"
+
+namespace felt {
+
+/// How far ink is from the path that the hand meant: gathers the distances of many strokes in
+/// bounded memory. Measured in both directions, from points on the ink to the path and from points
+/// on the path to the ink, so that neither a detour nor a missing part goes unnoticed.
+class InkDistance {
+ public:
+  /// Adds one meant stroke and what came of it.
+  void add(std::span<const Point> meant, std::span<const Stroke> ink);
+
+  [[nodiscard]] double mean_mm() const noexcept;
+  /// 95 % of the points are no farther.
+  [[nodiscard]] double p95_mm() const noexcept { return mm_of(points_nm_.quantile(0.95)); }
+  [[nodiscard]] double max_mm() const noexcept { return mm_of(points_nm_.max()); }
+  [[nodiscard]] std::int64_t count() const noexcept { return count_; }
+
+ private:
+  static double mm_of(std::uint64_t nm) noexcept { return 1e-6 * static_cast<double>(nm); }
+  void add_point(const SegmentBvh& tree, Point point);
+
+  Histogram points_nm_;
+  double sum_mm_ = 0.0;
+  std::int64_t count_ = 0;
+};
+
+/// What a replay counts.
+struct ReplayStats {
+  std::int64_t ticks = 0;
+  double simulated_s = 0.0;
+  double wall_s = 0.0;               ///< of the whole loop, reading and writing included
+  std::int64_t touches = 0;          ///< times that the pen came down
+  std::int64_t strokes_meant = 0;    ///< that the hand was told to draw
+  std::int64_t strokes_changed = 0;  ///< added, changed or removed; each counted once
+  std::int64_t strokes = 0;          ///< in the document at the end
+  std::int64_t segments = 0;         ///< of these
+  std::int64_t edits = 0;            ///< of the document, undo and redo included
+  std::int64_t soft_faults = 0, hard_faults = 0;
+  double max_asked_n = 0.0, max_sent_n = 0.0;
+  double sent_sum_n = 0.0;  ///< over the ticks in contact
+  std::int64_t ticks_in_contact = 0;
+  InkDistance distance;  ///< from the path that the hand meant to the ink
+
+  [[nodiscard]] double times_real_time() const noexcept {
+    return wall_s > 0.0 ? simulated_s / wall_s : 0.0;
+  }
+  [[nodiscard]] double mean_sent_n() const noexcept {
+    return ticks_in_contact > 0 ? sent_sum_n / static_cast<double>(ticks_in_contact) : 0.0;
+  }
+};
+
+/// Returns one line of JSON. Without meant strokes "intended_to_ink_mm" is null.
+std::string stats_json(const ReplayStats& stats);
+
+}  // namespace felt

@@ -1,0 +1,92 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "felt/base/result.h"
+#include "felt/devices/simulated/hand_script.h"
+#include "felt/geometry/vec.h"
+#include "felt/io/events/event_reader.h"
+
+namespace felt {
+
+/// Receives what a script says. All but `event` may be null.
+struct FeedSink {
+  /// Handles the next event; times never run backwards, over all scripts.
+  std::function<Result<void>(const Event&)> event;
+  /// Called before the events of a raw stroke.
+  std::function<void()> stroke_begins{};
+  /// Called when all events of a raw stroke were sent, and the hand has lifted the pen: `meant` is
+  /// its path in mm.
+  std::function<Result<void>(const std::vector<Point>& meant)> stroke_drawn{};
+  /// Returns how the hand draws raw strokes with the current tool and surface. Null: FeedOptions.
+  std::function<HandScriptOptions()> hand{};
+};
+
+struct FeedOptions {
+  double mm_per_unit = 1.0;
+  /// How the hand draws raw strokes.
+  HandScriptOptions hand;
+  std::uint64_t seed = 0;  ///< of a tremor; 0 = none
+};
+
+/// Physiological tremor: a displacement of 0.03 mm rms on each axis at 8 to 12 Hz, which depends on
+/// nothing but the seed. Seed 0 is none.
+class Tremor {
+ public:
+  explicit Tremor(std::uint64_t seed);
+  /// Returns the displacement at a time, in mm.
+  [[nodiscard]] Vec at(std::int64_t time_ns) const noexcept;
+
+ private:
+  struct Tone {
+    double hz = 0.0, phase_x = 0.0, phase_y = 0.0;
+  };
+  std::array<Tone, 5> tones_;
+  double amplitude_mm_ = 0.0;
+};
+
+/// Reads scripts, with events and raw strokes in any order, and sends events in order of time.
+///
+/// A raw stroke is drawn when what precedes it is done: the hand moves there through the air,
+/// lands, draws at the recorded pace, lifts. An event that follows comes at its own time, or when
+/// the stroke is done if that is later. Times of a second script count from the end of the first.
+/// Memory is that of the longest stroke.
+class ScriptFeed {
+ public:
+  ScriptFeed(const FeedOptions& options, FeedSink sink);
+
+  /// Reads a whole script; its name is for errors. Stops at the first one, "NAME:LINE: reason".
+  Result<void> read(const std::string& name, ReadBytes read);
+  /// The loop starts again with the next event, at `from_ns` or later: the hand waits above the
+  /// first stroke until forces have faded in, so that this one feels like the others.
+  void begin_play(std::int64_t from_ns) noexcept;
+  /// Call it before a play: the hand that drew raw strokes stays for a moment, so that the pen,
+  /// which follows it, comes to rest, too.
+  Result<void> rest();
+
+  /// Time of the last event sent.
+  [[nodiscard]] std::int64_t now_ns() const noexcept { return now_ns_; }
+  [[nodiscard]] std::int64_t stroke_count() const noexcept { return strokes_; }
+
+ private:
+  Result<void> add_event(const Event& event);
+  Result<void> add_stroke(const RawStroke& stroke);
+  Result<void> travel_to(const Vec3& target);
+  Result<void> put(const TimedAim& aim, std::int64_t start_ns);
+
+  FeedOptions options_;
+  FeedSink sink_;
+  Tremor tremor_;
+  std::int64_t file_start_ns_ = 0;  // of the times in this script
+  std::int64_t now_ns_ = 0;
+  std::optional<Vec3> hand_;  // the last aim
+  std::int64_t strokes_ = 0;
+  bool is_fresh_ = true;
+};
+
+}  // namespace felt
