@@ -3,7 +3,6 @@
 #include <memory>
 
 #include "commands.h"
-#include "console_person.h"
 #include "felt/devices/simulated/simulated_stylus.h"
 #include "felt/io/ndjson/json_text.h"
 #include "felt/replay/real_device.h"
@@ -13,6 +12,7 @@
 #include "interrupt.h"
 #include "output.h"
 #include "print.h"
+#include "text_table.h"
 
 namespace felt::cli {
 namespace {
@@ -25,6 +25,23 @@ struct DeviceTestArguments {
   double soak_s = 60.0;
   bool yes = false;
   bool json = false;
+};
+
+/// The user at the terminal. With `agrees_to_all` (--yes) nothing is asked, and what needs hands on
+/// cables is skipped if nobody is there.
+class ConsolePerson final : public TestPerson {
+ public:
+  explicit ConsolePerson(bool agrees_to_all) : agrees_to_all_(agrees_to_all) {}
+  bool does(PersonTask task, const std::string& words) override {
+    const bool is_consent = task == PersonTask::kAgreeToForces || task == PersonTask::kFindHome;
+    const bool needs_hands = task == PersonTask::kUnplug || task == PersonTask::kReplug;
+    say("\n{}\n", wrapped(words, 80, 0));
+    if (agrees_to_all_) return !needs_hands || somebody_is_there();
+    return ask(is_consent ? "Do you agree?" : "Ready?");
+  }
+
+ private:
+  bool agrees_to_all_;
 };
 
 constexpr const char* kDeviceTestExamples =

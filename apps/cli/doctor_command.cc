@@ -7,7 +7,6 @@
 #include "felt/devices/drivers.h"
 #include "felt/driver/machine_checks.h"
 #include "print.h"
-#include "question.h"
 #include "system_fix.h"
 
 namespace felt::cli {

@@ -3,9 +3,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "apps/cli/testing/scripted_driver.h"
 #include "felt/driver/testing/fake_system.h"
 #include "packed.h"
-#include "apps/cli/testing/scripted_driver.h"
 
 namespace felt::cli {
 namespace {

@@ -7,7 +7,6 @@
 #include <new>
 
 #include "felt/document/visible_strokes.h"
-#include "thread_clock.h"
 
 namespace felt::cli {
 namespace {

@@ -12,7 +12,6 @@
 #include "felt/stroke/sketch.h"
 #include "fit_stats.h"
 #include "sketch_output.h"
-#include "stroke_meter.h"
 
 namespace felt::cli {
 

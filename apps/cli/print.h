@@ -2,6 +2,7 @@
 
 #include <fmt/core.h>
 
+#include <string>
 #include <string_view>
 #include <utility>
 
@@ -25,5 +26,15 @@ void say(fmt::format_string<Values...> format, Values&&... values) {
 
 /// False if anything that was printed did not reach stdout. Flushes it.
 bool stdout_is_whole() noexcept;
+
+/// Asks the user at the terminal, on stderr. Returns true only for "y" or "yes", and false if stdin
+/// is not a terminal.
+bool ask(const std::string& question);
+
+/// Returns true if stdin is a terminal, so that there is somebody to ask.
+bool somebody_is_there();
+
+/// Returns true if Enter was pressed at the terminal since the last call.
+bool enter_pressed();
 
 }  // namespace felt::cli

@@ -20,7 +20,6 @@
 #include "interrupt.h"
 #include "own_materials.h"
 #include "print.h"
-#include "question.h"
 #include "sketch_output.h"
 
 namespace felt::cli {

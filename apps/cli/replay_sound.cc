@@ -1,9 +1,88 @@
 #include "replay_sound.h"
 
 #include <algorithm>
+#include <cerrno>
+#include <cmath>
+#include <system_error>
 #include <utility>
+#include <vector>
 
 namespace felt::cli {
+namespace {
+
+constexpr std::size_t kBufferBytes = std::size_t{64} << 10;
+
+tl::unexpected<Error> failed(const char* doing) {
+  return fail(ErrorCode::kIo, std::string("temporary file: cannot ") + doing + ": " +
+                                  std::generic_category().message(errno));
+}
+
+void append(std::string& bytes, std::uint32_t value, int count) {
+  for (int i = 0; i < count; ++i) bytes += static_cast<char>((value >> (8 * i)) & 0xFFu);
+}
+
+std::string header_of(std::uint32_t samples) {
+  const std::uint32_t data = 2 * samples;
+  std::string bytes = "RIFF";
+  append(bytes, 36 + data, 4);
+  bytes += "WAVEfmt ";
+  append(bytes, 16, 4);
+  append(bytes, 1, 2);  // PCM
+  append(bytes, 1, 2);  // channel
+  append(bytes, WavFile::kRateHz, 4);
+  append(bytes, 2 * WavFile::kRateHz, 4);
+  append(bytes, 2, 2);   // bytes a sample of all channels
+  append(bytes, 16, 2);  // bits
+  bytes += "data";
+  append(bytes, data, 4);
+  return bytes;
+}
+
+}  // namespace
+
+Result<WavFile> WavFile::create(const std::string& path) {
+  Result<Output> output = Output::create(path);
+  if (!output) return tl::unexpected(output.error());
+  WavFile file(*std::move(output));
+  file.spool_.reset(std::tmpfile());
+  if (!file.spool_) return failed("create");
+  return file;
+}
+
+Result<void> WavFile::add(std::span<const float> samples) {
+  count_ += samples.size();
+  if (count_ > kMaxSamples) {
+    return fail(ErrorCode::kUnsupported,
+                "a .wav file holds 12 hours of sound at most, and this goes on for longer");
+  }
+  for (const float sample : samples) {
+    const double value = std::clamp(static_cast<double>(sample), -1.0, 1.0);
+    append(bytes_, static_cast<std::uint32_t>(std::lround(32767.0 * value)), 2);
+  }
+  if (bytes_.size() < kBufferBytes) return {};
+  if (std::fwrite(bytes_.data(), 1, bytes_.size(), spool_.get()) != bytes_.size()) {
+    return failed("write");
+  }
+  bytes_.clear();
+  return {};
+}
+
+Result<void> WavFile::finish() {
+  const bool is_spooled =
+      std::fwrite(bytes_.data(), 1, bytes_.size(), spool_.get()) == bytes_.size() &&
+      std::fflush(spool_.get()) == 0;
+  if (!is_spooled) return failed("write");
+  if (std::fseek(spool_.get(), 0, SEEK_SET) != 0) return failed("read");
+  Result<void> written = output_.write(header_of(static_cast<std::uint32_t>(count_)));
+  std::vector<char> buffer(kBufferBytes);
+  while (written) {
+    const std::size_t n = std::fread(buffer.data(), 1, buffer.size(), spool_.get());
+    if (n == 0) break;
+    written = output_.write({buffer.data(), n});
+  }
+  if (!written) return written;
+  return std::ferror(spool_.get()) ? failed("read") : output_.commit();
+}
 
 Result<ReplaySound> ReplaySound::create(const std::string& path) {
   Result<WavFile> file = WavFile::create(path);

@@ -1,25 +1,60 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
+#include <cstdio>
+#include <memory>
 #include <optional>
+#include <span>
 #include <string>
 
 #include "felt/session/heard_pen.h"
 #include "felt/sound/rubbing_sound.h"
-#include "wav_file.h"
+#include "output.h"
 
 namespace felt::cli {
 
-/// The file of `replay --sound`: what a session's pen sounds like, in virtual time, from its first
+/// A sound file that every player reads: RIFF/WAVE, PCM, 16 bit, one channel, 48 kHz. It begins
+/// with its length, so samples wait in a temporary file without a name, and memory does not grow
+/// with them. Nothing shows under the file's name before `finish`.
+class WavFile {
+ public:
+  static constexpr std::uint32_t kRateHz = 48000;
+  /// About 12 hours, the limit of a header of 32 bits.
+  static constexpr std::uint64_t kMaxSamples = 0x7FFFFF00u;
+
+  /// Fails if the file cannot be written. Messages begin with its name.
+  static Result<WavFile> create(const std::string& path);
+
+  /// Adds samples, clipped to -1..1. Fails if the disk is full, or beyond kMaxSamples.
+  Result<void> add(std::span<const float> samples);
+  /// Completes the file. Call once.
+  Result<void> finish();
+
+ private:
+  struct Close {
+    void operator()(std::FILE* file) const { std::fclose(file); }
+  };
+
+  explicit WavFile(Output output) : output_(std::move(output)) {}
+
+  Output output_;
+  std::unique_ptr<std::FILE, Close> spool_;
+  std::string bytes_;  // not yet in the spool
+  std::uint64_t count_ = 0;
+};
+
+/// The file of `replay --sound`: the sound of a session's pen, in virtual time, from its first
 /// sample to its last.
 class ReplaySound {
  public:
-  /// Error: the place cannot be written. Messages begin with its name.
+  /// Fails if the file cannot be written. Messages begin with its name.
   static Result<ReplaySound> create(const std::string& path);
 
-  /// Whose tool and sheet it is. Before the first add(); must outlive the last.
+  /// Sets the session whose tool and surface sound. Call it before the first add(); the session
+  /// must outlive the last.
   void begin(const Session& session) { pen_.emplace(session); }
-  /// The next sample of the pen. Error: as of WavFile.
+  /// Adds a sample of the pen. Fails as WavFile does.
   Result<void> add(const PenSample& pen);
   /// Completes the file. Call once.
   Result<void> finish();
