@@ -1,7 +1,8 @@
-# FELT_QUICK_BUILD, for builds that start from nothing, as CI's do: what nearly every file includes
-# is compiled once a kind of target, and test code (not what it tests) is optimised less. Nothing
-# else changes; whatever is forgotten to be included shows in the builds without it, of people and
-# of the release in CI.
+# FELT_QUICK_BUILD: what nearly every file includes is compiled once a kind of target, several sources
+# of a target compile as one (FELT_UNITY_SOURCES), and test code (not what it tests) is optimised less
+# and carries no debug information. Without it every file is compiled alone, as clang-tidy needs it,
+# and whatever is forgotten to be included shows.
+set(FELT_UNITY_SOURCES 8 CACHE STRING "Sources that compile as one with FELT_QUICK_BUILD")
 set(felt_std_headers <algorithm> <array> <chrono> <cmath> <cstdint> <functional> <limits> <map>
   <memory> <mutex> <optional> <random> <set> <span> <string> <string_view> <utility> <variant>
   <vector> <tl/expected.hpp>)
@@ -13,7 +14,16 @@ set(felt_qt_headers <QAction> <QByteArray> <QDialog> <QDir> <QFile> <QImage> <QL
 
 # What test code is compiled with: it needs no speed. Not less: the linker takes inline functions of
 # ours from whichever object has them, and at -O0 they make the whole program slow.
+# Sanitizers name the lines of what they find.
 set(felt_quick_test_options -O1)
+if(NOT FELT_SANITIZE)
+  list(APPEND felt_quick_test_options -g0)
+endif()
+
+function(felt_unity target)
+  set_target_properties(${target} PROPERTIES UNITY_BUILD ON
+    UNITY_BUILD_BATCH_SIZE ${FELT_UNITY_SOURCES})
+endfunction()
 
 # felt_quick_headers(NAME TYPE HEADERS ... [LIBRARIES|DEFINITIONS|OPTIONS ...]): a target that others
 # take their precompiled headers from; TYPE as theirs, so that the flags are the same.
@@ -41,6 +51,7 @@ function(felt_quick_library target)
   if(FELT_QUICK_BUILD)
     felt_quick_headers(felt_quick_library STATIC HEADERS ${felt_std_headers})
     target_precompile_headers(${target} REUSE_FROM felt_quick_library)
+    felt_unity(${target})
   endif()
 endfunction()
 
@@ -48,6 +59,7 @@ endfunction()
 function(felt_quick_program target)
   if(FELT_QUICK_BUILD)
     target_precompile_headers(${target} PRIVATE ${felt_std_headers} ${ARGN})
+    felt_unity(${target})
   endif()
 endfunction()
 
@@ -57,6 +69,7 @@ function(felt_quick_room target)
     felt_quick_headers(felt_quick_room STATIC HEADERS ${felt_std_headers} ${felt_qt_headers}
       LIBRARIES Qt6::Widgets DEFINITIONS QT_NO_KEYWORDS QT_NO_CAST_FROM_BYTEARRAY)
     target_precompile_headers(${target} REUSE_FROM felt_quick_room)
+    felt_unity(${target})
   endif()
 endfunction()
 
@@ -66,6 +79,7 @@ function(felt_quick_test target is_desktop)
     return()
   endif()
   target_compile_options(${target} PRIVATE ${felt_quick_test_options})
+  felt_unity(${target})
   if(is_desktop)
     felt_quick_headers(felt_quick_desktop_test EXECUTABLE
       HEADERS ${felt_std_headers} ${felt_test_headers} ${felt_qt_headers}

@@ -22,8 +22,8 @@
 namespace felt::cli {
 namespace {
 
-constexpr double kMarginMm = 6.0;
-constexpr Rgba kPaper{255, 254, 250, 255};
+constexpr double kDemoMarginMm = 6.0;
+constexpr Rgba kDemoPaper{255, 254, 250, 255};
 constexpr double kActDpi = 192.0;
 constexpr double kPlotUnits = 900.0;
 /// What the plot shows: from shortly before the pen first touches.
@@ -124,12 +124,12 @@ Result<void> write_picture(const std::string& path, const Sketch& sketch,
 
 Result<void> write_pictures(const DemoArguments& args, const Sketch& sketch) {
   PictureOptions picture;
-  picture.sheet = ink_bounds(sketch).inflated(kMarginMm);
+  picture.sheet = ink_bounds(sketch).inflated(kDemoMarginMm);
   picture.dpi = kMmPerInch * args.size_px / picture.sheet->width();
   for (const char* name : {"sketch.ndjson", "sketch.svg"}) {
     if (Result<void> done = write_picture(path_in(args, name), sketch, picture); !done) return done;
   }
-  picture.paper = kPaper;
+  picture.paper = kDemoPaper;
   return write_picture(path_in(args, "sketch.png"), sketch, picture);
 }
 

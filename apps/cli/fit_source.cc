@@ -7,7 +7,7 @@ namespace felt::cli {
 namespace {
 
 /// Enough for the cost of handing over not to count, small enough to spread evenly.
-constexpr std::size_t kBatchBytes = std::size_t{64} << 10;
+constexpr std::size_t kFitBatchBytes = std::size_t{64} << 10;
 
 /// The first stroke is a fitted one, hence all of them.
 bool is_sketch(const LineBatch& lines) {
@@ -36,7 +36,7 @@ bool FitSource::next(FitItem& item) {
       read_whole(item);
       return true;
     }
-    const Result<bool> more = reader_->fill(item.lines, kBatchBytes);
+    const Result<bool> more = reader_->fill(item.lines, kFitBatchBytes);
     if (more && *more) {
       if (input_is_empty_ && is_sketch(item.lines)) {
         item.failure =

@@ -7,7 +7,7 @@
 namespace felt::cli {
 namespace {
 
-constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
+constexpr double kGap = std::numeric_limits<double>::quiet_NaN();
 constexpr Rgba kSentColor{25, 25, 28, 255};
 constexpr Rgba kAskedColor{86, 180, 233, 255};
 
@@ -30,7 +30,7 @@ PlotTrace& ForcePlot::term_trace(const std::string& name) {
     if (term.name == name) return term.strength;
   }
   terms_.push_back({name, new_trace()});
-  for (std::size_t i = 0; i < ticks_; ++i) terms_.back().strength.add(kNothing);
+  for (std::size_t i = 0; i < ticks_; ++i) terms_.back().strength.add(kGap);
   return terms_.back().strength;
 }
 

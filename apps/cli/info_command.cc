@@ -16,7 +16,7 @@
 namespace felt::cli {
 namespace {
 
-constexpr std::size_t kBatchBytes = std::size_t{64} << 10;
+constexpr std::size_t kInfoBatchBytes = std::size_t{64} << 10;
 
 struct InfoArguments {
   std::string input;
@@ -62,7 +62,7 @@ void summarize_lines(const Input& input, Console& console, FileSummary& summary)
   LineBatch batch;
   Summarizer summarizer(summary);
   for (;;) {
-    const Result<bool> more = reader.fill(batch, kBatchBytes);
+    const Result<bool> more = reader.fill(batch, kInfoBatchBytes);
     if (!more) console.error(input.name() + ": " + more.error().message);
     if (!more || !*more) break;
     for (std::size_t i = 0; i < batch.size(); ++i) {

@@ -20,7 +20,7 @@ namespace {
 using Role = Overlay::Role;
 
 constexpr double kUnitsPerInch = 150.0;
-constexpr double kMarginMm = 5.0;
+constexpr double kOverlayMarginMm = 5.0;
 constexpr double kBandMm = 1.6;  // a marked span is that much broader than its ink
 constexpr double kTextSize = 8.0;
 constexpr Rgba kTextColor{30, 30, 34, 255};
@@ -217,7 +217,7 @@ Rgba role_color(Overlay::Role role) noexcept {
 Result<Image> draw_view(const SessionView& view, const PictureOptions& options, double scale) {
   PageOptions page;
   page.dpi = options.dpi;
-  page.sheet = options.sheet.value_or(bounds_of(view).inflated(kMarginMm));
+  page.sheet = options.sheet.value_or(bounds_of(view).inflated(kOverlayMarginMm));
   if (page.sheet->empty()) page.sheet = page_area(view.sketch, {});
   page.paper = options.paper.value_or(page.paper);
   Result<Image> image = render_page({}, page);  // the paper

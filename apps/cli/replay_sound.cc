@@ -10,9 +10,9 @@
 namespace felt::cli {
 namespace {
 
-constexpr std::size_t kBufferBytes = std::size_t{64} << 10;
+constexpr std::size_t kWavBufferBytes = std::size_t{64} << 10;
 
-tl::unexpected<Error> failed(const char* doing) {
+tl::unexpected<Error> wav_error(const char* doing) {
   return fail(ErrorCode::kIo, std::string("temporary file: cannot ") + doing + ": " +
                                   std::generic_category().message(errno));
 }
@@ -45,7 +45,7 @@ Result<WavFile> WavFile::create(const std::string& path) {
   if (!output) return tl::unexpected(output.error());
   WavFile file(*std::move(output));
   file.spool_.reset(std::tmpfile());
-  if (!file.spool_) return failed("create");
+  if (!file.spool_) return wav_error("create");
   return file;
 }
 
@@ -59,9 +59,9 @@ Result<void> WavFile::add(std::span<const float> samples) {
     const double value = std::clamp(static_cast<double>(sample), -1.0, 1.0);
     append(bytes_, static_cast<std::uint32_t>(std::lround(32767.0 * value)), 2);
   }
-  if (bytes_.size() < kBufferBytes) return {};
+  if (bytes_.size() < kWavBufferBytes) return {};
   if (std::fwrite(bytes_.data(), 1, bytes_.size(), spool_.get()) != bytes_.size()) {
-    return failed("write");
+    return wav_error("write");
   }
   bytes_.clear();
   return {};
@@ -71,17 +71,17 @@ Result<void> WavFile::finish() {
   const bool is_spooled =
       std::fwrite(bytes_.data(), 1, bytes_.size(), spool_.get()) == bytes_.size() &&
       std::fflush(spool_.get()) == 0;
-  if (!is_spooled) return failed("write");
-  if (std::fseek(spool_.get(), 0, SEEK_SET) != 0) return failed("read");
+  if (!is_spooled) return wav_error("write");
+  if (std::fseek(spool_.get(), 0, SEEK_SET) != 0) return wav_error("read");
   Result<void> written = output_.write(header_of(static_cast<std::uint32_t>(count_)));
-  std::vector<char> buffer(kBufferBytes);
+  std::vector<char> buffer(kWavBufferBytes);
   while (written) {
     const std::size_t n = std::fread(buffer.data(), 1, buffer.size(), spool_.get());
     if (n == 0) break;
     written = output_.write({buffer.data(), n});
   }
   if (!written) return written;
-  return std::ferror(spool_.get()) ? failed("read") : output_.commit();
+  return std::ferror(spool_.get()) ? wav_error("read") : output_.commit();
 }
 
 Result<ReplaySound> ReplaySound::create(const std::string& path) {

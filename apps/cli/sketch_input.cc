@@ -7,7 +7,7 @@
 namespace felt::cli {
 namespace {
 
-constexpr std::size_t kBatchBytes = std::size_t{64} << 10;
+constexpr std::size_t kSketchBatchBytes = std::size_t{64} << 10;
 
 /// Adds one line to a piece; nothing for a header.
 Result<void> add_line(LineStrokes& strokes, const NdjsonLine& line, std::int64_t number,
@@ -29,8 +29,8 @@ bool for_each_piece(const Input& input, Format format, Console& console,
   SketchPiece piece;
   std::int64_t records = 0;
   std::int64_t mended = 0;
-  Result<bool> more = reader.fill(batch, kBatchBytes);
-  for (; more && *more; more = reader.fill(batch, kBatchBytes)) {
+  Result<bool> more = reader.fill(batch, kSketchBatchBytes);
+  for (; more && *more; more = reader.fill(batch, kSketchBatchBytes)) {
     piece.clear();
     for (std::size_t i = 0; i < batch.size(); ++i) {
       const NdjsonLine line = batch.line(i);

@@ -10,7 +10,7 @@
 namespace felt::cli {
 namespace {
 
-constexpr std::size_t kBatchBytes = std::size_t{64} << 10;
+constexpr std::size_t kSpoolBatchBytes = std::size_t{64} << 10;
 
 tl::unexpected<Error> failed(const char* doing) {
   return fail(ErrorCode::kIo, std::string("temporary file: cannot ") + doing + ": " +
@@ -39,7 +39,7 @@ Result<void> for_each_line_stroke(ReadBytes source, const TakeStroke& take) {
   LineBatch batch;
   NdjsonParser parser;
   for (;;) {
-    const Result<bool> more = reader.fill(batch, kBatchBytes);
+    const Result<bool> more = reader.fill(batch, kSpoolBatchBytes);
     if (!more) return tl::unexpected(more.error());
     if (!*more) return {};
     for (std::size_t i = 0; i < batch.size(); ++i) {

@@ -13,7 +13,7 @@
 namespace felt::cli {
 namespace {
 
-constexpr std::size_t kGap = 2;
+constexpr std::size_t kColumnGap = 2;
 constexpr std::size_t kNarrowestWrap = 24;
 
 std::string padded(const std::string& cell, std::size_t width, TextTable::Align align) {
@@ -90,8 +90,8 @@ std::string TextTable::line(const std::vector<std::string>& cells,
   for (std::size_t c = 0; c < cells.size(); ++c) {
     const bool wraps = c + 1 == cells.size() && columns_[c].align == Align::kLeft;
     text += wraps ? wrapped(cells[c], room, at) : padded(cells[c], widths[c], columns_[c].align);
-    at += widths[c] + kGap;
-    if (c + 1 < cells.size()) text += std::string(kGap, ' ');
+    at += widths[c] + kColumnGap;
+    if (c + 1 < cells.size()) text += std::string(kColumnGap, ' ');
   }
   return text.substr(0, text.find_last_not_of(' ') + 1) + "\n";
 }
@@ -99,7 +99,7 @@ std::string TextTable::line(const std::vector<std::string>& cells,
 std::string TextTable::text(const TextStyle& style) const {
   const std::vector<std::size_t> widths = this->widths();
   std::size_t last_at = 0;
-  for (std::size_t c = 0; c + 1 < widths.size(); ++c) last_at += widths[c] + kGap;
+  for (std::size_t c = 0; c + 1 < widths.size(); ++c) last_at += widths[c] + kColumnGap;
   const std::size_t room = style.width > last_at + kNarrowestWrap ? style.width - last_at : 0;
   std::vector<std::string> names;
   for (const Column& column : columns_) names.push_back(column.name);

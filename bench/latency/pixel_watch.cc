@@ -18,7 +18,7 @@ constexpr int kPaper = 150;                      // of 255: the least light on a
 constexpr int kInkDarker = 40;                   // than the paper it is on
 constexpr std::chrono::microseconds kPause{50};  // the server is not to be kept busy by us
 
-std::int64_t steady_ns() {
+std::int64_t now_ns() {
   return std::chrono::nanoseconds(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
@@ -109,9 +109,9 @@ void PixelWatch::run() {
       std::this_thread::sleep_for(4 * kPause);
       continue;
     }
-    const std::int64_t before_ns = steady_ns();
+    const std::int64_t before_ns = now_ns();
     const bool is_ink = screen_->light(x_, y_) <= paper - kInkDarker;
-    const std::int64_t now_ns = steady_ns();
+    const std::int64_t now_ns = now_ns();
     looking_ns_ += now_ns - before_ns;
     ++looks_;
     if (is_ink && order == order_) seen_ns_ = now_ns;

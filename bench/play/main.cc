@@ -7,14 +7,13 @@
 
 #include <cmath>
 
+#include "felt/base/constants.h"
 #include "felt/devices/simulated/simulated_stylus.h"
 #include "felt/rt/null_device.h"
 #include "felt/session/player.h"
 
 namespace felt {
 namespace {
-
-constexpr std::int64_t kMs = 1'000'000;
 
 /// A minute of writing: a loop of 8 mm a second, lifted for 0.2 s after each 0.8 s.
 template <class What>

@@ -13,20 +13,19 @@
 #include <string_view>
 #include <vector>
 
+#include "felt/base/constants.h"
 #include "felt/devices/simulated/simulated_stylus.h"
-#include "felt/haptics/compose.h"
 #include "felt/haptics/bricks/damping.h"
 #include "felt/haptics/bricks/drawing_feel.h"
 #include "felt/haptics/bricks/spring.h"
 #include "felt/haptics/bricks/well.h"
+#include "felt/haptics/compose.h"
 #include "felt/rt/null_device.h"
 #include "felt/rt/realtime_thread.h"
 #include "felt/rt/servo.h"
 
 namespace felt::bench {
 namespace {
-
-constexpr std::int64_t kMs = 1'000'000;
 
 std::int64_t cpu_ns() {
   timespec now{};

@@ -9,7 +9,7 @@
 namespace felt::desktop {
 namespace {
 
-class Dice {
+class ViewDice {
  public:
   double between(double a, double b) { return std::uniform_real_distribution<>(a, b)(engine_); }
   bool coin() { return between(0, 1) < 0.5; }
@@ -36,7 +36,7 @@ double apart(QPointF a, QPointF b) {
 }
 
 TEST(CanvasView, ThereAndBackIsHome) {
-  Dice dice;
+  ViewDice dice;
   for (int i = 0; i < 2000; ++i) {
     const CanvasView view = dice.view();
     const QPointF px = dice.place_in(view);
@@ -50,7 +50,7 @@ TEST(CanvasView, ThereAndBackIsHome) {
 }
 
 TEST(CanvasView, ZoomAndTurnKeepWhatIsUnderThePointer) {
-  Dice dice;
+  ViewDice dice;
   for (int i = 0; i < 2000; ++i) {
     CanvasView view = dice.view();
     const QPointF at = dice.place_in(view);
@@ -66,7 +66,7 @@ TEST(CanvasView, ZoomAndTurnKeepWhatIsUnderThePointer) {
 }
 
 TEST(CanvasView, TurnsClockwiseAsSeenMirroredOrNot) {
-  Dice dice;
+  ViewDice dice;
   for (int i = 0; i < 200; ++i) {
     CanvasView view = dice.view();
     const QPointF middle(view.size().width() / 2, view.size().height() / 2);
@@ -77,7 +77,7 @@ TEST(CanvasView, TurnsClockwiseAsSeenMirroredOrNot) {
 }
 
 TEST(CanvasView, PanMovesTheSheetWithTheHand) {
-  Dice dice;
+  ViewDice dice;
   for (int i = 0; i < 500; ++i) {
     CanvasView view = dice.view();
     const QPointF from = dice.place_in(view);
@@ -89,7 +89,7 @@ TEST(CanvasView, PanMovesTheSheetWithTheHand) {
 }
 
 TEST(CanvasView, MirrorsAboutTheMiddle) {
-  Dice dice;
+  ViewDice dice;
   for (int i = 0; i < 500; ++i) {
     CanvasView view = dice.view();
     const CanvasView before = view;
@@ -103,7 +103,7 @@ TEST(CanvasView, MirrorsAboutTheMiddle) {
 }
 
 TEST(CanvasView, FitShowsAllOfItHoweverTurned) {
-  Dice dice;
+  ViewDice dice;
   for (int i = 0; i < 1000; ++i) {
     CanvasView view = dice.view();
     view.set_size({std::floor(dice.between(200, 4000)), std::floor(dice.between(200, 3000))});
@@ -125,7 +125,7 @@ TEST(CanvasView, FitShowsAllOfItHoweverTurned) {
 }
 
 TEST(CanvasView, VisibleHoldsEveryCornerAndTakesNoNonsense) {
-  Dice dice;
+  ViewDice dice;
   for (int i = 0; i < 200; ++i) {
     CanvasView view = dice.view();
     const Point mm = view.to_mm(dice.place_in(view));

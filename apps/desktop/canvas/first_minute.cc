@@ -11,7 +11,7 @@ namespace {
 constexpr double kTitleSize = 1.7, kTextSize = 1.15;  // of the program's font
 constexpr double kQuiet = 0.62;                       // how much of the ink's colour is seen
 
-QString words(const char* text) {
+QString first_minute_text(const char* text) {
   return QCoreApplication::translate("FirstMinute", text);
 }
 
@@ -35,13 +35,15 @@ void FirstMinute::set_text(char pull_key, const QString& status) {
   const QString key(
       QLatin1Char(static_cast<char>(std::toupper(static_cast<unsigned char>(pull_key)))));
   const QString undo = QKeySequence(QKeySequence::Undo).toString(QKeySequence::NativeText);
-  title_ = words(QT_TRANSLATE_NOOP("FirstMinute", "Draw with the pen or the mouse."));
+  title_ = first_minute_text(QT_TRANSLATE_NOOP("FirstMinute", "Draw with the pen or the mouse."));
   text_ =
-      words(QT_TRANSLATE_NOOP("FirstMinute", "To correct a line, press %1 and pull it into shape."))
+      first_minute_text(
+          QT_TRANSLATE_NOOP("FirstMinute", "To correct a line, press %1 and pull it into shape."))
           .arg(key) +
       QLatin1Char('\n') +
-      words(QT_TRANSLATE_NOOP("FirstMinute",
-                              "%1 takes back a step. The Help menu has a two-minute tour."))
+      first_minute_text(
+          QT_TRANSLATE_NOOP("FirstMinute",
+                            "%1 takes back a step. The Help menu has a two-minute tour."))
           .arg(undo);
   status_ = status;
 }

@@ -8,7 +8,7 @@
 namespace felt::desktop {
 namespace {
 
-/// What src/felt/tools/ROOM/ROOM.md says of a tool, in a few words.
+/// What src/felt/tools/ROOM/ROOM.md says of a tool, in a few hint_text.
 struct ToolHint {
   std::string_view id;
   const char* does;
@@ -44,7 +44,7 @@ constexpr std::array<ToolHint, 8> kHints{{
      QT_TRANSLATE_NOOP("ToolHint", "the end stays where you let it go"), nullptr},
 }};
 
-QString words(const char* text) {
+QString hint_text(const char* text) {
   return QCoreApplication::translate("ToolHint", text);
 }
 
@@ -59,18 +59,17 @@ QString key_name(Qt::KeyboardModifier modifier) {
 
 QString tool_hint(std::string_view tool_id, std::string_view help, std::string_view mode) {
   if (tool_id == "pull" && mode == "push") {
-    return words(QT_TRANSLATE_NOOP("ToolHint", "Push lines away from the side of the pen."));
+    return hint_text(QT_TRANSLATE_NOOP("ToolHint", "Push lines away from the side of the pen."));
   }
   const auto found = std::find_if(kHints.begin(), kHints.end(),
                                   [&](const ToolHint& hint) { return hint.id == tool_id; });
   if (found == kHints.end()) return QString::fromUtf8(help.data(), qsizetype(help.size()));
-  QString hint = words(found->does);
+  QString hint = hint_text(found->does);
   const auto add = [&hint](Qt::KeyboardModifier modifier, const char* what) {
     //: a key that is held, and what it does: "Shift: thinner"
     if (what)
-      hint +=
-          QStringLiteral("   ") +
-          QCoreApplication::translate("ToolHint", "%1: %2").arg(key_name(modifier), words(what));
+      hint += QStringLiteral("   ") + QCoreApplication::translate("ToolHint", "%1: %2")
+                                          .arg(key_name(modifier), hint_text(what));
   };
   add(Qt::ShiftModifier, found->first);
   add(Qt::ControlModifier, found->second);

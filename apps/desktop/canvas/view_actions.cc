@@ -13,7 +13,7 @@ constexpr double kZoomStep = 1.25;
 constexpr double kTurnStepDeg = 15.0;
 constexpr double kScrollShare = 0.15;  // of the smaller side of the canvas
 
-QString words(const char* text) {
+QString view_text(const char* text) {
   return QCoreApplication::translate("ViewActions", text);
 }
 
@@ -22,7 +22,7 @@ using Change = void (*)(CanvasView&, QPointF anchor);
 /// An action that looks from elsewhere.
 void add_look(Actions& actions, Canvas& canvas, const char* name, const char* text,
               const QList<QKeySequence>& keys, const char* tip, Change change) {
-  actions.add(QString::fromLatin1(name), words(text), keys, words(tip), [&canvas, change] {
+  actions.add(QString::fromLatin1(name), view_text(text), keys, view_text(tip), [&canvas, change] {
     CanvasView view = canvas.view();
     change(view, canvas.anchor());
     canvas.set_view(view);
@@ -43,21 +43,24 @@ void add_zooming(Actions& actions, Canvas& canvas) {
            QT_TRANSLATE_NOOP("ViewActions", "Shows the sheet smaller, around the pointer"),
            [](CanvasView& view, QPointF at) { view.zoom(1.0 / kZoomStep, at); });
   actions.add(
-      QStringLiteral("view.zoom_100"), words(QT_TRANSLATE_NOOP("ViewActions", "&Life size")),
+      QStringLiteral("view.zoom_100"), view_text(QT_TRANSLATE_NOOP("ViewActions", "&Life size")),
       {QKeySequence(Qt::Key_1)},
-      words(QT_TRANSLATE_NOOP("ViewActions", "A millimetre on the sheet is one on the screen")),
+      view_text(QT_TRANSLATE_NOOP("ViewActions", "A millimetre on the sheet is one on the screen")),
       [&canvas] { canvas.set_zoom(1.0); });
-  actions.add(QStringLiteral("view.fit_selection"),
-              words(QT_TRANSLATE_NOOP("ViewActions", "Fit &selection")), {QKeySequence(Qt::Key_2)},
-              words(QT_TRANSLATE_NOOP("ViewActions", "Shows what is selected as large as it can")),
-              [&canvas] { canvas.fit_selection(); });
-  actions.add(QStringLiteral("view.fit_page"), words(QT_TRANSLATE_NOOP("ViewActions", "Fit &page")),
+  actions.add(
+      QStringLiteral("view.fit_selection"),
+      view_text(QT_TRANSLATE_NOOP("ViewActions", "Fit &selection")), {QKeySequence(Qt::Key_2)},
+      view_text(QT_TRANSLATE_NOOP("ViewActions", "Shows what is selected as large as it can")),
+      [&canvas] { canvas.fit_selection(); });
+  actions.add(QStringLiteral("view.fit_page"),
+              view_text(QT_TRANSLATE_NOOP("ViewActions", "Fit &page")),
               {QKeySequence(Qt::Key_3), QKeySequence(Qt::Key_0)},
-              words(QT_TRANSLATE_NOOP("ViewActions", "Shows the whole sheet")),
+              view_text(QT_TRANSLATE_NOOP("ViewActions", "Shows the whole sheet")),
               [&canvas] { canvas.fit_page(); });
   actions.add(QStringLiteral("view.fit_ink"),
-              words(QT_TRANSLATE_NOOP("ViewActions", "Fit &drawing")), {QKeySequence(Qt::Key_7)},
-              words(QT_TRANSLATE_NOOP("ViewActions", "Shows all ink, beside the sheet too")),
+              view_text(QT_TRANSLATE_NOOP("ViewActions", "Fit &drawing")),
+              {QKeySequence(Qt::Key_7)},
+              view_text(QT_TRANSLATE_NOOP("ViewActions", "Shows all ink, beside the sheet too")),
               [&canvas] { canvas.fit_ink(); });
 }
 
@@ -113,8 +116,8 @@ void add_scrolling(Actions& actions, Canvas& canvas) {
 void add_setting(Actions& actions, const char* name, const char* text, const char* tip,
                  const char* key, bool fallback) {
   const QString setting = QString::fromLatin1(key);
-  QAction* action = actions.add_switch(QString::fromLatin1(name), words(text), {}, words(tip),
-                                       Settings::the().flag(setting, fallback),
+  QAction* action = actions.add_switch(QString::fromLatin1(name), view_text(text), {},
+                                       view_text(tip), Settings::the().flag(setting, fallback),
                                        [setting](bool on) { Settings::the().set(setting, on); });
   QObject::connect(&Settings::the(), &Settings::changed, action, [=](const QString& changed) {
     if (changed == setting) action->setChecked(Settings::the().flag(setting, fallback));
@@ -123,9 +126,9 @@ void add_setting(Actions& actions, const char* name, const char* text, const cha
 
 void add_switches(Actions& actions, Canvas& canvas) {
   actions.add_switch(
-      QStringLiteral("view.outline"), words(QT_TRANSLATE_NOOP("ViewActions", "Ou&tlines")),
+      QStringLiteral("view.outline"), view_text(QT_TRANSLATE_NOOP("ViewActions", "Ou&tlines")),
       {QKeySequence(Qt::Key_O)},
-      words(QT_TRANSLATE_NOOP("ViewActions", "Shows the middle of each line only, hair-thin")),
+      view_text(QT_TRANSLATE_NOOP("ViewActions", "Shows the middle of each line only, hair-thin")),
       false, [&canvas](bool on) { canvas.set_outline_mode(on); });
   add_setting(actions, "view.force_arrow", QT_TRANSLATE_NOOP("ViewActions", "&Force arrow"),
               QT_TRANSLATE_NOOP("ViewActions", "Shows at the nib where the force pushes"),

@@ -10,8 +10,8 @@
 namespace felt::desktop {
 namespace {
 
-constexpr double kHairPx = 1.0;  // device-independent, of outline mode
-constexpr double kBandPx = 7.0;  // that much broader than its ink
+constexpr double kOutlinePx = 1.0;  // device-independent, of outline mode
+constexpr double kBandPx = 7.0;     // that much broader than its ink
 constexpr double kLeastBandPx = 9.0;
 
 bool same(const Overlay::InkSegment& a, const Overlay::InkSegment& b) {
@@ -75,7 +75,7 @@ QImage& InkBrush::cover(const DabRows& rows, std::size_t from, std::size_t to,
 void WetInkView::add(Row& row, const Overlay::InkSegment& segment) const {
   Overlay::InkSegment shown = segment;
   if (outline_mode_) shown.start_width_mm = shown.end_width_mm = 0.0;
-  row.dabs.add(shown, outline_mode_ ? kHairPx * view_.dpr : 0.0);
+  row.dabs.add(shown, outline_mode_ ? kOutlinePx * view_.dpr : 0.0);
 }
 
 void WetInkView::set_view(const DeviceView& view) {

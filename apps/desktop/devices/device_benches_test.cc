@@ -7,14 +7,13 @@
 #include <QSignalSpy>
 #include <QTest>
 
-#include "desktop/engine/settings.h"
 #include "desktop/devices/device_care.h"
+#include "desktop/engine/settings.h"
+#include "felt/base/constants.h"
 #include "tests/devices/drivers/driver_bench.h"
 
 namespace felt::desktop {
 namespace {
-
-constexpr std::int64_t kMs = 1'000'000;
 
 /// The bench's device as one that the window's driver opens; its ticks are the studio's.
 class BenchPen final : public DriverDevice {

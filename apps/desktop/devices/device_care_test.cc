@@ -13,30 +13,24 @@
 #include <QTextBrowser>
 #include <QTimer>
 
-#include "desktop/engine/settings.h"
 #include "desktop/devices/device_page.h"
 #include "desktop/devices/doctor_dialog.h"
-#include "desktop/feel/feel_panel.h"
 #include "desktop/devices/homing_dialog.h"
 #include "desktop/devices/testing/scripted_driver.h"
+#include "desktop/engine/settings.h"
+#include "desktop/feel/feel_panel.h"
+#include "felt/base/constants.h"
 
 namespace felt::desktop {
 namespace {
 
 const QString kArm = QStringLiteral("scripted:1");
 const QString kTablet = QStringLiteral("tablet");
-constexpr std::int64_t kMs = 1'000'000;
 
 std::vector<std::unique_ptr<Driver>> drivers_of(const std::shared_ptr<ScriptedArm>& arm) {
   std::vector<std::unique_ptr<Driver>> drivers;
   drivers.push_back(std::make_unique<ScriptedDriver>(arm));
   return drivers;
-}
-
-StudioOptions by_hand() {
-  StudioOptions options;
-  options.live = false;
-  return options;
 }
 
 /// A window's studio with a device that a test plugs in and out; time is the test's.

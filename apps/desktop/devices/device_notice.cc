@@ -10,7 +10,7 @@
 namespace felt::desktop {
 namespace {
 
-constexpr int kIconPx = 18;
+constexpr int kNoticeIconPx = 18;
 constexpr int kIndentPx = 24;  // below the words, which stand beside the icon
 
 }  // namespace
@@ -50,8 +50,8 @@ void DeviceNotice::press(std::size_t button) {
 }
 
 void DeviceNotice::draw_icon() {
-  set_icon(level_icon(message_.is_fault ? FeelLevel::kLimited : FeelLevel::kOn, palette(), kIconPx,
-                      devicePixelRatioF()));
+  set_icon(level_icon(message_.is_fault ? FeelLevel::kLimited : FeelLevel::kOn, palette(),
+                      kNoticeIconPx, devicePixelRatioF()));
 }
 
 void DeviceNotice::changeEvent(QEvent* event) {

@@ -7,18 +7,18 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
-#include "desktop/engine/cue_player.h"
-#include "desktop/engine/settings.h"
-#include "desktop/engine/device_words.h"
 #include "desktop/devices/doctor_dialog.h"
+#include "desktop/engine/cue_player.h"
+#include "desktop/engine/device_words.h"
+#include "desktop/engine/settings.h"
 #include "desktop/feel/feel_icons.h"
 #include "desktop/feel/settings_keys.h"
 
 namespace felt::desktop {
 namespace {
 
-constexpr double kLimitStep = 0.1;  // N
-constexpr int kIconPx = 20;
+constexpr double kLimitStepN = 0.1;  // N
+constexpr int kPageIconPx = 20;
 constexpr int kRowsShown = 7;
 constexpr auto kHelpRow = "help:";
 
@@ -26,8 +26,8 @@ constexpr auto kHelpRow = "help:";
 QIcon row_icon(const QWidget& page, FeelLevel level, bool asks) {
   const qreal dpr = page.devicePixelRatioF();
   const auto sign = [&](const QPalette& palette) {
-    return level == FeelLevel::kShown ? ring_icon(asks, palette, kIconPx, dpr)
-                                      : level_icon(level, palette, kIconPx, dpr);
+    return level == FeelLevel::kShown ? ring_icon(asks, palette, kPageIconPx, dpr)
+                                      : level_icon(level, palette, kPageIconPx, dpr);
   };
   QPalette selected = page.palette();
   selected.setColor(QPalette::WindowText, selected.color(QPalette::HighlightedText));
@@ -64,7 +64,7 @@ DevicePage::DevicePage(Studio& studio, DeviceCare* care, QWidget* parent)
       cue_(new QComboBox(this)),
       pad_(new TestPad(this)) {
   list_->setAccessibleName(tr("Device"));
-  list_->setIconSize({kIconPx, kIconPx});
+  list_->setIconSize({kPageIconPx, kPageIconPx});
   list_->setSpacing(1);
   list_->setWordWrap(true);
   list_->setMinimumHeight(2 * kRowsShown * fontMetrics().lineSpacing());
@@ -102,7 +102,7 @@ DevicePage::DevicePage(Studio& studio, DeviceCare* care, QWidget* parent)
 /// What is not of one real device.
 void DevicePage::make_form() {
   limit_->setRange(0.0, SafetyLimits{}.peak_force_n);
-  limit_->setSingleStep(kLimitStep);
+  limit_->setSingleStep(kLimitStepN);
   limit_->setDecimals(1);
   limit_->setSuffix(tr(" N"));
   limit_->setKeyboardTracking(false);
@@ -223,7 +223,8 @@ void DevicePage::tell_rows() {
     const bool in_use = id == studio_.device().info().id;
     if (!row->is_real) {
       item->setText(name);
-      QPixmap nothing(QSize(kIconPx, kIconPx) * devicePixelRatioF());  // so that names line up
+      QPixmap nothing(QSize(kPageIconPx, kPageIconPx) *
+                      devicePixelRatioF());  // so that names line up
       nothing.fill(Qt::transparent);
       item->setIcon(in_use ? icon(FeelLevel::kOn) : QIcon(nothing));
       continue;

@@ -12,8 +12,9 @@
 #include <QTest>
 #include <cmath>
 
-#include "desktop/engine/settings.h"
 #include "desktop/devices/calibration_dialog.h"
+#include "desktop/devices/testing/scripted_driver.h"
+#include "desktop/engine/settings.h"
 #include "desktop/feel/feel_actions.h"
 #include "desktop/feel/feel_panel.h"
 #include "felt/devices/simulated/simulated_stylus.h"
@@ -84,12 +85,6 @@ struct FakeDriver {
   bool is_broken = false;
   int number = 0;
 };
-
-StudioOptions by_hand() {
-  StudioOptions options;
-  options.live = false;
-  return options;
-}
 
 // A sheet that leans by 40 degrees before a device whose y is up and whose z comes to the person.
 PlaneCalibration leaning() {

@@ -9,14 +9,12 @@
 #include <algorithm>
 #include <utility>
 
+#include "desktop/engine/text_of.h"
+
 namespace felt::desktop {
 namespace {
 
 constexpr QSize kFirstSize{720, 560};
-
-QString text_of(const std::string& text) {
-  return QString::fromStdString(text);
-}
 
 /// A sign that is read as well as seen.
 QString sign_of(FindingLevel level) {

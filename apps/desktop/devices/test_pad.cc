@@ -6,11 +6,11 @@
 #include <cmath>
 
 #include "desktop/engine/tablet_lean.h"
+#include "desktop/feel/feel_icons.h"
 
 namespace felt::desktop {
 namespace {
 
-constexpr double kPxPerMm = 96.0 / 25.4;
 constexpr double kPxPerN = 24.0;       // of the arrow
 constexpr double kLeastShownN = 0.03;  // shorter arrows are only flicker
 constexpr std::size_t kTrail = 600;
@@ -77,7 +77,7 @@ void TestPad::point(QPointF px, bool touches, std::optional<double> pressure,
   if (!studio_) return;
   PointerEvent event;
   event.time_ns = studio_->now_ns();
-  event.position = {px.x() / kPxPerMm, px.y() / kPxPerMm};
+  event.position = {px.x() / kScreenPxPerMm, px.y() / kScreenPxPerMm};
   event.touching = touches;
   event.pressure = pressure;
   event.lean_deg = lean_deg;
@@ -89,7 +89,7 @@ void TestPad::follow() {
   const Point at = on_sheet(sample.position);
   const bool touches = in_contact(sample);
   const double pressure = sample.pressure.value_or(std::min(1.0, depth_mm(sample) / 3.0));
-  trail_.push_back({QPointF(at.x, at.y) * kPxPerMm, 1.0 + 6.0 * pressure, touches});
+  trail_.push_back({QPointF(at.x, at.y) * kScreenPxPerMm, 1.0 + 6.0 * pressure, touches});
   if (trail_.size() > kTrail) trail_.pop_front();
   update();
 }

@@ -8,10 +8,10 @@
 namespace felt::desktop {
 namespace {
 
-const QString kPrefix = QStringLiteral("shortcuts/");
+const QString kShortcutPrefix = QStringLiteral("shortcuts/");
 
 QString key_of(const QString& name) {
-  return kPrefix + name;
+  return kShortcutPrefix + name;
 }
 
 }  // namespace
@@ -19,8 +19,8 @@ QString key_of(const QString& name) {
 Actions::Actions(QWidget* window) : QObject(window), window_(window) {
   // Every window has a table of its own; a key that is chosen in one is chosen in all.
   connect(&Settings::the(), &Settings::changed, this, [this](const QString& key) {
-    if (!key.startsWith(kPrefix)) return;
-    if (QAction* action = find(key.mid(kPrefix.size()))) take_keys(action);
+    if (!key.startsWith(kShortcutPrefix)) return;
+    if (QAction* action = find(key.mid(kShortcutPrefix.size()))) take_keys(action);
   });
 }
 

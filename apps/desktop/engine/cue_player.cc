@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "desktop/engine/settings.h"
+#include "desktop/engine/text_of.h"
 #include "felt/devices/drivers.h"
 #include "felt/material/materials.h"
 
@@ -40,10 +41,6 @@ std::pair<Driver*, DeviceDescriptor> find_cue_device(const std::string& id) {
     }
   }
   return {};
-}
-
-QString text_of(std::string_view text) {
-  return QString::fromUtf8(text.data(), qsizetype(text.size()));
 }
 
 /// What the tool in hand rubs with: the pencil its material, the eraser rubber, all others lead.

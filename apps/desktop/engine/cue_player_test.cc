@@ -9,11 +9,10 @@
 #include <mutex>
 
 #include "desktop/engine/settings.h"
+#include "felt/base/constants.h"
 
 namespace felt::desktop {
 namespace {
-
-constexpr std::int64_t kMs = 1'000'000;
 
 struct Played {
   std::int64_t now_ns = 0;

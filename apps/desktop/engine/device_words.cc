@@ -5,7 +5,7 @@
 namespace felt::desktop {
 namespace {
 
-QString text_of(const char* text) {
+QString translated(const char* text) {
   return QCoreApplication::translate("DeviceWords", text);
 }
 
@@ -24,17 +24,18 @@ QString vendor_words(const DeviceStatus& status) {
 QString words_for(DeviceFault fault) {
   switch (fault) {
     case DeviceFault::kDisconnected:
-      return text_of(QT_TRANSLATE_NOOP("DeviceWords", "the device is not connected any more"));
+      return translated(QT_TRANSLATE_NOOP("DeviceWords", "the device is not connected any more"));
     case DeviceFault::kNotCalibrated:
-      return text_of(QT_TRANSLATE_NOOP("DeviceWords", "the device does not know where its arm is"));
+      return translated(
+          QT_TRANSLATE_NOOP("DeviceWords", "the device does not know where its arm is"));
     case DeviceFault::kForcesOff:
-      return text_of(QT_TRANSLATE_NOOP("DeviceWords", "the device has switched its forces off"));
+      return translated(QT_TRANSLATE_NOOP("DeviceWords", "the device has switched its forces off"));
     case DeviceFault::kOverheated:
-      return text_of(QT_TRANSLATE_NOOP("DeviceWords", "its motors are warm"));
+      return translated(QT_TRANSLATE_NOOP("DeviceWords", "its motors are warm"));
     case DeviceFault::kBadData:
-      return text_of(QT_TRANSLATE_NOOP("DeviceWords", "the device says what cannot be"));
+      return translated(QT_TRANSLATE_NOOP("DeviceWords", "the device says what cannot be"));
     case DeviceFault::kOther:
-      return text_of(QT_TRANSLATE_NOOP("DeviceWords", "the device reports a fault"));
+      return translated(QT_TRANSLATE_NOOP("DeviceWords", "the device reports a fault"));
   }
   return {};
 }
@@ -45,40 +46,40 @@ DeviceWords words_for(DeviceFault fault, const QString& device, const DeviceStat
   words.details = vendor_words(status);
   switch (fault) {
     case DeviceFault::kDisconnected:
-      words.what = text_of(QT_TRANSLATE_NOOP("DeviceWords", "%1 is not connected any more."));
-      words.to_do = text_of(QT_TRANSLATE_NOOP(
+      words.what = translated(QT_TRANSLATE_NOOP("DeviceWords", "%1 is not connected any more."));
+      words.to_do = translated(QT_TRANSLATE_NOOP(
           "DeviceWords",
           "Draw on with mouse or tablet; nothing is lost. Look at its cable and its power."));
       break;
     case DeviceFault::kNotCalibrated:
-      words.what = text_of(QT_TRANSLATE_NOOP("DeviceWords", "%1 does not know where its arm is."));
-      words.to_do = text_of(QT_TRANSLATE_NOOP(
+      words.what =
+          translated(QT_TRANSLATE_NOOP("DeviceWords", "%1 does not know where its arm is."));
+      words.to_do = translated(QT_TRANSLATE_NOOP(
           "DeviceWords", "Draw on with mouse or tablet until it has found its home."));
       break;
     case DeviceFault::kForcesOff:
-      words.what = text_of(QT_TRANSLATE_NOOP("DeviceWords", "%1 has switched its forces off."));
-      words.to_do = text_of(QT_TRANSLATE_NOOP(
+      words.what = translated(QT_TRANSLATE_NOOP("DeviceWords", "%1 has switched its forces off."));
+      words.to_do = translated(QT_TRANSLATE_NOOP(
           "DeviceWords",
           "Its button or its own guard did that. Draw on without forces, or switch them on again "
           "there and here."));
       break;
     case DeviceFault::kOverheated:
-      words.what = text_of(QT_TRANSLATE_NOOP("DeviceWords", "The motors of %1 are warm."));
-      words.to_do = text_of(QT_TRANSLATE_NOOP(
+      words.what = translated(QT_TRANSLATE_NOOP("DeviceWords", "The motors of %1 are warm."));
+      words.to_do = translated(QT_TRANSLATE_NOOP(
           "DeviceWords",
           "Draw on without forces. After some minutes of rest they can be switched on again."));
       break;
     case DeviceFault::kBadData:
     case DeviceFault::kOther:
       words.what = fault == DeviceFault::kBadData
-                       ? text_of(QT_TRANSLATE_NOOP("DeviceWords", "%1 says what cannot be."))
-                       : text_of(QT_TRANSLATE_NOOP("DeviceWords", "%1 reports a fault."));
-      words.to_do =
-          draws
-              ? text_of(QT_TRANSLATE_NOOP("DeviceWords", "Draw on without forces."))
-              : text_of(QT_TRANSLATE_NOOP("DeviceWords",
-                                          "Draw on with mouse or tablet. Look at its cable, switch "
-                                          "it off and on, and try again."));
+                       ? translated(QT_TRANSLATE_NOOP("DeviceWords", "%1 says what cannot be."))
+                       : translated(QT_TRANSLATE_NOOP("DeviceWords", "%1 reports a fault."));
+      words.to_do = draws ? translated(QT_TRANSLATE_NOOP("DeviceWords", "Draw on without forces."))
+                          : translated(QT_TRANSLATE_NOOP(
+                                "DeviceWords",
+                                "Draw on with mouse or tablet. Look at its cable, switch "
+                                "it off and on, and try again."));
       break;
   }
   words.what = words.what.arg(device);

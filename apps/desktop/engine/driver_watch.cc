@@ -8,6 +8,7 @@
 #include <mutex>
 #include <utility>
 
+#include "desktop/engine/text_of.h"
 #include "felt/rt/abandon.h"
 
 namespace felt::desktop {
@@ -15,10 +16,6 @@ namespace {
 
 DriverWatch* the_watch = nullptr;
 int watchers = 0;
-
-QString text_of(std::string_view text) {
-  return QString::fromUtf8(text.data(), qsizetype(text.size()));
-}
 
 /// Ids of what is open, over all windows.
 std::vector<QString>& open_ids() {

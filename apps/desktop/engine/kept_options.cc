@@ -13,11 +13,11 @@
 namespace felt::desktop {
 namespace {
 
-constexpr auto kPrefix = "options/";
+constexpr auto kOptionPrefix = "options/";
 constexpr auto kColor = "sheet.color";
 
-QString key_of(const std::string& id) {
-  return QLatin1String(kPrefix) + QString::fromStdString(id);
+QString option_key(const std::string& id) {
+  return QLatin1String(kOptionPrefix) + QString::fromStdString(id);
 }
 
 /// Choices for the next few gestures: the next start does not begin with them.
@@ -61,11 +61,11 @@ void KeptOptions::restore() {
     for (const OptionSpec& row : tool->info().options) {
       const std::string id = owner + "." + std::string(row.id);
       if (is_of_the_moment(id)) continue;
-      const auto value = value_of(settings.value(key_of(id)), row, studio_.materials());
+      const auto value = value_of(settings.value(option_key(id)), row, studio_.materials());
       if (value && studio_.session().option(id) != *value) studio_.apply(SetOption{id, *value});
     }
   }
-  const std::string color = settings.text(key_of(kColor)).toStdString();
+  const std::string color = settings.text(option_key(kColor)).toStdString();
   if (color_from_text(color)) studio_.apply(SetOption{kColor, OptionValue(color)});
 }
 
@@ -75,13 +75,13 @@ void KeptOptions::store(const QString& id) {
   const Result<OptionValue> now = studio_.session().option(name);
   if (!now) return;
   Settings& settings = Settings::the();
-  if (name == kColor) return settings.set(key_of(name), stored_as(*now));
+  if (name == kColor) return settings.set(option_key(name), stored_as(*now));
   for (const auto& tool : studio_.session().tools()) {
     const std::string owner(tool->info().id);
     for (const OptionSpec& row : tool->info().options) {
       if (owner + "." + std::string(row.id) != name) continue;
-      if (*now == default_value(as_at_first(owner, row))) return settings.reset(key_of(name));
-      return settings.set(key_of(name), stored_as(*now));
+      if (*now == default_value(as_at_first(owner, row))) return settings.reset(option_key(name));
+      return settings.set(option_key(name), stored_as(*now));
     }
   }
 }

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "desktop/engine/settings.h"
+#include "desktop/engine/text_of.h"
 #include "felt/devices/simulated/simulated_stylus.h"
 #include "felt/document/sheet_page.h"
 #include "felt/driver/calibrated_device.h"
@@ -46,10 +47,6 @@ class SimulatedPen final : public PenDevice {
   SimulatedStylus stylus_;
   HandScriptOptions options_;
 };
-
-QString text_of(std::string_view text) {
-  return QString::fromUtf8(text.data(), qsizetype(text.size()));
-}
 
 /// A person's device with the drawing plane where that person has it, and with their limits. One
 /// without a frame of its own has no plane to be set: where it says it is, it is.

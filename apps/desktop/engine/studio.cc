@@ -23,7 +23,6 @@ constexpr int kMostLateLooks = 4;                 // after that many the next ti
 constexpr std::int64_t kNearNs = 100'000'000;     // since the pen was moved
 constexpr std::int64_t kRestingNs = 500'000'000;  // likewise
 constexpr std::int64_t kTurnNs = 4'000'000;       // of a studio that is not live
-constexpr const char* kSheetMaterialId = "sheet.material";
 
 QString text_of(const Error& error) {
   return QString::fromStdString(error.message);

@@ -36,8 +36,6 @@ Rgba paper_on(const SurfaceMaterial& now, Rgba paper, const SurfaceMaterial* bef
   return usual_color(paper, was, now.color_rgb, SheetPage{}.paper);
 }
 
-constexpr const char* kSheetMaterialId = "sheet.material";
-
 }  // namespace
 
 /// What a person has chosen last goes before what the drawing brought.

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "desktop/engine/studio.h"
+#include "desktop/engine/testing/slate.h"
 #include "desktop/engine/usual_color.h"
 #include "felt/material/material_file.h"
 #include "felt/stroke/testing/random_stroke.h"
@@ -20,14 +21,6 @@ Medium soft_chalk(double friction) {
   medium.label = "Soft chalk";
   medium.friction = friction;
   return medium;
-}
-
-SurfaceMaterial slate(double friction) {
-  SurfaceMaterial sheet = *find_surface("blackboard");
-  sheet.id = "slate";
-  sheet.label = "Slate";
-  sheet.friction = friction;
-  return sheet;
 }
 
 SheetPage page_of(const std::string& surface) {

@@ -10,6 +10,8 @@
 
 namespace felt::desktop {
 
+inline constexpr const char* kSheetMaterialId = "sheet.material";
+
 /// What a studio begins with.
 struct StudioOptions {
   /// Of pen_devices().

@@ -19,6 +19,8 @@
 #include "desktop/engine/kept_options.h"
 #include "desktop/engine/recording_file.h"
 #include "desktop/engine/settings.h"
+#include "desktop/engine/testing/slate.h"
+#include "felt/base/constants.h"
 #include "felt/io/events/event_reader.h"
 #include "felt/io/events/event_writer.h"
 #include "felt/io/ndjson/ndjson_writer.h"
@@ -26,8 +28,6 @@
 
 namespace felt::desktop {
 namespace {
-
-constexpr std::int64_t kMs = 1'000'000;
 
 /// A studio on a virtual clock that keeps all its session receives.
 struct Desk {
@@ -445,14 +445,6 @@ TEST(Studio, ThePageKnowsItsSurface) {
   studio.set_page(page);
   EXPECT_EQ(felt_on(), "wood");
   EXPECT_TRUE(studio.is_modified());
-}
-
-SurfaceMaterial slate(double friction) {
-  SurfaceMaterial sheet = *find_surface("blackboard");
-  sheet.id = "slate";
-  sheet.label = "Slate";
-  sheet.friction = friction;
-  return sheet;
 }
 
 // A person's own material is there at once, as an event where it changed, and survives open().

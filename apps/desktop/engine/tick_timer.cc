@@ -6,11 +6,12 @@
 #include <QSocketNotifier>
 #include <algorithm>
 
+#include "felt/base/constants.h"
+
 namespace felt::desktop {
 namespace {
 
 constexpr std::int64_t kSecond = 1'000'000'000;
-constexpr std::int64_t kMs = 1'000'000;
 
 }  // namespace
 

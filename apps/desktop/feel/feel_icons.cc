@@ -20,8 +20,6 @@ bool is_dark(const QPalette& palette) {
   return palette.color(QPalette::Window).lightness() < 128;
 }
 
-constexpr double kPxPerMm = 96.0 / 25.4;  // device-independent pixels: 1/96 inch each
-
 QPixmap blank(QSize size, qreal dpr) {
   QPixmap pixmap(size * dpr);
   pixmap.setDevicePixelRatio(dpr);
@@ -80,7 +78,7 @@ QPixmap material_swatch(const SurfaceMaterial& material, QSize size, qreal dpr) 
   const QSize pixels = size * dpr;
   QImage image(pixels, QImage::Format_ARGB32_Premultiplied);
   image.setDevicePixelRatio(dpr);
-  const double mm = 1.0 / (kPxPerMm * dpr);
+  const double mm = 1.0 / (kScreenPxPerMm * dpr);
   for (int y = 0; y < pixels.height(); ++y) {
     auto* row = reinterpret_cast<QRgb*>(image.scanLine(y));
     const double across = std::abs(2.0 * (y + 0.5) / pixels.height() - 1.0);

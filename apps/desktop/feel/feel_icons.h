@@ -8,6 +8,9 @@
 
 namespace felt::desktop {
 
+/// Device-independent pixels: 1/96 inch each.
+inline constexpr double kScreenPxPerMm = 96.0 / 25.4;
+
 /// A sign for a state, told by its shape: a check mark, a ring, an eye, dots, a triangle, a stop
 /// sign. In the colour of the text.
 QPixmap level_icon(FeelLevel level, const QPalette& palette, int size, qreal dpr);

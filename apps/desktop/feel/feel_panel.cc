@@ -20,8 +20,8 @@ namespace {
 
 constexpr QSize kSwatchPx{64, 26};
 constexpr int kRoomPx = 8;  // around picture and words
-constexpr int kIconPx = 22;
-constexpr int kPercentStep = 5, kPercentPage = 20;
+constexpr int kPanelIconPx = 22;
+constexpr int kScaleStep = 5, kScalePage = 20;
 
 QLabel* heading(const QString& text, QWidget* buddy, QWidget* parent) {
   auto* label = new QLabel(text, parent);
@@ -33,7 +33,7 @@ QLabel* heading(const QString& text, QWidget* buddy, QWidget* parent) {
 
 FeelPanel::FeelPanel(Studio& studio, QWidget* parent)
     : QWidget(parent), studio_(studio), forces_(new QPushButton(this)), words_(new QLabel(this)) {
-  forces_->setIconSize({kIconPx, kIconPx});
+  forces_->setIconSize({kPanelIconPx, kPanelIconPx});
   forces_->setMinimumHeight(5 * fontMetrics().height() / 2);
   QFont large = forces_->font();
   large.setPointSizeF(1.2 * large.pointSizeF());
@@ -85,12 +85,12 @@ QWidget* FeelPanel::make_strength() {
   auto* box = new QWidget(this);
   slider_ = new QSlider(Qt::Horizontal, box);
   slider_->setRange(0, 100);
-  slider_->setSingleStep(kPercentStep);
-  slider_->setPageStep(kPercentPage);
+  slider_->setSingleStep(kScaleStep);
+  slider_->setPageStep(kScalePage);
   slider_->setAccessibleName(tr("Strength of all forces"));
   percent_ = new QSpinBox(box);
   percent_->setRange(0, 100);
-  percent_->setSingleStep(kPercentStep);
+  percent_->setSingleStep(kScaleStep);
   percent_->setSuffix(tr(" %"));
   percent_->setAccessibleName(tr("Strength of all forces in per cent"));
   connect(slider_, &QSlider::valueChanged, this,
@@ -176,8 +176,9 @@ void FeelPanel::tell_forces() {
   const SafetyWords words = words_for(safety, has_motors, on, studio_.device_status().last_fault);
   // The button says what it does, the line below it what is.
   forces_->setText(on ? tr("Stop forces") : tr("Switch forces on"));
-  forces_->setIcon(on ? stop_icon(palette(), kIconPx, devicePixelRatioF())
-                      : QIcon(level_icon(FeelLevel::kOn, palette(), kIconPx, devicePixelRatioF())));
+  forces_->setIcon(
+      on ? stop_icon(palette(), kPanelIconPx, devicePixelRatioF())
+         : QIcon(level_icon(FeelLevel::kOn, palette(), kPanelIconPx, devicePixelRatioF())));
   forces_->setToolTip(on ? tr("No force, at once (Esc twice)") : tr("Let the pen be pushed"));
   forces_->setPalette(on ? stop_palette(palette()) : palette());
   QStringList text{words.state + QLatin1Char('.')};

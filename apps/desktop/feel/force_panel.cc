@@ -13,7 +13,7 @@ namespace {
 constexpr int kFrameMs = 33;       // between two repaints of the plot
 constexpr int kWordsMs = 250;      // between two readings of numbers
 constexpr int kTablesToTell = 12;  // 3 s
-constexpr int kIconPx = 22;
+constexpr int kStopIconPx = 22;
 constexpr int kNameColumn = 0, kNowColumn = 1, kMostColumn = 2;
 
 QIcon track_icon(std::size_t track, const QPalette& palette, qreal dpr) {
@@ -195,7 +195,7 @@ void ForcePanel::tell_state() {
       words_for(safety, has_motors_, studio_.forces_are_on(), studio_.device_status().last_fault);
   if (state_->text() != words.state || icon_->pixmap(Qt::ReturnByValue).isNull()) {
     state_->setText(words.state);
-    icon_->setPixmap(level_icon(words.level, palette(), kIconPx, devicePixelRatioF()));
+    icon_->setPixmap(level_icon(words.level, palette(), kStopIconPx, devicePixelRatioF()));
     icon_->setAccessibleName(words.state);
   }
   QString detail = words.detail;

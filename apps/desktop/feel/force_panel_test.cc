@@ -10,11 +10,10 @@
 #include <random>
 
 #include "desktop/feel/safety_words.h"
+#include "felt/base/constants.h"
 
 namespace felt::desktop {
 namespace {
-
-constexpr std::int64_t kMs = 1'000'000;
 
 TickReport tick_at(std::int64_t time_ns, double plane_n, double friction_n = 0.0) {
   TickReport tick;

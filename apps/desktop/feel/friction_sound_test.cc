@@ -10,12 +10,11 @@
 
 #include "desktop/engine/settings.h"
 #include "desktop/feel/settings_keys.h"
+#include "felt/base/constants.h"
 #include "felt/material/relief.h"
 
 namespace felt::desktop {
 namespace {
-
-constexpr std::int64_t kMs = 1'000'000;
 
 StudioOptions still() {
   return {.device = QStringLiteral("tablet"), .live = false};

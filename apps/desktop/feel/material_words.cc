@@ -4,6 +4,8 @@
 #include <QLocale>
 #include <array>
 
+#include "desktop/engine/text_of.h"
+
 namespace felt::desktop {
 namespace {
 
@@ -34,10 +36,6 @@ constexpr std::array<Name, 10> kMedia{{
     {"brush-pen", QT_TRANSLATE_NOOP("Material", "Brush pen")},
     {"eraser", QT_TRANSLATE_NOOP("Material", "Eraser")},
 }};
-
-QString text_of(std::string_view text) {
-  return QString::fromUtf8(text.data(), qsizetype(text.size()));
-}
 
 /// What Feltline brings is translated by its id, as long as its label is the one it came with.
 template <std::size_t kCount>

@@ -28,7 +28,7 @@
 namespace felt::desktop {
 namespace {
 
-constexpr QSize kPicture(280, 220);
+constexpr QSize kPreviewSize(280, 220);
 constexpr int kCheck = 8;  // squares that stand for "transparent"
 // A preview that took longer would be in the way: the strokes that are drawn last are seen best.
 constexpr std::size_t kMostPreviewStrokes = 5000;
@@ -94,7 +94,7 @@ ExportDialog::ExportDialog(const Drawing& drawing, QWidget* parent)
   grain_->setToolTip(
       tr("As on the screen. Lines stay lines: other programs show them through a "
          "picture of the grain"));
-  picture_->setFixedSize(kPicture);
+  picture_->setFixedSize(kPreviewSize);
   picture_->setAlignment(Qt::AlignCenter);
   picture_->setAccessibleName(tr("Preview"));
   size_->setWordWrap(true);
@@ -162,8 +162,8 @@ void ExportDialog::show_result() {
   const Rgba paper = chosen.background ? page_.paper : Rgba{255, 255, 255, 0};
   const double ratio = devicePixelRatioF();
   const bool is_grained = is_picture && chosen.grain && sheet_grain_;
-  const QImage picture =
-      sheet_thumbnail(sketch_, area, kPicture * ratio, paper, is_grained ? *sheet_grain_ : Grain());
+  const QImage picture = sheet_thumbnail(sketch_, area, kPreviewSize * ratio, paper,
+                                         is_grained ? *sheet_grain_ : Grain());
   picture_->setPixmap(on_squares(picture, ratio));
   const QLocale locale;
   QString text =

@@ -6,15 +6,13 @@
 #include <QTreeWidget>
 #include <algorithm>
 
+#include "desktop/engine/text_of.h"
+
 namespace felt::desktop {
 namespace {
 
 constexpr int kRowsShown = 6;
 constexpr int kIconPx = 16;
-
-QString text_of(const std::string& text) {
-  return QString::fromStdString(text);
-}
 
 }  // namespace
 

@@ -20,8 +20,8 @@
 namespace felt::desktop {
 namespace {
 
-constexpr QSize kPicture(190, 134);
-constexpr int kRowsShown = 2;
+constexpr QSize kThumbnailSize(190, 134);
+constexpr int kDrawingsShown = 2;
 
 QString name_of(const RecoveredDrawing& recovered) {
   return recovered.name.empty() ? RecoveryDialog::tr("Untitled")
@@ -46,7 +46,7 @@ QLabel* frame_of(const QString& name, QWidget* parent) {
   auto* label = new QLabel(parent);
   label->setFrameShape(QFrame::StyledPanel);
   label->setAlignment(Qt::AlignCenter);
-  label->setFixedSize(kPicture + QSize(6, 6));
+  label->setFixedSize(kThumbnailSize + QSize(6, 6));
   label->setAccessibleName(name);
   return label;
 }
@@ -55,8 +55,8 @@ QLabel* picture_of(const Drawing& drawing, const QString& name, double ratio, QW
   QLabel* label = frame_of(name, parent);
   const SheetPage& page = drawing.page;
   const Rgba paper = page.paper.a > 0 ? page.paper : Rgba{255, 255, 255, 255};
-  QImage picture =
-      sheet_thumbnail(visible_strokes(drawing.document), page.area(), kPicture * ratio, paper);
+  QImage picture = sheet_thumbnail(visible_strokes(drawing.document), page.area(),
+                                   kThumbnailSize * ratio, paper);
   picture.setDevicePixelRatio(ratio);
   label->setPixmap(QPixmap::fromImage(picture));
   return label;
@@ -96,7 +96,7 @@ RecoveryDialog::RecoveryDialog(std::vector<RecoveryOffer> offers, QWidget* paren
   for (std::size_t i = 0; i < offers_.size(); ++i) {
     QWidget* row = make_row(i);
     rows->addWidget(row);
-    if (i < kRowsShown) shown_height += row->sizeHint().height() + rows->spacing();
+    if (i < kDrawingsShown) shown_height += row->sizeHint().height() + rows->spacing();
   }
   rows->addStretch();
   auto* scroll = new QScrollArea(this);

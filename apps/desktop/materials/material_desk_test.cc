@@ -12,6 +12,7 @@
 #include "desktop/engine/settings.h"
 #include "desktop/materials/media_picker.h"
 #include "desktop/materials/settings_keys.h"
+#include "desktop/materials/testing/clean_materials.h"
 #include "felt/base/atomic_file.h"
 #include "felt/material/material_fields.h"
 #include "felt/material/material_library.h"
@@ -19,13 +20,6 @@
 
 namespace felt::desktop {
 namespace {
-
-/// Nothing is left by others, nothing is left to others: the first member.
-struct Clean {
-  Clean() { forget(); }
-  ~Clean() { forget(); }
-  static void forget() { Settings::the().reset(QString::fromLatin1(material_keys::kUnsaved)); }
-};
 
 struct Bench {
   Clean clean;

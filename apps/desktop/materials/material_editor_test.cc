@@ -12,17 +12,11 @@
 
 #include "desktop/engine/settings.h"
 #include "desktop/materials/settings_keys.h"
+#include "desktop/materials/testing/clean_materials.h"
 #include "desktop/testing/accessible_names.h"
 
 namespace felt::desktop {
 namespace {
-
-/// Nothing is left by others, nothing is left to others: the first member.
-struct Clean {
-  Clean() { forget(); }
-  ~Clean() { forget(); }
-  static void forget() { Settings::the().reset(QString::fromLatin1(material_keys::kUnsaved)); }
-};
 
 struct Shown {
   explicit Shown(const QString& device = QStringLiteral("simulated:touch"))

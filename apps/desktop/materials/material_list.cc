@@ -9,7 +9,7 @@
 namespace felt::desktop {
 namespace {
 
-constexpr int kSheetRole = Qt::UserRole, kIdRole = Qt::UserRole + 1;
+constexpr int kSheetRole = Qt::UserRole, kMaterialIdRole = Qt::UserRole + 1;
 
 }  // namespace
 
@@ -23,9 +23,9 @@ MaterialList::MaterialList(QWidget* parent) : QTreeWidget(parent) {
   setAccessibleName(tr("Sheets and media"));
   setTextElideMode(Qt::ElideRight);
   connect(this, &QTreeWidget::currentItemChanged, this, [this](QTreeWidgetItem* item) {
-    if (!item || item->data(0, kIdRole).isNull()) return;
-    Q_EMIT chosen(
-        {item->data(0, kSheetRole).toBool(), item->data(0, kIdRole).toString().toStdString()});
+    if (!item || item->data(0, kMaterialIdRole).isNull()) return;
+    Q_EMIT chosen({item->data(0, kSheetRole).toBool(),
+                   item->data(0, kMaterialIdRole).toString().toStdString()});
   });
 }
 
@@ -52,7 +52,7 @@ void MaterialList::fill() {
   const QTreeWidgetItem* current = currentItem();
   const MaterialKey chosen_now{
       current && current->data(0, kSheetRole).toBool(),
-      current ? current->data(0, kIdRole).toString().toStdString() : std::string()};
+      current ? current->data(0, kMaterialIdRole).toString().toStdString() : std::string()};
   const QSignalBlocker quiet(this);
   clear();
   struct Group {
@@ -76,7 +76,7 @@ void MaterialList::fill() {
       item->setText(0, row.is_changed ? tr("%1 \u2022 not saved").arg(row.name) : row.name);
       item->setToolTip(0, row.words);
       item->setData(0, kSheetRole, row.key.is_sheet);
-      item->setData(0, kIdRole, QString::fromStdString(row.key.id));
+      item->setData(0, kMaterialIdRole, QString::fromStdString(row.key.id));
     }
   }
   expandAll();
@@ -88,7 +88,7 @@ QTreeWidgetItem* MaterialList::item_of(const MaterialKey& key) const {
     for (int i = 0; i < topLevelItem(group)->childCount(); ++i) {
       QTreeWidgetItem* item = topLevelItem(group)->child(i);
       if (item->data(0, kSheetRole).toBool() == key.is_sheet &&
-          item->data(0, kIdRole).toString().toStdString() == key.id) {
+          item->data(0, kMaterialIdRole).toString().toStdString() == key.id) {
         return item;
       }
     }

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "desktop/engine/settings.h"
+#include "desktop/engine/text_of.h"
 #include "desktop/materials/settings_keys.h"
 #include "felt/io/picture/png.h"
 #include "felt/material/material_library.h"
@@ -14,10 +15,6 @@ namespace felt::desktop {
 namespace {
 
 constexpr int kKeepMs = 500;
-
-QString text_of(const std::string& text) {
-  return QString::fromUtf8(text.data(), qsizetype(text.size()));
-}
 
 /// Replacing or deleting this file loses nothing that is not known here.
 bool is_known(const std::string& path, const OwnMaterials::Entry& entry) {

@@ -17,7 +17,7 @@ namespace {
 
 constexpr int kSheet = 0, kFriction = 1;
 constexpr int kRowRoomPx = 5;
-constexpr int kIdRole = Qt::UserRole, kOwnRole = Qt::UserRole + 1;
+constexpr int kPairIdRole = Qt::UserRole, kOwnRole = Qt::UserRole + 1;
 
 bool has_own(const Medium& medium, const std::string& sheet) {
   return std::any_of(medium.pairs.begin(), medium.pairs.end(),
@@ -103,7 +103,7 @@ PairTable::PairTable(QWidget* parent)
 }
 
 std::string PairTable::sheet_of(int row) const {
-  return table_->item(row, kSheet)->data(kIdRole).toString().toStdString();
+  return table_->item(row, kSheet)->data(kPairIdRole).toString().toStdString();
 }
 
 void PairTable::tell_button() {
@@ -121,7 +121,7 @@ void PairTable::show_pairs(const Medium& medium, const Materials& known) {
     }
     QTableWidgetItem* name = table_->item(row, kSheet);
     name->setText(material_label(sheet));
-    name->setData(kIdRole, QString::fromStdString(sheet.id));
+    name->setData(kPairIdRole, QString::fromStdString(sheet.id));
     name->setFlags(Qt::ItemIsEnabled | Qt::ItemIsSelectable);
     QTableWidgetItem* number = table_->item(row, kFriction);
     const bool is_own = has_own(medium, sheet.id);

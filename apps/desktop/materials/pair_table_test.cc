@@ -18,8 +18,8 @@ struct Told {
 };
 
 /// A medium whose friction has many digits, on every sheet by the rule.
-struct Shown {
-  Shown() {
+struct ShownTable {
+  ShownTable() {
     medium.friction = 0.33333;
     medium.pairs.clear();
     table.show_pairs(medium, Materials::built_in());
@@ -50,7 +50,7 @@ struct Shown {
 };
 
 TEST(PairTable, LookingAtANumberMakesNoPair) {
-  Shown shown;
+  ShownTable shown;
   ASSERT_EQ(shown.cells->rowCount(), static_cast<int>(surface_materials().size()));
   for (int row = 0; row < shown.cells->rowCount(); ++row) {
     const std::unique_ptr<QDoubleSpinBox> spin = shown.open(row);
@@ -63,7 +63,7 @@ TEST(PairTable, LookingAtANumberMakesNoPair) {
 }
 
 TEST(PairTable, ANumberHasThreeDigits) {
-  Shown shown;
+  ShownTable shown;
   const std::unique_ptr<QDoubleSpinBox> spin = shown.open(1);
   ASSERT_TRUE(spin);
   EXPECT_EQ(spin->decimals(), 3);

@@ -7,7 +7,7 @@
 namespace felt::desktop {
 namespace {
 
-QString text(const char* english) {
+QString color_text(const char* english) {
   return QCoreApplication::translate("ColorActions", english);
 }
 
@@ -16,28 +16,28 @@ QString text(const char* english) {
 void add_color_actions(Actions& actions, ColorsPanel& panel) {
   actions
       .add(QStringLiteral("edit.palette_open"),
-           text(QT_TRANSLATE_NOOP("ColorActions", "&Open a palette…")), {},
-           text(QT_TRANSLATE_NOOP("ColorActions", "Reads colours from a .gpl file.")),
+           color_text(QT_TRANSLATE_NOOP("ColorActions", "&Open a palette…")), {},
+           color_text(QT_TRANSLATE_NOOP("ColorActions", "Reads colours from a .gpl file.")),
            [&panel] { panel.ask_open(); })
       ->setIcon(icon_of("palette"));
   actions
       .add(QStringLiteral("edit.palette_export"),
-           text(QT_TRANSLATE_NOOP("ColorActions", "&Export the palette…")), {},
-           text(QT_TRANSLATE_NOOP("ColorActions", "Writes the palette that is shown.")),
+           color_text(QT_TRANSLATE_NOOP("ColorActions", "&Export the palette…")), {},
+           color_text(QT_TRANSLATE_NOOP("ColorActions", "Writes the palette that is shown.")),
            [&panel] { panel.ask_export(); })
       ->setIcon(icon_of("export"));
   actions
       .add(QStringLiteral("edit.palette_keep"),
-           text(QT_TRANSLATE_NOOP("ColorActions", "&Keep the colour")), {},
-           text(QT_TRANSLATE_NOOP("ColorActions",
-                                  "Puts the colour in use into a palette of your own.")),
+           color_text(QT_TRANSLATE_NOOP("ColorActions", "&Keep the colour")), {},
+           color_text(QT_TRANSLATE_NOOP("ColorActions",
+                                        "Puts the colour in use into a palette of your own.")),
            [&panel] { panel.keep_color(); })
       ->setIcon(icon_of("add"));
   actions
       .add(QStringLiteral("edit.palette_drop"),
-           text(QT_TRANSLATE_NOOP("ColorActions", "&Take the colour out")), {},
-           text(QT_TRANSLATE_NOOP("ColorActions",
-                                  "Takes the colour in use out of your own palette.")),
+           color_text(QT_TRANSLATE_NOOP("ColorActions", "&Take the colour out")), {},
+           color_text(QT_TRANSLATE_NOOP("ColorActions",
+                                        "Takes the colour in use out of your own palette.")),
            [&panel] { panel.drop_color(); })
       ->setIcon(icon_of("remove"));
 }

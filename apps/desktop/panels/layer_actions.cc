@@ -9,52 +9,56 @@ namespace {
 
 using Do = LayerEvent::Do;
 
-QString text(const char* english) {
+QString layer_text(const char* english) {
   return QCoreApplication::translate("LayerActions", english);
 }
 
 void add_order(Actions& actions, LayersPanel& panel) {
   actions
-      .add(QStringLiteral("layer.add"), text(QT_TRANSLATE_NOOP("LayerActions", "&Add layer")),
+      .add(QStringLiteral("layer.add"), layer_text(QT_TRANSLATE_NOOP("LayerActions", "&Add layer")),
            {QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_N)},
-           text(QT_TRANSLATE_NOOP("LayerActions", "A new layer above the one in use.")),
+           layer_text(QT_TRANSLATE_NOOP("LayerActions", "A new layer above the one in use.")),
            [&panel] { panel.tell(Do::kAdd); })
       ->setIcon(icon_of("layer-add"));
   actions
-      .add(QStringLiteral("layer.remove"), text(QT_TRANSLATE_NOOP("LayerActions", "Remo&ve layer")),
-           {}, text(QT_TRANSLATE_NOOP("LayerActions", "Removes it and what is drawn on it.")),
+      .add(QStringLiteral("layer.remove"),
+           layer_text(QT_TRANSLATE_NOOP("LayerActions", "Remo&ve layer")), {},
+           layer_text(QT_TRANSLATE_NOOP("LayerActions", "Removes it and what is drawn on it.")),
            [&panel] { panel.tell(Do::kRemove); })
       ->setIcon(icon_of("layer-remove"));
   actions
-      .add(QStringLiteral("layer.rename"), text(QT_TRANSLATE_NOOP("LayerActions", "Re&name layer")),
+      .add(QStringLiteral("layer.rename"),
+           layer_text(QT_TRANSLATE_NOOP("LayerActions", "Re&name layer")),
            {QKeySequence(Qt::Key_F2)},
-           text(QT_TRANSLATE_NOOP("LayerActions", "Gives it another name.")),
+           layer_text(QT_TRANSLATE_NOOP("LayerActions", "Gives it another name.")),
            [&panel] { panel.rename(); })
       ->setIcon(icon_of("rename"));
   actions
-      .add(QStringLiteral("layer.raise"), text(QT_TRANSLATE_NOOP("LayerActions", "&Raise layer")),
+      .add(QStringLiteral("layer.raise"),
+           layer_text(QT_TRANSLATE_NOOP("LayerActions", "&Raise layer")),
            {QKeySequence(Qt::CTRL | Qt::Key_PageUp)},
-           text(QT_TRANSLATE_NOOP("LayerActions", "One place up.")),
+           layer_text(QT_TRANSLATE_NOOP("LayerActions", "One place up.")),
            [&panel] { panel.tell(Do::kRaise); })
       ->setIcon(icon_of("raise"));
   actions
-      .add(QStringLiteral("layer.lower"), text(QT_TRANSLATE_NOOP("LayerActions", "&Lower layer")),
+      .add(QStringLiteral("layer.lower"),
+           layer_text(QT_TRANSLATE_NOOP("LayerActions", "&Lower layer")),
            {QKeySequence(Qt::CTRL | Qt::Key_PageDown)},
-           text(QT_TRANSLATE_NOOP("LayerActions", "One place down.")),
+           layer_text(QT_TRANSLATE_NOOP("LayerActions", "One place down.")),
            [&panel] { panel.tell(Do::kLower); })
       ->setIcon(icon_of("lower"));
 }
 
 void add_use(Actions& actions, LayersPanel& panel) {
   actions.add(QStringLiteral("layer.use_above"),
-              text(QT_TRANSLATE_NOOP("LayerActions", "Draw on the layer &above")),
+              layer_text(QT_TRANSLATE_NOOP("LayerActions", "Draw on the layer &above")),
               {QKeySequence(Qt::ALT | Qt::Key_PageUp)},
-              text(QT_TRANSLATE_NOOP("LayerActions", "New lines go to the next layer up.")),
+              layer_text(QT_TRANSLATE_NOOP("LayerActions", "New lines go to the next layer up.")),
               [&panel] { panel.use_next(true); });
   actions.add(QStringLiteral("layer.use_below"),
-              text(QT_TRANSLATE_NOOP("LayerActions", "Draw on the layer &below")),
+              layer_text(QT_TRANSLATE_NOOP("LayerActions", "Draw on the layer &below")),
               {QKeySequence(Qt::ALT | Qt::Key_PageDown)},
-              text(QT_TRANSLATE_NOOP("LayerActions", "New lines go to the next layer down.")),
+              layer_text(QT_TRANSLATE_NOOP("LayerActions", "New lines go to the next layer down.")),
               [&panel] { panel.use_next(false); });
 }
 
@@ -66,15 +70,15 @@ void add_layer_actions(Actions& actions, Studio& studio, LayersPanel& panel) {
     return studio.session().document().layer(panel.chosen());
   };
   QAction* show = actions.add_switch(
-      QStringLiteral("layer.show"), text(QT_TRANSLATE_NOOP("LayerActions", "&Show layer")), {},
-      text(QT_TRANSLATE_NOOP("LayerActions", "What is drawn on it is seen.")), true,
+      QStringLiteral("layer.show"), layer_text(QT_TRANSLATE_NOOP("LayerActions", "&Show layer")),
+      {}, layer_text(QT_TRANSLATE_NOOP("LayerActions", "What is drawn on it is seen.")), true,
       [&panel, chosen](bool on) {
         if (chosen() && chosen()->visible != on) panel.toggle_visible();
       });
   show->setIcon(icon_of("eye"));
   QAction* lock = actions.add_switch(
-      QStringLiteral("layer.lock"), text(QT_TRANSLATE_NOOP("LayerActions", "Loc&k layer")), {},
-      text(QT_TRANSLATE_NOOP("LayerActions", "Nothing on it can be changed.")), false,
+      QStringLiteral("layer.lock"), layer_text(QT_TRANSLATE_NOOP("LayerActions", "Loc&k layer")),
+      {}, layer_text(QT_TRANSLATE_NOOP("LayerActions", "Nothing on it can be changed.")), false,
       [&panel, chosen](bool on) {
         if (chosen() && chosen()->locked != on) panel.toggle_locked();
       });

@@ -18,12 +18,12 @@ using testing::layer_names;
 using testing::still;
 
 /// Three layers, from the top "c*", "b", "Ink", in a panel that is seen.
-struct Desk {
+struct LayerDesk {
   Studio studio{still()};
   LayersPanel panel{studio};
   QListView* list = panel.findChild<QListView*>();
 
-  Desk() {
+  LayerDesk() {
     studio.apply(LayerEvent{Do::kAdd, {}, "b"});
     studio.apply(LayerEvent{Do::kAdd, {}, "c"});
     panel.resize(240, 260);
@@ -46,7 +46,7 @@ struct Desk {
 };
 
 TEST(LayersPanel, AClickUsesALayerEyeAndLockAreAtItsEnds) {
-  Desk desk;
+  LayerDesk desk;
   EXPECT_EQ(layer_names(desk.studio), "c* b Ink");
   desk.click(desk.row(2).center());
   EXPECT_EQ(layer_names(desk.studio), "c b Ink*");
@@ -64,7 +64,7 @@ TEST(LayersPanel, AClickUsesALayerEyeAndLockAreAtItsEnds) {
 }
 
 TEST(LayersPanel, SaysItAllToAScreenReader) {
-  Desk desk;
+  LayerDesk desk;
   desk.studio.apply(LayerEvent{Do::kHide, {2}});
   desk.studio.apply(LayerEvent{Do::kLock, {1}});
   EXPECT_EQ(desk.spoken(0), QStringLiteral("c, visible, unlocked, in use"));
@@ -74,7 +74,7 @@ TEST(LayersPanel, SaysItAllToAScreenReader) {
 }
 
 TEST(LayersPanel, ButtonsAddRaiseLowerAndRemove) {
-  Desk desk;
+  LayerDesk desk;
   desk.press("lower");
   EXPECT_EQ(layer_names(desk.studio), "b c* Ink");
   desk.press("lower");
@@ -92,7 +92,7 @@ TEST(LayersPanel, ButtonsAddRaiseLowerAndRemove) {
 }
 
 TEST(LayersPanel, KeysChooseShowAndUse) {
-  Desk desk;
+  LayerDesk desk;
   desk.list->setFocus();
   QTest::keyClick(desk.list, Qt::Key_Down);
   QTest::keyClick(desk.list, Qt::Key_Down);
@@ -107,7 +107,7 @@ TEST(LayersPanel, KeysChooseShowAndUse) {
 }
 
 TEST(LayersPanel, RenamesInPlaceAsOneStep) {
-  Desk desk;
+  LayerDesk desk;
   const std::size_t steps = desk.studio.session().history().undo_count();
   desk.panel.rename();
   auto* field = desk.list->findChild<QLineEdit*>();
@@ -124,7 +124,7 @@ TEST(LayersPanel, RenamesInPlaceAsOneStep) {
 
 TEST(LayersPanel, ADragOverManyPlacesIsOneStep) {
   std::mt19937 random(5);
-  Desk desk;
+  LayerDesk desk;
   desk.studio.apply(LayerEvent{Do::kAdd, {}, "d"});
   QAbstractItemModel* model = desk.list->model();
   for (int i = 0; i < 200; ++i) {
@@ -147,7 +147,7 @@ TEST(LayersPanel, ADragOverManyPlacesIsOneStep) {
 }
 
 TEST(LayersPanel, IsReadAnewOnlyWhenALayerChanges) {
-  Desk desk;
+  LayerDesk desk;
   QSignalSpy resets(desk.list->model(), &QAbstractItemModel::modelReset);
   testing::draw_lines(desk.studio, 20);
   desk.studio.apply(UndoEvent{});
@@ -159,7 +159,7 @@ TEST(LayersPanel, IsReadAnewOnlyWhenALayerChanges) {
 }
 
 TEST(LayerActions, ActOnTheChosenLayerAndFollowIt) {
-  Desk desk;
+  LayerDesk desk;
   QWidget window;
   Actions actions(&window);
   add_layer_actions(actions, desk.studio, desk.panel);
@@ -191,7 +191,7 @@ TEST(LayerActions, ActOnTheChosenLayerAndFollowIt) {
 }
 
 TEST(LayersPanel, TheHighlightStaysOnTheLayerThatIsDrawnOn) {
-  Desk desk;
+  LayerDesk desk;
   QSignalSpy said(&desk.studio, &Studio::refused);
   desk.click(LayerDelegate::eye_of(desk.row(1)).center());
   EXPECT_FALSE(desk.layer(2)->visible);

@@ -52,7 +52,7 @@ constexpr Entry kOkabeIto[] = {
     {0xcc79a7, QT_TRANSLATE_NOOP("Palettes", "Reddish purple")},
 };
 
-QString text(const char* english) {
+QString palette_text(const char* english) {
   return QCoreApplication::translate("Palettes", english);
 }
 
@@ -65,20 +65,20 @@ PaletteSource source_of(const QString& title, std::span<const Entry> entries) {
   PaletteSource source{title};
   source.palette.name = title.toStdString();
   for (const Entry& entry : entries) {
-    source.palette.colors.push_back(named(entry.rgb, text(entry.name)));
+    source.palette.colors.push_back(named(entry.rgb, palette_text(entry.name)));
   }
   return source;
 }
 
 PaletteSource greys() {
-  PaletteSource source{text(QT_TRANSLATE_NOOP("Palettes", "Greys"))};
+  PaletteSource source{palette_text(QT_TRANSLATE_NOOP("Palettes", "Greys"))};
   source.palette.name = source.title.toStdString();
   constexpr unsigned kSteps = 10;
   for (unsigned i = 0; i <= kSteps; ++i) {
     const unsigned grey = (255 * i + kSteps / 2) / kSteps;
     source.palette.colors.push_back(
         named(grey << 16 | grey << 8 | grey,
-              text(QT_TRANSLATE_NOOP("Palettes", "Grey %1 %")).arg(100 * i / kSteps)));
+              palette_text(QT_TRANSLATE_NOOP("Palettes", "Grey %1 %")).arg(100 * i / kSteps)));
   }
   return source;
 }
@@ -90,8 +90,9 @@ std::string reason(const QString& path, const QFileDevice& file) {
 }  // namespace
 
 std::vector<PaletteSource> built_in_palettes() {
-  return {source_of(text(QT_TRANSLATE_NOOP("Palettes", "Pencil box")), kPencilBox),
-          source_of(text(QT_TRANSLATE_NOOP("Palettes", "Okabe and Ito")), kOkabeIto), greys()};
+  return {source_of(palette_text(QT_TRANSLATE_NOOP("Palettes", "Pencil box")), kPencilBox),
+          source_of(palette_text(QT_TRANSLATE_NOOP("Palettes", "Okabe and Ito")), kOkabeIto),
+          greys()};
 }
 
 std::vector<PaletteSource> palette_files(const QStringList& opened) {
@@ -128,11 +129,12 @@ Result<GplPalette> load_palette(const QString& path) {
 }
 
 Result<void> save_palette(const QString& path, const GplPalette& palette) {
-  const std::string text = write_gpl(palette);
+  const std::string palette_text = write_gpl(palette);
   QSaveFile file(path);
-  const bool written = file.open(QIODevice::WriteOnly) &&
-                       file.write(text.data(), qint64(text.size())) == qint64(text.size()) &&
-                       file.commit();
+  const bool written =
+      file.open(QIODevice::WriteOnly) &&
+      file.write(palette_text.data(), qint64(palette_text.size())) == qint64(palette_text.size()) &&
+      file.commit();
   if (!written) return fail(ErrorCode::kIo, reason(path, file));
   return {};
 }

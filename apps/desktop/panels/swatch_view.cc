@@ -11,7 +11,7 @@ namespace felt::desktop {
 namespace {
 
 constexpr int kCellPx = 24;
-constexpr double kRoundPx = 4.0;
+constexpr double kSwatchRoundPx = 4.0;
 
 /// A rounded square on a chequered ground where it is see-through; a tick on the one in use, a
 /// ring where the keys are.
@@ -28,15 +28,15 @@ class SwatchDelegate : public QStyledItemDelegate {
     painter->setPen(Qt::NoPen);
     if (color.a < 255) {
       painter->setBrush(Qt::white);
-      painter->drawRoundedRect(cell, kRoundPx, kRoundPx);
+      painter->drawRoundedRect(cell, kSwatchRoundPx, kSwatchRoundPx);
       painter->setBrush(QBrush(Qt::lightGray, Qt::Dense4Pattern));
-      painter->drawRoundedRect(cell, kRoundPx, kRoundPx);
+      painter->drawRoundedRect(cell, kSwatchRoundPx, kSwatchRoundPx);
     }
     painter->setBrush(qcolor(color));
     const bool has_keys = option.state.testFlag(QStyle::State_HasFocus);
     painter->setPen(QPen(option.palette.color(has_keys ? QPalette::Highlight : QPalette::Mid),
                          has_keys ? 2.5 : 1));
-    painter->drawRoundedRect(cell, kRoundPx, kRoundPx);
+    painter->drawRoundedRect(cell, kSwatchRoundPx, kSwatchRoundPx);
     if (color == view_->marked()) {
       const bool is_dark = qGray(color.r, color.g, color.b) < 140 && color.a > 100;
       painter->setPen(

@@ -29,7 +29,7 @@ constexpr SizeRow kSizes[] = {
     {"connect", "", "grab_radius_mm"},
 };
 
-QString text(const char* english) {
+QString tool_text(const char* english) {
   return QCoreApplication::translate("ToolActions", english);
 }
 
@@ -78,11 +78,12 @@ void add_sizes(Actions& actions, Studio& studio) {
     return actions.add(QString::fromLatin1(name), label, {QKeySequence(key)}, tip,
                        [&studio, up] { step_tool_size(studio, up); });
   };
-  size("tool.size_down", text(QT_TRANSLATE_NOOP("ToolActions", "S&maller")), Qt::Key_BracketLeft,
-       text(QT_TRANSLATE_NOOP("ToolActions", "Makes the tool in hand smaller.")), false)
+  size("tool.size_down", tool_text(QT_TRANSLATE_NOOP("ToolActions", "S&maller")),
+       Qt::Key_BracketLeft,
+       tool_text(QT_TRANSLATE_NOOP("ToolActions", "Makes the tool in hand smaller.")), false)
       ->setIcon(icon_of("size-down"));
-  size("tool.size_up", text(QT_TRANSLATE_NOOP("ToolActions", "&Larger")), Qt::Key_BracketRight,
-       text(QT_TRANSLATE_NOOP("ToolActions", "Makes the tool in hand larger.")), true)
+  size("tool.size_up", tool_text(QT_TRANSLATE_NOOP("ToolActions", "&Larger")), Qt::Key_BracketRight,
+       tool_text(QT_TRANSLATE_NOOP("ToolActions", "Makes the tool in hand larger.")), true)
       ->setIcon(icon_of("size-up"));
 }
 
@@ -92,13 +93,13 @@ void add_strengths(Actions& actions, Studio& studio) {
     return actions.add(QString::fromLatin1(name), label, {QKeySequence(Qt::SHIFT | bracket)}, tip,
                        [&studio, up] { change_share(studio, "strength", up); });
   };
-  strength("tool.strength_down", text(QT_TRANSLATE_NOOP("ToolActions", "Forces &weaker")),
+  strength("tool.strength_down", tool_text(QT_TRANSLATE_NOOP("ToolActions", "Forces &weaker")),
            Qt::Key_BracketLeft,
-           text(QT_TRANSLATE_NOOP("ToolActions", "The tool in hand pushes back less.")), false)
+           tool_text(QT_TRANSLATE_NOOP("ToolActions", "The tool in hand pushes back less.")), false)
       ->setIcon(icon_of("force-on"));
-  strength("tool.strength_up", text(QT_TRANSLATE_NOOP("ToolActions", "Forces &stronger")),
+  strength("tool.strength_up", tool_text(QT_TRANSLATE_NOOP("ToolActions", "Forces &stronger")),
            Qt::Key_BracketRight,
-           text(QT_TRANSLATE_NOOP("ToolActions", "The tool in hand pushes back more.")), true)
+           tool_text(QT_TRANSLATE_NOOP("ToolActions", "The tool in hand pushes back more.")), true)
       ->setIcon(icon_of("force-on"));
 }
 

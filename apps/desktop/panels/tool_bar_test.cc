@@ -18,12 +18,12 @@ namespace {
 using testing::still;
 
 /// A window with the actions of this room.
-struct Desk {
+struct ToolDesk {
   Studio studio{still()};
   QWidget window;
   Actions actions{&window};
 
-  Desk() {
+  ToolDesk() {
     add_tool_actions(actions, studio);
     add_edit_actions(actions, studio);
     window.show();
@@ -40,7 +40,7 @@ struct Desk {
 };
 
 TEST(ToolActions, KeysTakeTheToolsOfTheTables) {
-  Desk desk;
+  ToolDesk desk;
   std::set<QString> keys;
   for (const auto& tool : desk.studio.session().tools()) {
     const ToolInfo& info = tool->info();
@@ -56,7 +56,7 @@ TEST(ToolActions, KeysTakeTheToolsOfTheTables) {
 }
 
 TEST(ToolActions, NoTwoActionsHaveTheSameKeys) {
-  Desk desk;
+  ToolDesk desk;
   std::set<QString> keys;
   for (const QAction* action : desk.actions.all()) {
     for (const QKeySequence& key : action->shortcuts()) {
@@ -66,7 +66,7 @@ TEST(ToolActions, NoTwoActionsHaveTheSameKeys) {
 }
 
 TEST(ToolActions, SizesClimbAndFallWithinTheRangeOfEveryTool) {
-  Desk desk;
+  ToolDesk desk;
   for (const auto& tool : desk.studio.session().tools()) {
     const ToolInfo& info = tool->info();
     SCOPED_TRACE(info.id);
@@ -97,7 +97,7 @@ TEST(ToolActions, SizesClimbAndFallWithinTheRangeOfEveryTool) {
 // Its thinnest line never comes to be broader than its broadest one, and the keys work until the
 // very end, where a sentence says so.
 TEST(ToolActions, TheSizeOfThePencilIsTheLineOfAMouse) {
-  Desk desk;
+  ToolDesk desk;
   const auto size = [&desk] { return tool_size(desk.studio.session()).value(); };
   const double thin = desk.number("pencil.min_width_mm"),
                broad = desk.number("pencil.max_width_mm");
@@ -125,7 +125,7 @@ TEST(ToolActions, TheSizeOfThePencilIsTheLineOfAMouse) {
 
 // The options panel and a custom medium allow widths above the range of the keys.
 TEST(ToolActions, AKeyThatMakesItLargerNeverMakesItSmaller) {
-  Desk desk;
+  ToolDesk desk;
   desk.studio.apply(SetOption{"pencil.max_width_mm", 50.0});
   desk.studio.apply(SetOption{"pencil.mouse_pressure", 1.0});
   const double before = tool_size(desk.studio.session())->mm;
@@ -139,7 +139,7 @@ TEST(ToolActions, AKeyThatMakesItLargerNeverMakesItSmaller) {
 }
 
 TEST(ToolActions, SizeIsThatOfTheModeInHand) {
-  Desk desk;
+  ToolDesk desk;
   desk.studio.apply(SelectTool{"pull"});
   EXPECT_EQ(size_option(desk.studio.session()), QStringLiteral("radius_mm"));
   desk.studio.apply(SetOption{"pull.mode", std::string("push")});
@@ -147,7 +147,7 @@ TEST(ToolActions, SizeIsThatOfTheModeInHand) {
 }
 
 TEST(ToolActions, StrengthGoesInTenthsFromNoneToAll) {
-  Desk desk;
+  ToolDesk desk;
   EXPECT_EQ(desk.number("pencil.strength"), 1.0);
   desk.find("tool.strength_up")->trigger();
   EXPECT_EQ(desk.number("pencil.strength"), 1.0);
@@ -158,7 +158,7 @@ TEST(ToolActions, StrengthGoesInTenthsFromNoneToAll) {
 }
 
 TEST(ToolBar, AClickTakesTheToolAndTheBarFollowsKeys) {
-  Desk desk;
+  ToolDesk desk;
   ToolBar bar(desk.studio, desk.actions);
   bar.show();
   for (const auto& tool : desk.studio.session().tools()) {
@@ -177,7 +177,7 @@ TEST(ToolBar, AClickTakesTheToolAndTheBarFollowsKeys) {
 }
 
 TEST(ToolBar, ShowsABorrowedToolAndTheOneThatComesBack) {
-  Desk desk;
+  ToolDesk desk;
   ToolBar bar(desk.studio, desk.actions);
   const QWidget* pencil = bar.widgetForAction(desk.find("tool.pencil"));
   const QWidget* eraser = bar.widgetForAction(desk.find("tool.eraser"));
@@ -191,7 +191,7 @@ TEST(ToolBar, ShowsABorrowedToolAndTheOneThatComesBack) {
 }
 
 TEST(EditActions, NameTheStepAndDoItByKeys) {
-  Desk desk;
+  ToolDesk desk;
   EXPECT_FALSE(desk.find("edit.undo")->isEnabled());
   testing::draw_lines(desk.studio, 2);
   desk.studio.apply(LayerEvent{});
@@ -211,7 +211,7 @@ TEST(EditActions, NameTheStepAndDoItByKeys) {
 }
 
 TEST(EditActions, SelectDeleteAndDuplicateByKeys) {
-  Desk desk;
+  ToolDesk desk;
   testing::draw_lines(desk.studio, 3);
   desk.studio.apply(SelectStrokes{SelectStrokes::What::kNone});
   EXPECT_FALSE(desk.find("edit.delete")->isEnabled());

@@ -7,7 +7,7 @@
 namespace felt::desktop {
 namespace {
 
-constexpr double kMarginPx = 40.0;  // the pen stays so far from the edge of the view
+constexpr double kViewMarginPx = 40.0;  // the pen stays so far from the edge of the view
 
 std::optional<QPointF> direction_of(int key) {
   switch (key) {
@@ -104,7 +104,7 @@ void KeyboardPen::step(const QKeyEvent& event) {
 void KeyboardPen::keep_in_view(QPointF px) {
   const QSizeF size = canvas_.view().size();
   const auto beyond = [](double at, double length) {
-    const double margin = std::min(kMarginPx, length / 4);
+    const double margin = std::min(kViewMarginPx, length / 4);
     return std::min(0.0, at - margin) + std::max(0.0, at - (length - margin));
   };
   const QPointF out(beyond(px.x(), size.width()), beyond(px.y(), size.height()));

@@ -6,11 +6,10 @@
 
 #include "desktop/pens/device_clock.h"
 #include "desktop/pens/pressure_curve.h"
+#include "felt/base/constants.h"
 
 namespace felt::desktop {
 namespace {
-
-constexpr std::int64_t kMs = 1'000'000;
 
 // Wherever the handles are: from 0 to 1, and never falling.
 TEST(PressureCurve, NeverFalls) {

@@ -17,13 +17,12 @@
 
 #include "desktop/engine/settings.h"
 #include "desktop/pens/settings_keys.h"
+#include "felt/base/constants.h"
 #include "felt/io/ndjson/ndjson_writer.h"
 #include "felt/tools/tool.h"
 
 namespace felt::desktop {
 namespace {
-
-constexpr std::int64_t kMs = 1'000'000;
 
 const QPointingDevice& pen_device(QPointingDevice::PointerType end) {
   const auto make = [](qint64 id, QPointingDevice::PointerType type) {

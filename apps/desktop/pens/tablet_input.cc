@@ -9,7 +9,7 @@ namespace felt::desktop {
 namespace {
 
 constexpr std::array kSideButtons = {Qt::RightButton, Qt::MiddleButton};
-constexpr double kMiddlePressure = 0.5;  // of a pen whose pressure is switched off
+constexpr double kFixedPressure = 0.5;  // of a pen whose pressure is switched off
 
 bool senses_pressure(const QTabletEvent& event) {
   const QPointingDevice* device = event.pointingDevice();
@@ -57,7 +57,7 @@ void TabletInput::take(const QTabletEvent& event) {
   const bool touching = tip && (!senses || settings_.curve.touches(raw));
   note_pressure(event, touching);
   std::optional<double> pressure;
-  if (!settings_.pressure_on) pressure = kMiddlePressure;
+  if (!settings_.pressure_on) pressure = kFixedPressure;
   if (settings_.pressure_on && senses) pressure = settings_.curve(raw);
   hand_.point(PenHand::Source::kTablet, px, time_ns, touching, pressure, lean_of(event));
 }

@@ -38,7 +38,7 @@ namespace {
 
 /// Of the layout that restoreState() knows; another one starts anew.
 constexpr int kLayoutVersion = 1;
-constexpr QSize kFirstSize{1280, 820};
+constexpr QSize kFirstWindowSize{1280, 820};
 /// Of a screen, for the frame that the window manager adds.
 constexpr QSize kFrame{0, 40};
 constexpr int kLeastLines = 8;  // of a panel that scrolls
@@ -141,7 +141,7 @@ MainWindow::MainWindow(StudioOptions options, QWidget* parent)
   });
   show_title();
   place_panels();
-  resize(kFirstSize.boundedTo(screen()->availableSize() - kFrame));
+  resize(kFirstWindowSize.boundedTo(screen()->availableSize() - kFrame));
   restoreGeometry(Settings::the().value(window_keys::kGeometry).toByteArray());
   restoreState(Settings::the().value(window_keys::kLayout).toByteArray(), kLayoutVersion);
   check_panel_actions();

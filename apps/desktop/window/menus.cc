@@ -7,14 +7,11 @@
 #include <array>
 #include <string_view>
 
+#include "desktop/engine/text_of.h"
 #include "desktop/panels/tool_icons.h"
 
 namespace felt::desktop {
 namespace {
-
-QString text_of(std::string_view text) {
-  return QString::fromUtf8(text.data(), qsizetype(text.size()));
-}
 
 /// A menu: the first part of its actions' names, and their order. "-" is a line, "name.*" all of
 /// that beginning, in a submenu of its own where `submenus` names one.

@@ -16,7 +16,7 @@
 namespace felt::desktop {
 namespace {
 
-constexpr QSize kFirstSize{800, 580};
+constexpr QSize kFirstDialogSize{800, 580};
 constexpr int kIconPx = 22, kLeastListPx = 150, kListMarginPx = 36, kRowMarginPx = 16;
 constexpr double kTitleSize = 1.35;
 
@@ -26,7 +26,7 @@ Preferences::Preferences(MainWindow& window)
     : QDialog(&window), list_(new QListWidget(this)), stack_(new QStackedWidget(this)) {
   setWindowTitle(tr("Preferences"));
   setAttribute(Qt::WA_DeleteOnClose);
-  resize(kFirstSize);
+  resize(kFirstDialogSize);
   list_->setAccessibleName(tr("Pages of the preferences"));
   list_->setIconSize({kIconPx, kIconPx});
   list_->setSpacing(1);

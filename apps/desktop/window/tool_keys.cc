@@ -7,15 +7,13 @@
 #include <QWidget>
 #include <utility>
 
+#include "desktop/engine/text_of.h"
+
 namespace felt::desktop {
 namespace {
 
 const QString kPencil = QStringLiteral("pencil");
 const QString kEraser = QStringLiteral("eraser");
-
-QString text_of(std::string_view text) {
-  return QString::fromUtf8(text.data(), qsizetype(text.size()));
-}
 
 qint64 now_ms() {
   static const QElapsedTimer kClock = [] {

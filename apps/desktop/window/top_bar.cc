@@ -4,6 +4,7 @@
 #include <QLabel>
 #include <QToolButton>
 
+#include "desktop/engine/text_of.h"
 #include "desktop/feel/feel_actions.h"
 #include "desktop/feel/feel_icons.h"
 #include "desktop/feel/material_words.h"
@@ -16,10 +17,6 @@ namespace felt::desktop {
 namespace {
 
 constexpr QSize kPicturePx{40, 16};
-
-QString text_of(std::string_view text) {
-  return QString::fromUtf8(text.data(), qsizetype(text.size()));
-}
 
 struct Choice {
   QString id, label;

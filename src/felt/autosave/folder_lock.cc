@@ -61,7 +61,7 @@ bool is_at(int fd, const std::string& path) {
          here.st_ino == there.st_ino && here.st_dev == there.st_dev;
 }
 
-tl::unexpected<Error> system_error(const std::string& folder, const char* doing) {
+tl::unexpected<Error> lock_error(const std::string& folder, const char* doing) {
   const int reason = errno;
   return fail(reason == ENOENT ? ErrorCode::kNotFound : ErrorCode::kIo,
               folder + ": " + doing + ": " + std::strerror(reason));
@@ -81,7 +81,7 @@ Result<FolderLock> FolderLock::take(const std::string& folder) {
   const std::string path = folder + "/lock";
   FolderLock lock;
   lock.fd_ = ::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW, 0600);
-  if (lock.fd_ < 0) return system_error(folder, "cannot be locked");
+  if (lock.fd_ < 0) return lock_error(folder, "cannot be locked");
   const auto in_use = [&] {
     return fail(ErrorCode::kUnsupported, folder + ": is in use by another program");
   };
@@ -94,7 +94,7 @@ Result<FolderLock> FolderLock::take(const std::string& folder) {
   const std::string who = who_we_are();
   if (::ftruncate(lock.fd_, 0) != 0 ||
       ::pwrite(lock.fd_, who.data(), who.size(), 0) != static_cast<ssize_t>(who.size())) {
-    return system_error(folder, "cannot be locked");
+    return lock_error(folder, "cannot be locked");
   }
   return lock;
 }
@@ -115,17 +115,17 @@ Result<void> make_private_folder(const std::string& path) {
     ::mkdir(path.substr(0, at).c_str(), 0700);  // what is missing; the last one says the rest
   }
   if (::mkdir(path.c_str(), 0700) != 0 && errno != EEXIST) {
-    return system_error(path, "cannot be made");
+    return lock_error(path, "cannot be made");
   }
   struct stat info {};
-  if (::lstat(path.c_str(), &info) != 0) return system_error(path, "cannot be looked at");
+  if (::lstat(path.c_str(), &info) != 0) return lock_error(path, "cannot be looked at");
   if (S_ISLNK(info.st_mode) && info.st_uid == ::getuid() && ::stat(path.c_str(), &info) != 0) {
-    return system_error(path, "cannot be looked at");
+    return lock_error(path, "cannot be looked at");
   }
   if (!S_ISDIR(info.st_mode)) return fail(ErrorCode::kIo, path + ": is no folder");
   if (info.st_uid != ::geteuid()) return fail(ErrorCode::kIo, path + ": belongs to somebody else");
   if ((info.st_mode & 077) != 0 && ::chmod(path.c_str(), 0700) != 0) {
-    return system_error(path, "is open to others, and stays so");
+    return lock_error(path, "is open to others, and stays so");
   }
   return {};
 }

@@ -16,11 +16,7 @@ namespace {
 constexpr std::size_t kMaxTextBytes = 1 << 16;
 constexpr std::size_t kMaxHeadBytes = std::size_t{1} << 30;
 constexpr std::size_t kLeastLayerBytes = 13, kLeastRunStrokeBytes = 12;
-constexpr std::uint8_t kVisible = 1, kLocked = 2;
-
-tl::unexpected<Error> damaged(const char* what) {
-  return fail(ErrorCode::kInvalidData, what);
-}
+constexpr std::uint8_t kRowVisible = 1, kRowLocked = 2;
 
 /// All of a drawing but strokes and layers, as a drawing of its own.
 Result<void> append_sheet(ByteWriter& out, StoredDrawing drawing) {
@@ -36,7 +32,7 @@ Result<void> append_sheet(ByteWriter& out, StoredDrawing drawing) {
 /// The layers of a base, as an edit of the document that every drawing starts as.
 Result<void> read_layers(ByteReader& in, Document& document) {
   const std::uint32_t count = in.u32();
-  if (!in.has(count, kLeastLayerBytes) || count == 0) return damaged("the layers are cut off");
+  if (!in.has(count, kLeastLayerBytes) || count == 0) return invalid_data("the layers are cut off");
   const Layer& first = document.layers().front();
   Edit edit;
   edit.layers.push_back({first.id, first.state(), std::nullopt, 0, 0});
@@ -44,8 +40,8 @@ Result<void> read_layers(ByteReader& in, Document& document) {
     LayerChange change{{in.u64()}, std::nullopt, LayerState{}, 0, i};
     change.after->name = std::string(in.text(kMaxTextBytes));
     const std::uint8_t flags = in.u8();
-    change.after->visible = (flags & kVisible) != 0;
-    change.after->locked = (flags & kLocked) != 0;
+    change.after->visible = (flags & kRowVisible) != 0;
+    change.after->locked = (flags & kRowLocked) != 0;
     if (change.id == first.id) {
       edit.layers.front().after = std::move(change.after);
       edit.layers.front().after_index = i;
@@ -53,7 +49,7 @@ Result<void> read_layers(ByteReader& in, Document& document) {
       edit.layers.push_back(std::move(change));
     }
   }
-  if (!in.ok()) return damaged("the layers are cut off");
+  if (!in.ok()) return invalid_data("the layers are cut off");
   return document.apply(edit);
 }
 
@@ -95,8 +91,8 @@ Result<std::string> base_head_bytes(const StoredDrawing& drawing) {
   for (const Layer& layer : document.layers()) {
     out.u64(layer.id.value);
     out.text(std::string_view(layer.name).substr(0, kMaxTextBytes));
-    out.u8(
-        static_cast<std::uint8_t>((layer.visible ? kVisible : 0) | (layer.locked ? kLocked : 0)));
+    out.u8(static_cast<std::uint8_t>((layer.visible ? kRowVisible : 0) |
+                                     (layer.locked ? kRowLocked : 0)));
   }
   if (auto ok = append_sheet(out, drawing); !ok) return tl::unexpected(ok.error());
   return bytes;
@@ -141,7 +137,7 @@ Result<BaseRun> read_base_run(std::string_view bytes) {
   ByteReader in(bytes);
   BaseRun run{{in.u64()}, {}};
   const std::uint32_t count = in.u32();
-  if (!in.has(count, kLeastRunStrokeBytes)) return damaged("the strokes are cut off");
+  if (!in.has(count, kLeastRunStrokeBytes)) return invalid_data("the strokes are cut off");
   run.strokes.reserve(count);
   for (std::uint32_t i = 0; i < count; ++i) {
     const StrokeId id{in.u64()};
@@ -149,7 +145,7 @@ Result<BaseRun> read_base_run(std::string_view bytes) {
     if (!stroke) return tl::unexpected(stroke.error());
     run.strokes.emplace_back(id, std::make_shared<const Stroke>(*std::move(stroke)));
   }
-  if (!in.ok() || in.left() > 0) return damaged("the strokes are cut off");
+  if (!in.ok() || in.left() > 0) return invalid_data("the strokes are cut off");
   return run;
 }
 

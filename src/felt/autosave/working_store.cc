@@ -9,11 +9,11 @@
 #include <cstring>
 #include <utility>
 
+#include "felt/autosave/edit_blob.h"
+#include "felt/autosave/working_rows.h"
 #include "felt/base/check.h"
 #include "felt/store/byte_stream.h"
 #include "felt/store/database.h"
-#include "felt/autosave/edit_blob.h"
-#include "felt/autosave/working_rows.h"
 
 namespace felt {
 namespace {
@@ -29,7 +29,7 @@ bool sync_folder(const std::string& path) {
   return ::close(fd) == 0 && done;
 }
 
-tl::unexpected<Error> system_error(const std::string& path, const char* doing) {
+tl::unexpected<Error> store_error(const std::string& path, const char* doing) {
   const int reason = errno;
   return fail(ErrorCode::kIo, path + ": " + doing + ": " + std::strerror(reason));
 }
@@ -105,7 +105,7 @@ Result<WorkingStore> WorkingStore::create(const std::string& root, const std::st
     if (number > 1) folder += '-' + std::to_string(number);
     if (::mkdir(folder.c_str(), 0700) != 0) {
       if (errno == EEXIST) continue;
-      return system_error(folder, "cannot be made");
+      return store_error(folder, "cannot be made");
     }
     Result<FolderLock> lock = FolderLock::take(folder);
     if (!lock) {
@@ -136,7 +136,7 @@ Result<WorkingStore> WorkingStore::create(const std::string& root, const std::st
       const std::string to = store.folder_ + '/' + kWorkingStoreFile;
       if (::rename(from.c_str(), to.c_str()) != 0 || !sync_folder(store.folder_) ||
           !sync_folder(root)) {
-        made = system_error(store.folder_, "cannot be made");
+        made = store_error(store.folder_, "cannot be made");
       }
     }
     if (made) made = store.open(kWorkingStoreFile, vfs);

@@ -29,6 +29,8 @@ using Result = tl::expected<T, Error>;
 
 /// Makes the error side of a `Result`.
 tl::unexpected<Error> fail(ErrorCode code, std::string message);
+/// The same with ErrorCode::kInvalidData.
+tl::unexpected<Error> invalid_data(std::string message);
 
 /// Puts `where` in front of the message ("drawing.ndjson:12: " + "...").
 Error with_context(Error error, const std::string& where);

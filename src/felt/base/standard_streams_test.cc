@@ -29,8 +29,8 @@ TEST(StandardStreams, NoFileGetsTheNumberOfAClosedStream) {
 TEST(StandardStreams, UsingAClosedStreamStillFails) {
   EXPECT_EQ(in_process_without_streams([] {
               char c = 'x';
-              return (read(0, &c, 1) < 0 ? 1 : 0) + (write(1, &c, 1) < 0 ? 2 : 0) +
-                     (write(2, &c, 1) < 0 ? 4 : 0);
+              return (::read(0, &c, 1) < 0 ? 1 : 0) + (::write(1, &c, 1) < 0 ? 2 : 0) +
+                     (::write(2, &c, 1) < 0 ? 4 : 0);
             }),
             7);
 }

@@ -8,6 +8,7 @@
 #include <set>
 #include <utility>
 
+#include "felt/base/constants.h"
 #include "felt/stroke/testing/random_stroke.h"
 
 namespace felt {
@@ -207,7 +208,6 @@ TEST(SegmentForest, ClaimsNothingOfNonsenseAndLosesNothingFarAway) {
   put(2, {-1e300, 1e300}, {9, 0});
   put(3, {1e150, 5}, {1e150, 1e140});
   put(4, {1e17, 0}, {1e17, 50});
-  constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   EXPECT_FALSE(forest.nearest({kNan, 0}, 8));
   EXPECT_FALSE(forest.nearest({kInfinity, 0}, 8));

@@ -18,15 +18,15 @@
 #include <optional>
 #include <utility>
 
+#include "felt/base/constants.h"
+
 namespace felt {
 namespace {
-
-constexpr std::int64_t kNsPerS = 1'000'000'000;
 
 std::int64_t monotonic_ns() noexcept {
   timespec now{};
   clock_gettime(CLOCK_MONOTONIC, &now);
-  return std::int64_t{now.tv_sec} * kNsPerS + now.tv_nsec;
+  return std::int64_t{now.tv_sec} * kSecond + now.tv_nsec;
 }
 
 // Until `until_ns` on the monotonic clock. False: not in time. What is wrong with the descriptor
@@ -34,7 +34,7 @@ std::int64_t monotonic_ns() noexcept {
 bool wait_for(int descriptor, short events, std::int64_t until_ns) noexcept {
   for (;;) {
     const std::int64_t left_ns = std::max<std::int64_t>(0, until_ns - monotonic_ns());
-    const timespec left{.tv_sec = left_ns / kNsPerS, .tv_nsec = left_ns % kNsPerS};
+    const timespec left{.tv_sec = left_ns / kSecond, .tv_nsec = left_ns % kSecond};
     pollfd wanted{.fd = descriptor, .events = events, .revents = 0};
     const int ready = ppoll(&wanted, 1, &left, nullptr);
     if (ready > 0) return true;

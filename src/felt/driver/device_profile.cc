@@ -18,10 +18,10 @@
 namespace felt {
 namespace {
 
-constexpr std::size_t kMostBytes = 64 * 1024;
+constexpr std::size_t kMaxProfileBytes = 64 * 1024;
 constexpr std::size_t kLongestName = 120;  // of a file, before its fingerprint
 constexpr std::size_t kLongestText = 200;  // of a value
-constexpr double kFarthestMm = 1e6;
+constexpr double kMaxProfileNumber = 1e6;
 constexpr double kLargestAreaMm = 1e4;
 
 /// The parts of a plane as they come, line by line.
@@ -40,10 +40,6 @@ struct HandParts {
 
 constexpr std::string_view kLeft = "left_";  // before the keys of the left hand's plane
 
-tl::unexpected<Error> bad(std::string why) {
-  return fail(ErrorCode::kInvalidData, std::move(why));
-}
-
 std::string_view trimmed(std::string_view text) noexcept {
   constexpr std::string_view kBlank = " \t\r";
   const std::size_t first = text.find_first_not_of(kBlank);
@@ -58,16 +54,17 @@ Result<std::array<double, Count>> numbers(std::string_view text) {
   for (double& value : values) {
     text = trimmed(text);
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (error != std::errc() || !std::isfinite(value) || std::fabs(value) > kFarthestMm) {
-      return bad(Count == 1 ? std::string("is not a number")
-                            : "is not " + std::to_string(Count) + " numbers");
+    if (error != std::errc() || !std::isfinite(value) || std::fabs(value) > kMaxProfileNumber) {
+      return invalid_data(Count == 1 ? std::string("is not a number")
+                                     : "is not " + std::to_string(Count) + " numbers");
     }
     text.remove_prefix(static_cast<std::size_t>(end - text.data()));
     if (!text.empty() && text.front() != ' ' && text.front() != '\t') {
-      return bad("has something after a number");
+      return invalid_data("has something after a number");
     }
   }
-  if (!trimmed(text).empty()) return bad("has more than " + std::to_string(Count) + " numbers");
+  if (!trimmed(text).empty())
+    return invalid_data("has more than " + std::to_string(Count) + " numbers");
   return values;
 }
 
@@ -79,8 +76,8 @@ Result<void> set(std::optional<Vec3>& to, std::string_view text) {
 }
 
 Result<void> set(std::string& to, std::string_view text) {
-  if (text.size() > kLongestText) return bad("is longer than 200 bytes");
-  if (!is_utf8(text)) return bad("is not UTF-8");
+  if (text.size() > kLongestText) return invalid_data("is longer than 200 bytes");
+  if (!is_utf8(text)) return invalid_data("is not UTF-8");
   to = text;
   return {};
 }
@@ -88,13 +85,13 @@ Result<void> set(std::string& to, std::string_view text) {
 Result<void> set(std::optional<double>& to, std::string_view text, double least) {
   const auto read = numbers<1>(text);
   if (!read) return tl::unexpected(read.error());
-  if ((*read)[0] < least) return bad("is too small");
+  if ((*read)[0] < least) return invalid_data("is too small");
   to = (*read)[0];
   return {};
 }
 
 Result<void> set_hand(bool& left_handed, std::string_view text) {
-  if (text != "left" && text != "right") return bad("is neither \"left\" nor \"right\"");
+  if (text != "left" && text != "right") return invalid_data("is neither \"left\" nor \"right\"");
   left_handed = text == "left";
   return {};
 }
@@ -103,7 +100,7 @@ Result<void> set_scale(PlaneParts& parts, std::string_view text) {
   const auto read = numbers<1>(text);
   if (!read) return tl::unexpected(read.error());
   if (!((*read)[0] >= kSmallestSheetScale && (*read)[0] <= kLargestSheetScale)) {
-    return bad("is not between 0.5 and 2");
+    return invalid_data("is not between 0.5 and 2");
   }
   parts.scale = (*read)[0];
   parts.has_scale = true;
@@ -114,7 +111,7 @@ Result<void> set_area(PlaneParts& parts, std::string_view text) {
   const auto read = numbers<2>(text);
   if (!read) return tl::unexpected(read.error());
   for (const double side : *read) {
-    if (!(side > 0.0 && side <= kLargestAreaMm)) return bad("is no width and height");
+    if (!(side > 0.0 && side <= kLargestAreaMm)) return invalid_data("is no width and height");
   }
   parts.area = Point{(*read)[0], (*read)[1]};
   return {};
@@ -173,15 +170,15 @@ Result<void> put_together(std::optional<PlaneCalibration>& plane, std::optional<
   if (known == 3 && parts.origin) {
     plane = PlaneCalibration::from({*rows[0], *rows[1], *rows[2]}, *parts.origin, parts.scale);
     if (!plane) {
-      return bad("the rows of the " + std::string(hand.empty() ? "" : "left hand's ") +
-                 "plane are not of length 1 and at right angles");
+      return invalid_data("the rows of the " + std::string(hand.empty() ? "" : "left hand's ") +
+                          "plane are not of length 1 and at right angles");
     }
   } else if (known > 0 || parts.origin || parts.has_scale) {
-    return bad("the plane lacks one of " + hand + "plane_x, " + hand + "plane_y, " + hand +
-               "plane_z, " + hand + "plane_origin_mm");
+    return invalid_data("the plane lacks one of " + hand + "plane_x, " + hand + "plane_y, " + hand +
+                        "plane_z, " + hand + "plane_origin_mm");
   }
   if (parts.area.has_value() != parts.area_middle.has_value()) {
-    return bad("of " + hand + "area_mm and " + hand + "area_middle_mm there is only one");
+    return invalid_data("of " + hand + "area_mm and " + hand + "area_middle_mm there is only one");
   }
   if (parts.area) area = DrawingArea{*parts.area_middle, parts.area->x, parts.area->y};
   return {};
@@ -201,7 +198,7 @@ Result<void> put_together(DeviceProfile& profile, const HandParts& parts) {
       !whole) {
     return whole;
   }
-  if (profile.device_id.empty()) return bad("does not say which device it is of");
+  if (profile.device_id.empty()) return invalid_data("does not say which device it is of");
   return {};
 }
 
@@ -319,11 +316,12 @@ Result<DeviceProfile> parse_device_profile(std::string_view text, const std::str
     if (row.empty() || row.front() == '#') continue;
     const std::string place = where + ":" + std::to_string(line) + ": ";
     const std::size_t equals = row.find('=');
-    if (equals == std::string_view::npos) return bad(place + "has no \"=\"");
+    if (equals == std::string_view::npos) return invalid_data(place + "has no \"=\"");
     const std::string key(trimmed(row.substr(0, equals)));
-    if (key.empty() || key.size() > kLongestText) return bad(place + "has no name before \"=\"");
+    if (key.empty() || key.size() > kLongestText)
+      return invalid_data(place + "has no name before \"=\"");
     if (std::find(seen.begin(), seen.end(), key) != seen.end()) {
-      return bad(place + key + " is there twice");
+      return invalid_data(place + key + " is there twice");
     }
     seen.push_back(key);
     const Result<bool> known = set_value(profile, parts, key, trimmed(row.substr(equals + 1)));
@@ -359,11 +357,11 @@ Result<DeviceProfile> load_device_profile(const std::string& folder, std::string
   nothing.device_id = device_id;
   std::error_code error;
   if (!std::filesystem::exists(path, error) && !error) return nothing;
-  const Result<std::string> text = read_file(path, kMostBytes);
+  const Result<std::string> text = read_file(path, kMaxProfileBytes);
   if (!text) return tl::unexpected(text.error());
   Result<DeviceProfile> profile = parse_device_profile(*text, path);
   if (profile && profile->device_id != device_id) {
-    return bad(path + ": is of the device \"" + profile->device_id + "\"");
+    return invalid_data(path + ": is of the device \"" + profile->device_id + "\"");
   }
   return profile;
 }

@@ -9,15 +9,14 @@
 #include <limits>
 #include <random>
 
+#include "felt/base/constants.h"
 #include "felt/driver/device_models.h"
 #include "felt/haptics/safety/safety_limits.h"
 
 namespace felt {
 namespace {
 
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr std::int64_t kMs = 1'000'000;
 
 double any_double() {
   // Any bits at all: denormals, NaN, infinities.
@@ -81,7 +80,7 @@ RC_GTEST_PROP(ForceGate, WhatIsAllowedPassesToTheBit, ()) {
 
 TEST(ForceGate, NotANumberIsNoForceAndSaysSo) {
   ForceGate gate(find_device_model("omega.3")->capabilities);
-  for (double bad : {kNaN, kInfinity, -kInfinity}) {
+  for (double bad : {kNan, kInfinity, -kInfinity}) {
     for (const Force& asked : {Force{bad, 0, 0}, Force{0, bad, 1}, Force{1, 1, bad}}) {
       const ForceGate::Passed passed = gate.pass(asked, 0);
       EXPECT_FALSE(passed.was_finite);
@@ -102,11 +101,11 @@ TEST(ForceGate, TheLargestFiniteForceIsCut) {
 }
 
 TEST(ForceGate, ADeviceThatSaysNonsenseGetsNoForce) {
-  for (double bad : {kNaN, kInfinity, -1.0, 0.0}) {
+  for (double bad : {kNan, kInfinity, -1.0, 0.0}) {
     ForceGate gate({.max_force_n = bad, .continuous_force_n = 1.0});
     EXPECT_EQ(gate.pass({1, 2, 3}, 0).force, Force{}) << bad;
   }
-  for (double bad : {kNaN, kInfinity, -1.0}) {
+  for (double bad : {kNan, kInfinity, -1.0}) {
     ForceGate gate({.max_force_n = 5.0, .advised_force_n = bad});
     EXPECT_EQ(gate.pass({1, 2, 3}, 0).force, Force{}) << bad;
   }

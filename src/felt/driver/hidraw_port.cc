@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::int64_t kNsPerMs = 1'000'000;
 constexpr std::int64_t kMostWaitMs = 10'000;
-constexpr std::size_t kMostBytes = 4096;  // of one report: 12 bits of an ioctl's length
+constexpr std::size_t kMaxReportBytes = 4096;  // of one report: 12 bits of an ioctl's length
 
 class HidrawFile final : public HidrawPort {
  public:
@@ -42,7 +42,7 @@ class HidrawFile final : public HidrawPort {
   }
 
   tl::expected<std::size_t, int> feature(std::span<std::uint8_t> room) noexcept override {
-    if (room.empty() || room.size() > kMostBytes) return failed(EINVAL);
+    if (room.empty() || room.size() > kMaxReportBytes) return failed(EINVAL);
     const int count = ioctl(descriptor_, HIDIOCGFEATURE(room.size()), room.data());
     if (count < 0) return failed(errno);
     return std::min(static_cast<std::size_t>(count), room.size());

@@ -12,7 +12,7 @@ constexpr std::size_t kWordBits = sizeof(unsigned long) * CHAR_BIT;
 constexpr std::size_t kMostName = 80;
 constexpr std::size_t kMostNodes = 256;
 
-std::string_view trimmed(std::string_view text) {
+std::string_view unquoted(std::string_view text) {
   const auto is_end = [](char c) { return c == '\n' || c == ' ' || c == '\0' || c == '"'; };
   while (!text.empty() && is_end(text.back())) text.remove_suffix(1);
   while (!text.empty() && is_end(text.front())) text.remove_prefix(1);
@@ -20,7 +20,7 @@ std::string_view trimmed(std::string_view text) {
 }
 
 std::string word(const SystemView& system, const std::string& path) {
-  return std::string(trimmed(system.read(path).value_or("")));
+  return std::string(unquoted(system.read(path).value_or("")));
 }
 
 std::uint16_t hex16(std::string_view text) {
@@ -63,7 +63,7 @@ std::string_view value_of(std::string_view lines, std::string_view key) {
     const std::size_t end = std::min(lines.find('\n'), lines.size());
     const std::string_view line = lines.substr(0, end);
     if (line.starts_with(key) && line.size() > key.size() && line[key.size()] == '=')
-      return trimmed(line.substr(key.size() + 1));
+      return unquoted(line.substr(key.size() + 1));
     lines.remove_prefix(std::min(end + 1, lines.size()));
   }
   return {};
@@ -73,7 +73,7 @@ std::string_view value_of(std::string_view lines, std::string_view key) {
 
 std::vector<bool> sysfs_bits(std::string_view text, std::size_t most) {
   std::vector<bool> bits(most, false);
-  text = trimmed(text);
+  text = unquoted(text);
   for (std::size_t base = 0; !text.empty() && base < most; base += kWordBits) {
     const std::size_t space = text.rfind(' ');
     const std::string_view last = space == std::string_view::npos ? text : text.substr(space + 1);
@@ -83,7 +83,7 @@ std::vector<bool> sysfs_bits(std::string_view text, std::size_t most) {
       return std::vector<bool>(most, false);
     for (std::size_t i = 0; i < kWordBits && base + i < most; ++i)
       bits[base + i] = (value >> i & 1) != 0;
-    text = space == std::string_view::npos ? std::string_view() : trimmed(text.substr(0, space));
+    text = space == std::string_view::npos ? std::string_view() : unquoted(text.substr(0, space));
   }
   return bits;
 }
@@ -101,7 +101,7 @@ std::string vendor_and_product(std::uint16_t vendor, std::uint16_t product) {
 
 std::string shown_name(std::string_view name) {
   std::string shown;
-  for (const char c : trimmed(name)) {
+  for (const char c : unquoted(name)) {
     if (shown.size() == kMostName) break;
     const auto byte = static_cast<unsigned char>(c);
     shown += byte < 0x20 || byte == 0x7F ? ' ' : c;

@@ -22,7 +22,7 @@ constexpr const char* kLogInAgain =
     "Log out and in again (or restart the computer): limits are given at the log-in.";
 
 /// What follows a name in a file of lines, without blanks around it: of /proc/self/status.
-std::string_view value_of(std::string_view text, std::string_view name) {
+std::string_view field_of(std::string_view text, std::string_view name) {
   std::size_t at = text.starts_with(name) ? 0 : text.find("\n" + std::string(name));
   if (at == std::string_view::npos) return {};
   at = text.find_first_not_of("\n", at) + name.size();
@@ -33,7 +33,7 @@ std::string_view value_of(std::string_view text, std::string_view name) {
 
 bool has_capability(const SystemView& system, int bit) {
   const std::string status = system.read("/proc/self/status").value_or("");
-  const std::string_view text = value_of(status, "CapEff:");
+  const std::string_view text = field_of(status, "CapEff:");
   std::uint64_t bits = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), bits, 16);
   static_cast<void>(end);
@@ -43,7 +43,7 @@ bool has_capability(const SystemView& system, int bit) {
 /// The soft limit, as proc_pid_limits(5) shows it; -1 is "unlimited", nothing where it says none.
 std::optional<std::int64_t> soft_limit(const SystemView& system, std::string_view name) {
   const std::string limits = system.read("/proc/self/limits").value_or("");
-  const std::string_view value = value_of(limits, name);
+  const std::string_view value = field_of(limits, name);
   if (value.starts_with("unlimited")) return -1;
   std::int64_t number = 0;
   const auto [end, error] = std::from_chars(value.data(), value.data() + value.size(), number);

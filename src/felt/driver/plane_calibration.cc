@@ -7,7 +7,7 @@
 namespace felt {
 namespace {
 
-constexpr double kFarthestMm = 1e6;
+constexpr double kMaxCornerMm = 1e6;
 constexpr double kRigid = 1e-6;
 
 Vec3 cross(const Vec3& a, const Vec3& b) noexcept {
@@ -19,7 +19,7 @@ double determinant(const std::array<Vec3, 3>& rows) noexcept {
 }
 
 bool is_near(const Vec3& a) noexcept {
-  return is_finite(a) && std::max({std::fabs(a.x), std::fabs(a.y), std::fabs(a.z)}) <= kFarthestMm;
+  return is_finite(a) && std::max({std::fabs(a.x), std::fabs(a.y), std::fabs(a.z)}) <= kMaxCornerMm;
 }
 
 /// A symmetric matrix, by Jacobi's rotations: its eigenvectors, that of the largest value first.

@@ -13,10 +13,11 @@
 #include <array>
 #include <climits>
 
+#include "felt/base/constants.h"
+
 namespace felt {
 namespace {
 
-constexpr std::int64_t kNsPerS = 1'000'000'000;
 constexpr int kTries = 20;  // for the last words, each waits for room
 constexpr int kTryMs = 50;
 
@@ -91,7 +92,7 @@ std::unique_ptr<PortGuard> PortGuard::start(int port, std::span<const std::byte>
   Watch watch{.port = port, .connection = ends[1]};
   std::copy(last_words.begin(), last_words.end(), watch.words.begin());
   watch.size = last_words.size();
-  watch.patience = {.tv_sec = patience_ns / kNsPerS, .tv_nsec = patience_ns % kNsPerS};
+  watch.patience = {.tv_sec = patience_ns / kSecond, .tv_nsec = patience_ns % kSecond};
   // Signals are blocked before, so that no handler of ours ever runs there.
   sigset_t all, before;
   sigfillset(&all);

@@ -20,10 +20,11 @@
 #include <string_view>
 #include <thread>
 
+#include "felt/base/constants.h"
+
 namespace felt {
 namespace {
 
-constexpr std::int64_t kMs = 1'000'000;
 constexpr std::int64_t kNeverNs = 3'600'000 * kMs;
 constexpr int kLongMs = 8000;  // an upper bound that no test waits for
 constexpr std::string_view kWords("\x02\x05\0\0\0\0\0\0\0\0", 10);

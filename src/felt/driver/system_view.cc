@@ -18,7 +18,7 @@
 namespace felt {
 namespace {
 
-constexpr std::size_t kMostBytes = 64 * 1024;
+constexpr std::size_t kMaxFileBytes = 64 * 1024;
 constexpr std::int64_t kListensNs = 1'000'000'000;  // a host that is down does not answer at all
 
 std::string group_name(gid_t id) {
@@ -42,7 +42,7 @@ class ThisSystem final : public SystemView {
   [[nodiscard]] std::optional<std::string> read(std::string_view path) const override {
     std::ifstream in{std::string(path), std::ios::binary};
     if (!in) return std::nullopt;
-    std::string bytes(kMostBytes, '\0');
+    std::string bytes(kMaxFileBytes, '\0');
     in.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
     if (in.bad()) return std::nullopt;
     bytes.resize(static_cast<std::size_t>(in.gcount()));

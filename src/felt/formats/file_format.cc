@@ -2,20 +2,17 @@
 
 #include <algorithm>
 
+#include "felt/base/ascii.h"
 #include "felt/formats/format_traits.h"
 
 namespace felt {
 namespace {
 
-char lower(char c) noexcept {
-  return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-}
-
 bool ends_with(std::string_view text, std::string_view ending) noexcept {
   if (text.size() <= ending.size()) return false;
   const std::string_view tail = text.substr(text.size() - ending.size());
   return std::equal(tail.begin(), tail.end(), ending.begin(),
-                    [](char a, char b) { return lower(a) == b; });
+                    [](char a, char b) { return ascii_lower(a) == b; });
 }
 
 /// A file's own name: ".felt" in a folder has no ending.

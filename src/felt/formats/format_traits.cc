@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "felt/base/ascii.h"
 #include "felt/base/check.h"
 
 namespace felt {
@@ -112,13 +113,9 @@ constexpr std::array kTable = {
                  .kept = "A picture of pixels at the resolution you choose; it cannot be opened "
                          "again."}};
 
-char lower(char c) noexcept {
-  return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-}
-
 bool same_word(std::string_view a, std::string_view b) noexcept {
   return std::equal(a.begin(), a.end(), b.begin(), b.end(),
-                    [](char x, char y) { return lower(x) == lower(y); });
+                    [](char x, char y) { return ascii_lower(x) == ascii_lower(y); });
 }
 
 /// "a, b or c"

@@ -11,13 +11,13 @@
 #include <set>
 #include <vector>
 
+#include "felt/base/constants.h"
 #include "felt/geometry/testing/nearest_cases.h"
 
 namespace felt {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 constexpr BvhWorkCap kNoCap{1 << 30, 1 << 30};
 
 // Short segments of all kinds, spread over a square; `kind` < 0 mixes them.

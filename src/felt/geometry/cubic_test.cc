@@ -7,13 +7,12 @@
 #include <numbers>
 #include <random>
 
-#include "felt/geometry/testing/nearest_cases.h"
+#include "felt/base/constants.h"
 #include "felt/geometry/polyline.h"
+#include "felt/geometry/testing/nearest_cases.h"
 
 namespace felt {
 namespace {
-
-constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
 // A cubic of any of the kinds, from one random number that RapidCheck prints when a case fails.
 Cubic any_cubic() {

@@ -10,9 +10,7 @@
 namespace felt::height_tile {
 namespace {
 
-constexpr double kFadeFrom = 30.0;
 constexpr double kHighestRms = 1.6;
-constexpr double kMost = HeightField::kWavesPerTile * HeightField::kBand;
 
 std::size_t index_of(int x, int y) noexcept {
   return static_cast<std::size_t>((y & (kSide - 1)) * kSide + (x & (kSide - 1)));
@@ -236,9 +234,9 @@ Tile heights_of(const HeightFieldSpec& spec) {
       tile = wood(random);
       break;
   }
-  keep_band(tile, least, kFadeFrom, kMost);
+  keep_band(tile, least, kFadeFrom, kMaxWaves);
   round_off(tile, kHighestRms);
-  keep_band(tile, least, kFadeFrom, kMost);
+  keep_band(tile, least, kFadeFrom, kMaxWaves);
   return tile;
 }
 

@@ -9,11 +9,7 @@
 namespace felt {
 namespace {
 
-using height_tile::kSide;
 using height_tile::Tile;
-
-constexpr double kFadeFrom = 30.0;
-constexpr double kMost = HeightField::kWavesPerTile * HeightField::kBand;
 
 /// Which of `count` pixels a place of the tile covers, and how far into the next one it lies.
 struct Covered {
@@ -22,7 +18,7 @@ struct Covered {
 };
 
 Covered covered(int place, int count) noexcept {
-  const double step = static_cast<double>(count) / kSide;
+  const double step = static_cast<double>(count) / height_tile::kSide;
   if (step >= 1.0) {
     const int first = static_cast<int>(place * step);
     return {first, std::max(first, std::min(static_cast<int>((place + 1) * step), count) - 1), 0.0};
@@ -40,11 +36,12 @@ double share_of(const Covered& covered, int pixel, bool is_shrunk) noexcept {
 }
 
 Tile fitted(const HeightPicture& picture) {
-  Tile tile(std::size_t{kSide} * kSide, 0.0);
-  const bool shrinks_x = picture.width >= kSide, shrinks_y = picture.height >= kSide;
-  for (int y = 0; y < kSide; ++y) {
+  Tile tile(std::size_t{height_tile::kSide} * height_tile::kSide, 0.0);
+  const bool shrinks_x = picture.width >= height_tile::kSide,
+             shrinks_y = picture.height >= height_tile::kSide;
+  for (int y = 0; y < height_tile::kSide; ++y) {
     const Covered rows = covered(y, picture.height);
-    for (int x = 0; x < kSide; ++x) {
+    for (int x = 0; x < height_tile::kSide; ++x) {
       const Covered columns = covered(x, picture.width);
       double sum = 0.0;
       for (int row = rows.first; row <= rows.last; ++row) {
@@ -57,7 +54,7 @@ Tile fitted(const HeightPicture& picture) {
         }
         sum += share_of(rows, row, shrinks_y) * of_row;
       }
-      tile[static_cast<std::size_t>(y * kSide + x)] = sum;
+      tile[static_cast<std::size_t>(y * height_tile::kSide + x)] = sum;
     }
   }
   return tile;
@@ -71,20 +68,21 @@ void remove_mean(Tile& tile) noexcept {
 
 double at(const Tile& tile, int x, int y, bool turned) noexcept {
   const int column = turned ? y : x, row = turned ? x : y;
-  return tile[static_cast<std::size_t>((row & (kSide - 1)) * kSide + (column & (kSide - 1)))];
+  return tile[static_cast<std::size_t>((row & (height_tile::kSide - 1)) * height_tile::kSide +
+                                       (column & (height_tile::kSide - 1)))];
 }
 
 /// True where the last column goes on in the first as any column goes on in the next.
 bool meets(const Tile& tile, bool turned) noexcept {
   double seam = 0.0, within = 0.0;
-  for (int y = 0; y < kSide; ++y) {
-    for (int x = 0; x < kSide; ++x) {
+  for (int y = 0; y < height_tile::kSide; ++y) {
+    for (int x = 0; x < height_tile::kSide; ++x) {
       const double step = at(tile, x + 1, y, turned) - at(tile, x, y, turned);
-      (x + 1 == kSide ? seam : within) += step * step;
+      (x + 1 == height_tile::kSide ? seam : within) += step * step;
     }
   }
   constexpr double kLikely = 2.0;
-  return seam <= kLikely * within / (kSide - 1);
+  return seam <= kLikely * within / (height_tile::kSide - 1);
 }
 
 /// Fades the edges of the columns into the tile moved by half, and keeps the height of its hills:
@@ -92,15 +90,16 @@ bool meets(const Tile& tile, bool turned) noexcept {
 /// of squares.
 Tile joined(const Tile& tile, bool turned) {
   Tile out(tile.size());
-  for (int y = 0; y < kSide; ++y) {
-    for (int x = 0; x < kSide; ++x) {
-      const double from_edge = 2.0 * std::min(x + 0.5, kSide - x - 0.5) / kSide;
+  for (int y = 0; y < height_tile::kSide; ++y) {
+    for (int x = 0; x < height_tile::kSide; ++x) {
+      const double from_edge =
+          2.0 * std::min(x + 0.5, height_tile::kSide - x - 0.5) / height_tile::kSide;
       const double t = std::clamp(2.0 * from_edge, 0.0, 1.0);
       const double own = t * t * (3.0 - 2.0 * t);
       const double moved = 1.0 - own;
       const int column = turned ? y : x, row = turned ? x : y;
-      out[static_cast<std::size_t>(row * kSide + column)] =
-          (own * at(tile, x, y, turned) + moved * at(tile, x + kSide / 2, y, turned)) /
+      out[static_cast<std::size_t>(row * height_tile::kSide + column)] =
+          (own * at(tile, x, y, turned) + moved * at(tile, x + height_tile::kSide / 2, y, turned)) /
           std::sqrt(own * own + moved * moved);
     }
   }
@@ -128,7 +127,7 @@ Result<HeightField> height_field_of(const HeightPicture& picture, const HeightPi
   for (const bool turned : {false, true}) {
     if (!meets(tile, turned)) tile = joined(tile, turned);
   }
-  height_tile::keep_band(tile, 1.0, kFadeFrom, kMost);
+  height_tile::keep_band(tile, 1.0, height_tile::kFadeFrom, height_tile::kMaxWaves);
   double squares = 0.0;
   for (const double h : tile) squares += h * h;
   const double rms = std::sqrt(squares / static_cast<double>(tile.size()));

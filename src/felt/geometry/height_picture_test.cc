@@ -7,6 +7,8 @@
 #include <functional>
 #include <limits>
 
+#include "felt/base/constants.h"
+
 namespace felt {
 namespace {
 
@@ -31,7 +33,6 @@ double steepest_across(const HeightField& field, double x, double step_mm) {
 }
 
 TEST(HeightPicture, APictureThatRepeatsComesOutAsItIs) {
-  constexpr double kTau = 6.283185307179586;
   for (const int side : {64, 256, 700}) {
     const auto field = height_field_of(picture_of(side, side,
                                                   [](double x, double y) {

@@ -13,6 +13,9 @@
 namespace felt::height_tile {
 
 inline constexpr int kSide = HeightField::kSide;
+/// Waves per tile: shorter ones fade from the first number on and end at the second.
+inline constexpr double kFadeFrom = 30.0;
+inline constexpr double kMaxWaves = HeightField::kWavesPerTile * HeightField::kBand;
 
 /// kSide x kSide heights, row by row, that repeat in both directions; in any unit.
 using Tile = std::vector<double>;

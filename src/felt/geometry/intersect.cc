@@ -10,7 +10,7 @@
 namespace felt {
 namespace {
 
-constexpr double kLeastWidth = 0x1p-48;
+constexpr double kMinSpan = 0x1p-48;
 constexpr std::size_t kStack = 128;  // two curves, 48 halvings each, and the pairs to begin with
 constexpr double kSamePlaceMm = 1e-7;
 constexpr int kOverlapSamples = 12;  // more than the nine places at which different cubics meet
@@ -168,8 +168,8 @@ class Search {
     if (hulls_apart(pair.a.c, pair.b.c, meet_mm_)) return;
     if (cross_once(pair.a.c, pair.b.c) && solve(pair)) return;
     const double straight_mm = 0.25 * meet_mm_;
-    const bool a_done = pair.a.width < kLeastWidth || flatness(pair.a.c) <= straight_mm;
-    const bool b_done = pair.b.width < kLeastWidth || flatness(pair.b.c) <= straight_mm;
+    const bool a_done = pair.a.width < kMinSpan || flatness(pair.a.c) <= straight_mm;
+    const bool b_done = pair.b.width < kMinSpan || flatness(pair.b.c) <= straight_mm;
     if (a_done && b_done) {
       touch(pair);
       return;

@@ -1,9 +1,9 @@
 #include "felt/geometry/lean.h"
 
+#include "felt/base/constants.h"
+
 namespace felt {
 namespace {
-
-constexpr double kDegPerRad = 57.295779513082320877;
 
 double in_tenths(double degrees) noexcept {
   return std::round(10.0 * degrees) / 10.0;

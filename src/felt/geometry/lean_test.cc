@@ -5,10 +5,11 @@
 #include <limits>
 #include <random>
 
+#include "felt/base/constants.h"
+
 namespace felt {
 namespace {
 
-constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 constexpr double kEndless = std::numeric_limits<double>::infinity();
 
 TEST(Lean, OfAnAxisIsItsAngleToTheUpright) {

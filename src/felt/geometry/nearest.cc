@@ -6,15 +6,16 @@
 #include <cmath>
 #include <limits>
 
+#include "felt/base/constants.h"
+
 namespace felt {
 namespace {
 
-constexpr double kEps = std::numeric_limits<double>::epsilon();
 constexpr unsigned kMaxHalvings = 48;
 constexpr double kLeastWidth = 0x1p-48;  // kMaxHalvings halvings
 
 // Part [t0, t0 + width] of the segment, its control points seen from the query point.
-struct Piece {
+struct CurvePiece {
   std::array<Vec, 4> a;
   double t0 = 0.0;
   double width = 1.0;  // a power of two, so that t0 + width is exact
@@ -25,12 +26,12 @@ Vec middle(Vec a, Vec b) noexcept {
 }
 
 // Splits in the middle: `left` becomes the left half, the right one is returned.
-Piece halve(Piece& left) noexcept {
+CurvePiece halve(CurvePiece& left) noexcept {
   const Vec b0 = middle(left.a[0], left.a[1]), b1 = middle(left.a[1], left.a[2]);
   const Vec b2 = middle(left.a[2], left.a[3]);
   const Vec c0 = middle(b0, b1), c1 = middle(b1, b2), m = middle(c0, c1);
   left.width *= 0.5;
-  const Piece right{{m, c1, b2, left.a[3]}, left.t0 + left.width, left.width};
+  const CurvePiece right{{m, c1, b2, left.a[3]}, left.t0 + left.width, left.width};
   left.a = {left.a[0], b0, c0, m};
   return right;
 }
@@ -106,7 +107,7 @@ Candidate stationary_point(const std::array<Vec, 4>& a, double guess) noexcept {
     const double step = std::fabs(next - u);
     u = next;
     // Newton's error is then of the order of the square of its last step.
-    if (step <= (newton ? 1e-10 : kEps)) break;
+    if (step <= (newton ? 1e-10 : kEpsilon)) break;
   }
   return {u, norm_squared(a[0] + u * (k1 + u * (k2 + u * k3)))};
 }
@@ -121,9 +122,9 @@ double guess_root(const Distance& d) noexcept {
   return std::clamp(0.2 * (static_cast<double>(k - 1) + part), 0.001, 0.999);
 }
 
-class Search {
+class NearestSearch {
  public:
-  Search(const Cubic& c, Point q, double max_distance_squared) noexcept
+  NearestSearch(const Cubic& c, Point q, double max_distance_squared) noexcept
       : limit_(max_distance_squared),
         root_{{c.p[0] - q, c.p[1] - q, c.p[2] - q, c.p[3] - q}, 0.0, 1.0} {}
 
@@ -133,21 +134,21 @@ class Search {
     if (!(d.c[0] + d.c[2] + d.c[4] + d.c[6] < std::numeric_limits<double>::infinity()))
       return false;
     // A distance that cannot be told from zero: the control points are not known better.
-    const double zero = 256.0 * kEps * kEps * d.size;
-    if (d.lower > limit_ + 4.0 * kEps * d.size) {
+    const double zero = 256.0 * kEpsilon * kEpsilon * d.size;
+    if (d.lower > limit_ + 4.0 * kEpsilon * d.size) {
       --pieces_left;
       return false;
     }
     offer(0.0, d.c[0]);
     offer(1.0, d.c[6]);
     // Not cleared: it is filled before it is read, and often not needed.
-    std::array<Piece, kMaxHalvings> waiting;  // NOLINT(cppcoreguidelines-pro-type-member-init)
+    std::array<CurvePiece, kMaxHalvings> waiting;  // NOLINT(cppcoreguidelines-pro-type-member-init)
     unsigned count = 0;
-    Piece piece = root_;
+    CurvePiece piece = root_;
     while (--pieces_left > 0 && !(found_ && limit_ <= zero)) {
       if (!finished(piece, d) && piece.width > kLeastWidth) {
         waiting[count] = halve(piece);
-        const Piece& right = waiting[count++];
+        const CurvePiece& right = waiting[count++];
         offer(right.t0, norm_squared(right.a[0]));
       } else if (count > 0) {
         piece = waiting[--count];
@@ -165,7 +166,7 @@ class Search {
  private:
   // Takes the point when it is nearer than the best, or as near with a lower t.
   void offer(double t, double distance_squared) noexcept {
-    constexpr double kTie = 4.0 * kEps;
+    constexpr double kTie = 4.0 * kEpsilon;
     if (!found_ ? distance_squared <= limit_
                 : distance_squared < limit_ * (1.0 - kTie) ||
                       (t < t_ && distance_squared <= limit_ * (1.0 + kTie))) {
@@ -177,9 +178,9 @@ class Search {
 
   // True when nothing on the piece can be nearer than the best found, which then includes the
   // nearest point of the piece.
-  bool finished(const Piece& piece, const Distance& d) noexcept {
-    const double noise = 4.0 * kEps * d.size;
-    if (d.lower >= limit_ * (1.0 - 64.0 * kEps) + noise) return true;
+  bool finished(const CurvePiece& piece, const Distance& d) noexcept {
+    const double noise = 4.0 * kEpsilon * d.size;
+    if (d.lower >= limit_ * (1.0 - 64.0 * kEpsilon) + noise) return true;
     // While the piece is wide against the distance, noise could hide a nearer point.
     const int changes = most_sign_changes(d, d.size > 16.0 * limit_ ? 2.0 * noise : 0.0);
     if (changes > 1) return false;
@@ -194,14 +195,14 @@ class Search {
   double limit_;  // squared distance of the best point, of the caller's limit before there is one
   double t_ = 0.0;
   bool found_ = false;
-  Piece root_;
+  CurvePiece root_;
 };
 
 }  // namespace
 
 std::optional<Nearest> nearest_within(const Cubic& c, Point q, double max_distance_squared,
                                       int& pieces_left) noexcept {
-  Search search(c, q, max_distance_squared);
+  NearestSearch search(c, q, max_distance_squared);
   if (!search.run(pieces_left)) return std::nullopt;
   return Nearest{search.t(), search.distance_squared(), evaluate(c, search.t())};
 }

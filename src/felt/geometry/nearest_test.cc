@@ -7,12 +7,11 @@
 #include <limits>
 #include <numbers>
 
+#include "felt/base/constants.h"
 #include "felt/geometry/testing/nearest_cases.h"
 
 namespace felt {
 namespace {
-
-constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
 // bench_nearest --check runs the same comparison over 10^6 cases.
 TEST(Nearest, R19_IsNeverFartherThanDenseSamplingOnAnyKindOfCubic) {

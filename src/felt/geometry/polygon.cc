@@ -4,19 +4,18 @@
 #include <cmath>
 #include <limits>
 
+#include "felt/base/constants.h"
 #include "felt/geometry/polyline.h"
 
 namespace felt {
 namespace {
-
-constexpr double kEps = std::numeric_limits<double>::epsilon();
 
 double largest_coordinate(Point a, Point b) noexcept {
   return std::max({std::fabs(a.x), std::fabs(a.y), std::fabs(b.x), std::fabs(b.y)});
 }
 
 bool on_edge(Point a, Point b, Point p) noexcept {
-  const double width = 4.0 * kEps * largest_coordinate(a, b);
+  const double width = 4.0 * kEpsilon * largest_coordinate(a, b);
   if (p.x < std::min(a.x, b.x) - width || p.x > std::max(a.x, b.x) + width ||
       p.y < std::min(a.y, b.y) - width || p.y > std::max(a.y, b.y) + width) {
     return false;

@@ -4,10 +4,10 @@
 #include <cmath>
 #include <limits>
 
+#include "felt/base/constants.h"
+
 namespace felt {
 namespace {
-
-constexpr double kEps = std::numeric_limits<double>::epsilon();
 
 struct CubicPolynomial {
   double c0, c1, c2, c3;
@@ -23,13 +23,13 @@ struct CubicPolynomial {
 double bracketed_root(const CubicPolynomial& f, double lo, double hi) noexcept {
   const bool rising = f.value(hi) > 0.0;
   double t = 0.5 * (lo + hi);
-  for (int i = 0; i < 64 && hi - lo > kEps * hi; ++i) {
+  for (int i = 0; i < 64 && hi - lo > kEpsilon * hi; ++i) {
     const double v = f.value(t);
     if (v == 0.0) return t;
     ((v > 0.0) == rising ? hi : lo) = t;
     const double next = t - v / f.slope(t);
     const bool newton = next > lo && next < hi && i % 3 != 2;
-    if (newton && std::fabs(next - t) <= kEps * std::fabs(t)) return next;
+    if (newton && std::fabs(next - t) <= kEpsilon * std::fabs(t)) return next;
     t = newton ? next : 0.5 * (lo + hi);
   }
   return t;
@@ -59,7 +59,7 @@ UnitRoots quadratic_roots(double c0, double c1, double c2) noexcept {
   if (c2 == 0.0) return linear_roots(c0, c1);
   UnitRoots roots;
   double discriminant = c1 * c1 - 4.0 * c2 * c0;
-  const double noise = 4.0 * kEps * (c1 * c1 + std::fabs(4.0 * c2 * c0));
+  const double noise = 4.0 * kEpsilon * (c1 * c1 + std::fabs(4.0 * c2 * c0));
   if (discriminant < -noise) return roots;
   discriminant = std::max(discriminant, 0.0);
   const double q = -0.5 * (c1 + std::copysign(std::sqrt(discriminant), c1));
@@ -79,7 +79,7 @@ UnitRoots cubic_roots(double c0, double c1, double c2, double c3) noexcept {
   for (int i = 0; i <= extrema.size(); ++i) {
     const double hi = i < extrema.size() ? extrema[i] : 1.0;
     const double at_lo = f.value(lo), at_hi = f.value(hi);
-    const double noise = 4.0 * kEps;  // of the value, since the coefficients are at most 1
+    const double noise = 4.0 * kEpsilon;  // of the value, since the coefficients are at most 1
     if (std::fabs(at_lo) <= noise) {
       if (i == 0 || roots.size() == 0 || lo - roots[roots.size() - 1] > 1e-7) roots.insert(lo);
     } else if (std::fabs(at_hi) > noise && (at_lo < 0.0) != (at_hi < 0.0)) {
@@ -87,7 +87,7 @@ UnitRoots cubic_roots(double c0, double c1, double c2, double c3) noexcept {
     }
     lo = hi;
   }
-  if (std::fabs(f.value(1.0)) <= 4.0 * kEps) roots.insert(1.0);
+  if (std::fabs(f.value(1.0)) <= 4.0 * kEpsilon) roots.insert(1.0);
   return roots;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 
 #include "felt/geometry/vec3.h"
@@ -39,5 +40,10 @@ struct Capabilities {
   }
   friend constexpr bool operator==(const Capabilities&, const Capabilities&) noexcept = default;
 };
+
+/// Returns a number of a device, or 0 if it is not finite and positive.
+inline double finite_positive(double value) noexcept {
+  return std::isfinite(value) && value > 0.0 ? value : 0.0;
+}
 
 }  // namespace felt

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "felt/haptics/capabilities.h"
 #include "felt/material/relief.h"
 
 namespace felt {
@@ -15,10 +16,6 @@ constexpr double kFollowNs = 15e6;
 constexpr double kSmooth = 0.4;      // roughness of a sheet without grain
 constexpr double kRoughUm = 3.0;     // grain that brings 63 % of the rest
 constexpr double kLongAgoNs = 1e18;  // far beyond any session
-
-double sane(double value) noexcept {
-  return std::isfinite(value) && value > 0.0 ? value : 0.0;
-}
 
 struct Single {
   CueWaveform waveform;
@@ -88,33 +85,35 @@ CueInput cue_input_of(const PenSample& sample, const SurfaceMaterial& surface) n
   CueInput now;
   now.time_ns = sample.time_ns;
   now.touches = in_contact(sample);
-  now.height_mm = sane(sample.position.z);
+  now.height_mm = finite_positive(sample.position.z);
   now.place = on_sheet(sample.position);
   now.speed_mm_per_s = std::hypot(sample.velocity.x, sample.velocity.y);
   if (!now.touches) return now;
-  now.push_n = sample.pressure ? kFullPushN * std::min(sane(*sample.pressure), 1.0)
-                               : 1e-3 * surface.stiffness_n_per_m * sane(depth_mm(sample));
+  now.push_n = sample.pressure
+                   ? kFullPushN * std::min(finite_positive(*sample.pressure), 1.0)
+                   : 1e-3 * surface.stiffness_n_per_m * finite_positive(depth_mm(sample));
   return now;
 }
 
 double rub_intensity(const CueFeel& feel, double speed_mm_per_s, double push_n) noexcept {
-  const double speed = sane(sane(speed_mm_per_s) - kRestMmPerS);
-  const double power_mw = sane(feel.friction) * sane(push_n) * speed;
-  const double roughness = std::min(sane(feel.roughness), 1.0);
+  const double speed = finite_positive(finite_positive(speed_mm_per_s) - kRestMmPerS);
+  const double power_mw = finite_positive(feel.friction) * finite_positive(push_n) * speed;
+  const double roughness = std::min(finite_positive(feel.roughness), 1.0);
   const double smooth = std::min(roughness, kSmooth);
-  const double left = relief_left(feel.wear, sane(push_n) / kFullPushN);
+  const double left = relief_left(feel.wear, finite_positive(push_n) / kFullPushN);
   return std::min(1.0, (smooth + (roughness - smooth) * left) * std::sqrt(power_mw / kFullPowerMw));
 }
 
 double hill_swell(const CueFeel& feel, const CueInput& now) noexcept {
   constexpr double kMostTold = 0.6, kHighest = 2.0;
   if (feel.relief == nullptr || !(feel.relief->spec().rms_um > 0.0)) return 1.0;
-  const double hills_per_s = sane(now.speed_mm_per_s) / feel.relief->spec().wavelength_mm;
+  const double hills_per_s =
+      finite_positive(now.speed_mm_per_s) / feel.relief->spec().wavelength_mm;
   const double x =
       std::clamp((kLostHillsPerS - hills_per_s) / (kLostHillsPerS - kToldHillsPerS), 0.0, 1.0);
   const double told = kMostTold * x * x * (3.0 - 2.0 * x);
-  const double share =
-      std::min(sane(feel.grain), 1.0) * relief_left(feel.wear, sane(now.push_n) / kFullPushN);
+  const double share = std::min(finite_positive(feel.grain), 1.0) *
+                       relief_left(feel.wear, finite_positive(now.push_n) / kFullPushN);
   const double height = 1e3 * feel.relief->at(now.place).height_mm / feel.relief->spec().rms_um;
   return 1.0 + told * share * std::clamp(height / kHighest, -1.0, 1.0);
 }
@@ -160,7 +159,7 @@ void CueLaw::follow_contact(const CueInput& now, double passed_ns) noexcept {
   }
   if (!is_down_) return;
   away_ns_ += passed_ns;
-  if (away_ns_ < static_cast<double>(kLiftNs) && sane(now.height_mm) < kLiftMm) return;
+  if (away_ns_ < static_cast<double>(kLiftNs) && finite_positive(now.height_mm) < kLiftMm) return;
   is_down_ = false;
   want(CueWaveform::kRelease);
 }

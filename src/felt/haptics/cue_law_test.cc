@@ -10,12 +10,11 @@
 #include <utility>
 #include <vector>
 
+#include "felt/base/constants.h"
 #include "felt/material/relief.h"
 
 namespace felt {
 namespace {
-
-constexpr std::int64_t kMs = 1'000'000;
 
 CueFeel pencil_on_paper() {
   return cue_feel_of(*find_medium("pencil"), *find_surface("paper"));

@@ -10,7 +10,7 @@
 namespace felt {
 namespace {
 
-constexpr std::string_view kDigits =
+constexpr std::string_view kNumberDigits =
     "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
 constexpr unsigned kBits = 6;
 /// Digits that hold 64 bits.
@@ -53,10 +53,10 @@ void append_exact(std::string& out, std::span<const double> values,
   for (std::size_t i = 0; i < values.size(); ++i) all |= folded_difference(values[i], guesses[i]);
   const unsigned digits =
       std::max(1U, (static_cast<unsigned>(std::bit_width(all)) + kBits - 1) / kBits);
-  out += kDigits[digits];
+  out += kNumberDigits[digits];
   for (std::size_t i = 0; i < values.size(); ++i) {
     std::uint64_t n = folded_difference(values[i], guesses[i]);
-    for (unsigned k = 0; k < digits; ++k, n >>= kBits) out += kDigits[n & 63U];
+    for (unsigned k = 0; k < digits; ++k, n >>= kBits) out += kNumberDigits[n & 63U];
   }
 }
 

@@ -11,7 +11,7 @@ namespace {
 constexpr std::string_view kHex = "0123456789abcdef";
 
 /// A basic string of TOML.
-std::string quoted(std::string_view text) {
+std::string toml_text(std::string_view text) {
   std::string out = "\"";
   for (const char c : text) {
     const auto byte = static_cast<unsigned char>(c);
@@ -44,7 +44,7 @@ std::string value_text(const Field& field, double value) {
     case MaterialFieldKind::kColor:
       return color_text(value);
     case MaterialFieldKind::kChoice:
-      return quoted(field.choices[static_cast<std::size_t>(value)]);
+      return toml_text(field.choices[static_cast<std::size_t>(value)]);
     case MaterialFieldKind::kNumber:
     case MaterialFieldKind::kWhole:
       break;
@@ -82,8 +82,8 @@ void append_figures(std::string& out, const Material& material, std::span<const 
 std::string head(std::string_view kind, std::string_view about, const std::string& id,
                  const std::string& label) {
   return "# A " + std::string(kind) + " for Feltline: " + std::string(about) + "\nkind = \"" +
-         std::string(kind) + "\"\nid = " + quoted(id) +
-         "  # what drawings and recordings say\nlabel = " + quoted(label) + "\n";
+         std::string(kind) + "\"\nid = " + toml_text(id) +
+         "  # what drawings and recordings say\nlabel = " + toml_text(label) + "\n";
 }
 
 }  // namespace
@@ -108,7 +108,7 @@ std::string write_material(const Medium& medium) {
     if (table != "feel" || medium.pairs.empty()) return;
     out += "\n[pairs]  # friction on a sheet, by its id: 0 to " + number_text(kMaxFriction) + "\n";
     for (const PairFriction& pair : medium.pairs) {
-      out += (is_material_id(pair.surface) ? pair.surface : quoted(pair.surface)) + " = " +
+      out += (is_material_id(pair.surface) ? pair.surface : toml_text(pair.surface)) + " = " +
              number_text(pair.coefficient) + "\n";
     }
   });

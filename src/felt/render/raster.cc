@@ -27,7 +27,7 @@ namespace {
 
 /// AGG silently drops what exceeds its limit of 4096-cell blocks; 64 million cells are the edge
 /// pixels of any stroke on the largest picture.
-constexpr unsigned kCellBlocks = 16384;
+constexpr unsigned kRasterCellBlocks = 16384;
 
 /// Of the tolerance, for the centre line: as much as StrokeOutliner gives it.
 constexpr double kTraceShare = 0.5;
@@ -140,7 +140,7 @@ struct Rasterizer::State {
   void blend_line(const InkShade& shade, PixelRect part, std::uint32_t ink, std::uint8_t alpha,
                   Pixels target);
 
-  Cells cells{kCellBlocks};
+  Cells cells{kRasterCellBlocks};
   agg::scanline_u8 line;
   StrokeOutliner outliner;
   SegmentRuns runs;

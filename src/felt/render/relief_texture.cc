@@ -10,18 +10,18 @@ namespace {
 constexpr int kFraction = 40;  // bits of a texel: no rounding shows in a picture of any size
 
 /// x -> (a x - b y, b x + a y) + shift, in tiles.
-struct Turn {
+struct Turning {
   int a = 1, b = 0;
   double shift_x = 0.0, shift_y = 0.0;
 };
 struct Tooth {
-  Turn finer, finest;
+  Turning finer, finest;
   double share = 0.0;
 };
 
 /// A weave again in small, and again, would be a pattern that no cloth has.
 Tooth tooth_of(HeightCharacter character) noexcept {
-  const Turn finer{4, 2, 0.3125, 0.0625}, finest{7, -4, 0.5625, 0.8125};
+  const Turning finer{4, 2, 0.3125, 0.0625}, finest{7, -4, 0.5625, 0.8125};
   if (character == HeightCharacter::kWood) {
     return {{4, 0, 0.3125, 0.0625}, {9, 0, 0.5625, 0.8125}, 0.75};
   }
@@ -86,7 +86,7 @@ Square with_tooth(const Square& base, HeightCharacter character) {
   const auto share = static_cast<float>(tooth.share);
   const auto norm = static_cast<float>(1.0 / std::sqrt(1.0 + 2.0 * tooth.share * tooth.share));
   Square seen{base.side, std::vector<float>(base.heights.size())};
-  const auto turned = [&](const Turn& t, int x, int y) {
+  const auto turned = [&](const Turning& t, int x, int y) {
     return base.at(t.a * x - t.b * y + static_cast<int>(t.shift_x * base.side),
                    t.b * x + t.a * y + static_cast<int>(t.shift_y * base.side));
   };
@@ -137,7 +137,7 @@ std::uint64_t fixed(double texels) noexcept {
 double seen_relief(const HeightField& field, Point place) noexcept {
   if (!(field.spec().rms_um > 0.0)) return 0.0;
   const Tooth tooth = tooth_of(field.spec().character);
-  const auto turned = [&](const Turn& t) {
+  const auto turned = [&](const Turning& t) {
     const Point p{t.a * place.x - t.b * place.y + t.shift_x * field.tile_mm(),
                   t.b * place.x + t.a * place.y + t.shift_y * field.tile_mm()};
     return field.at(p).height_mm;

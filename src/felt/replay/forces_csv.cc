@@ -9,11 +9,11 @@
 namespace felt {
 namespace {
 
-constexpr std::size_t kBufferBytes = std::size_t{256} << 10;
+constexpr std::size_t kCsvBufferBytes = std::size_t{256} << 10;
 constexpr std::string_view kFixedColumns =
     "t_ms,x,y,z,vx,vy,vz,pressure,ask_x,ask_y,ask_z,sent_x,sent_y,sent_z";
 
-tl::unexpected<Error> failed(const char* doing) {
+tl::unexpected<Error> csv_error(const char* doing) {
   return fail(ErrorCode::kIo, std::string("temporary file: cannot ") + doing + ": " +
                                   std::generic_category().message(errno));
 }
@@ -35,7 +35,7 @@ void append(std::string& row, double x, double y, double z) {
 Result<ForcesCsv> ForcesCsv::create() {
   ForcesCsv file;
   file.spool_.reset(std::tmpfile());
-  if (!file.spool_) return failed("create");
+  if (!file.spool_) return csv_error("create");
   return file;
 }
 
@@ -68,12 +68,12 @@ Result<void> ForcesCsv::add(const TickReport& tick, std::optional<double> pressu
   for (const Force& force : forces_) append(rows_, force.x, force.y, force.z);
   rows_.back() = '\n';
   ++row_count_;
-  return rows_.size() < kBufferBytes ? Result<void>() : spool();
+  return rows_.size() < kCsvBufferBytes ? Result<void>() : spool();
 }
 
 Result<void> ForcesCsv::spool() {
   if (std::fwrite(rows_.data(), 1, rows_.size(), spool_.get()) != rows_.size()) {
-    return failed("write");
+    return csv_error("write");
   }
   rows_.clear();
   return {};
@@ -102,7 +102,7 @@ void ForcesCsv::pad_rows(std::span<const char> bytes, std::int64_t& row, std::st
 }
 
 Result<void> ForcesCsv::copy_rows(const Write& write) {
-  std::vector<char> buffer(kBufferBytes);
+  std::vector<char> buffer(kCsvBufferBytes);
   std::string text;
   std::int64_t row = 0;
   while (const std::size_t count = std::fread(buffer.data(), 1, buffer.size(), spool_.get())) {
@@ -110,13 +110,13 @@ Result<void> ForcesCsv::copy_rows(const Write& write) {
     pad_rows(std::span(buffer.data(), count), row, text);
     if (Result<void> written = write(text); !written) return written;
   }
-  return std::ferror(spool_.get()) ? failed("read") : Result<void>();
+  return std::ferror(spool_.get()) ? csv_error("read") : Result<void>();
 }
 
 Result<void> ForcesCsv::finish(const Write& write) {
   if (Result<void> spooled = spool(); !spooled) return spooled;
   if (std::fflush(spool_.get()) != 0 || std::fseek(spool_.get(), 0, SEEK_SET) != 0) {
-    return failed("read");
+    return csv_error("read");
   }
   std::string header(kFixedColumns);
   for (const std::string& name : names_) {

@@ -5,6 +5,7 @@
 #include <numbers>
 #include <utility>
 
+#include "felt/base/constants.h"
 #include "felt/devices/simulated/random.h"
 
 namespace felt {
@@ -19,11 +20,10 @@ constexpr double kMaxTravelS = 60.0;
 // Limits of one raw stroke: they bound memory, which is that of the longest stroke.
 constexpr double kMaxLengthMm = 20'000.0;
 constexpr double kMaxDurationS = 600.0;
-constexpr double kMaxCoordinateMm = 1e4;
+constexpr double kMaxReachMm = 1e4;
 constexpr double kMaxPauseS = 1.0;  // longest one of script_hand
 
 constexpr double kTremorRmsMm = 0.03;
-constexpr double kFullTurn = 2.0 * std::numbers::pi;
 
 /// Fails for strokes that would take a hand very long.
 Result<void> check_length(const RecordedPath& path) {
@@ -49,7 +49,7 @@ Result<void> check_length(const RecordedPath& path) {
 /// Returns the points above which a stroke begins and ends.
 std::pair<Point, Point> ends_of(const RecordedPath& path, const std::vector<TimedAim>& aims) {
   const auto is_drawn = [](const RecordedPoint& p) {  // script_hand skips the others
-    return std::abs(p.position.x) <= kMaxCoordinateMm && std::abs(p.position.y) <= kMaxCoordinateMm;
+    return std::abs(p.position.x) <= kMaxReachMm && std::abs(p.position.y) <= kMaxCoordinateMm;
   };
   const auto first = std::find_if(path.begin(), path.end(), is_drawn);
   const auto last = std::find_if(path.rbegin(), path.rend(), is_drawn);
@@ -63,8 +63,7 @@ Tremor::Tremor(std::uint64_t seed) {
   if (seed == 0) return;
   Random random(seed);
   for (Tone& tone : tones_) {
-    tone = {random.between(8.0, 12.0), random.between(0.0, kFullTurn),
-            random.between(0.0, kFullTurn)};
+    tone = {random.between(8.0, 12.0), random.between(0.0, kTau), random.between(0.0, kTau)};
   }
   // Squares of tones of different frequencies add.
   amplitude_mm_ = kTremorRmsMm * std::sqrt(2.0 / static_cast<double>(tones_.size()));
@@ -75,8 +74,8 @@ Vec Tremor::at(std::int64_t time_ns) const noexcept {
   const double t_s = 1e-9 * static_cast<double>(time_ns);
   Vec sum;
   for (const Tone& tone : tones_) {
-    sum.x += std::sin(kFullTurn * tone.hz * t_s + tone.phase_x);
-    sum.y += std::sin(kFullTurn * tone.hz * t_s + tone.phase_y);
+    sum.x += std::sin(kTau * tone.hz * t_s + tone.phase_x);
+    sum.y += std::sin(kTau * tone.hz * t_s + tone.phase_y);
   }
   return amplitude_mm_ * sum;
 }

@@ -7,10 +7,10 @@
 #include <string>
 #include <vector>
 
+#include "felt/base/constants.h"
+
 namespace felt {
 namespace {
-
-constexpr std::int64_t kMs = 1'000'000;
 
 class Pen {
  public:

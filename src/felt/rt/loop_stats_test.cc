@@ -7,6 +7,8 @@
 #include <cmath>
 #include <vector>
 
+#include "felt/base/constants.h"
+
 namespace felt {
 namespace {
 
@@ -38,7 +40,6 @@ TEST(TimeHistogram, EmptyNegativeAndEndlessDurations) {
 }
 
 TEST(LoopStats, PausesAreNotPartOfTheRate) {
-  constexpr std::int64_t kMs = 1'000'000;
   LoopStats stats;
   std::int64_t now_ns = 0;
   for (int i = 0; i < 101; ++i) {
@@ -54,7 +55,6 @@ TEST(LoopStats, PausesAreNotPartOfTheRate) {
 }
 
 TEST(LoopStats, CountsTicksRateAndMissedPeriods) {
-  constexpr std::int64_t kMs = 1'000'000;
   LoopStats stats;
   EXPECT_EQ(stats.rate_hz(), 0.0);
   for (int i = 0; i <= 1000; ++i) stats.tick(i * kMs, 10'000, kMs);

@@ -2,10 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include "felt/base/constants.h"
+
 namespace felt {
 namespace {
-
-constexpr std::int64_t kMs = 1'000'000;
 
 TEST(NullDevice, R51_ThePenIsWhereTheMouseIsAndForcesDoNothing) {
   NullDevice device;

@@ -15,11 +15,6 @@
 namespace felt {
 namespace {
 
-template <class Condition>
-void wait_until(Condition condition) {
-  while (!condition()) std::this_thread::sleep_for(std::chrono::milliseconds(1));
-}
-
 /// What a hung device tells a test, and the way out of its call. Outlives whoever gives it up.
 struct Call {
   std::atomic<bool> hangs{false};

@@ -81,11 +81,6 @@ struct Push {
   Force operator()(const PenSample&, ForceMemory&) const noexcept { return {0, 0, 1.0}; }
 };
 
-template <class Condition>
-void wait_until(Condition condition) {
-  while (!condition()) std::this_thread::sleep_for(std::chrono::milliseconds(1));
-}
-
 class HostedLoop : public testing::Test {
  protected:
   // There is a force to be taken away.

@@ -12,12 +12,6 @@
 namespace felt {
 namespace {
 
-// Until `condition`; the test's own time limit is the only one.
-template <class Condition>
-void wait_until(Condition condition) {
-  while (!condition()) std::this_thread::sleep_for(std::chrono::milliseconds(1));
-}
-
 /// Takes all samples that wait for the edit side. Returns how many there were.
 std::size_t drain(Servo& servo) {
   std::size_t count = 0;

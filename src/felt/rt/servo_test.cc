@@ -10,14 +10,13 @@
 #include <optional>
 #include <vector>
 
+#include "felt/base/constants.h"
 #include "felt/haptics/bricks/spring.h"
 #include "felt/rt/testing/scripted_device.h"
 #include "felt/rt/virtual_clock.h"
 
 namespace felt {
 namespace {
-
-constexpr std::int64_t kMs = 1'000'000;
 
 struct Constant {
   Force force;

@@ -6,12 +6,11 @@
 #include <memory>
 #include <vector>
 
+#include "felt/base/constants.h"
 #include "felt/rt/testing/scripted_device.h"
 
 namespace felt {
 namespace {
-
-constexpr std::int64_t kMs = 1'000'000;
 
 TEST(VirtualClock, TicksArePeriodsApart) {
   ScriptedDevice device;

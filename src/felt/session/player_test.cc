@@ -6,17 +6,16 @@
 #include <algorithm>
 #include <cmath>
 
+#include "felt/base/constants.h"
 #include "felt/base/hash.h"
 #include "felt/rt/null_device.h"
-#include "felt/session/testing/fake_tools.h"
 #include "felt/session/recorder.h"
+#include "felt/session/testing/fake_tools.h"
 
 namespace felt {
 namespace {
 
 using testing::HasSubstr;
-
-constexpr std::int64_t kMs = 1'000'000;
 
 /// A pen of some mass on a spring that a hand holds, pushed by forces: enough of a device to feel.
 class SpringPen final : public Device, public HandInput {

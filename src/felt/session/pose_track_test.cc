@@ -6,10 +6,10 @@
 #include <cmath>
 #include <vector>
 
+#include "felt/base/constants.h"
+
 namespace felt {
 namespace {
-
-constexpr std::int64_t kMs = 1'000'000;
 
 Event pen(std::int64_t ms, Vec3 at, std::optional<double> pressure = {},
           std::uint32_t buttons = 0) {

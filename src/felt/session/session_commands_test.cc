@@ -6,8 +6,8 @@
 #include <deque>
 #include <random>
 
-#include "felt/session/testing/fake_tools.h"
 #include "felt/session/session.h"
+#include "felt/session/testing/fake_tools.h"
 #include "felt/stroke/testing/random_stroke.h"
 
 namespace felt {
@@ -34,8 +34,8 @@ class ScriptedTool : public FakePencil {
   std::size_t selected = 0;
 };
 
-struct Desk {
-  explicit Desk(SessionOptions options = {})
+struct CommandDesk {
+  explicit CommandDesk(SessionOptions options = {})
       : tool(new ScriptedTool), session(tools(tool), std::move(options)) {}
 
   static std::vector<std::unique_ptr<Tool>> tools(ScriptedTool* tool) {
@@ -83,14 +83,14 @@ struct Desk {
 
 using Ids = std::vector<std::uint64_t>;
 
-Selection::Marks first_point_of(const Desk& desk, std::uint64_t id) {
+Selection::Marks first_point_of(const CommandDesk& desk, std::uint64_t id) {
   Selection::Marks marks(desk.session.document().find({id})->data().points.size(), 0);
   marks.front() = 1;
   return marks;
 }
 
 TEST(SessionSelection, AllNoneAndInvertTakeWhatMayBeEdited) {
-  Desk desk;
+  CommandDesk desk;
   desk.line(0, 0);
   desk.line(0, 10);
   desk.layer(Do::kAdd);
@@ -112,7 +112,7 @@ TEST(SessionSelection, AllNoneAndInvertTakeWhatMayBeEdited) {
 }
 
 TEST(SessionSelection, IsWhatTheToolSaysAndTheToolSeesIt) {
-  Desk desk;
+  CommandDesk desk;
   desk.line(0, 0);
   desk.line(0, 10);
   Selection chosen;
@@ -130,7 +130,7 @@ TEST(SessionSelection, IsWhatTheToolSaysAndTheToolSeesIt) {
 }
 
 TEST(SessionSelection, DeleteRemovesWhatIsWhollySelected) {
-  Desk desk;
+  CommandDesk desk;
   for (int i = 0; i < 4; ++i) desk.line(0, 10 * i);
   desk.must(DeleteEvent{});
   EXPECT_EQ(desk.steps(), 4U) << "nothing is selected, nothing happens";
@@ -153,7 +153,7 @@ TEST(SessionSelection, DeleteRemovesWhatIsWhollySelected) {
 }
 
 TEST(SessionSelection, DuplicateAddsShiftedCopiesWhichAreSelectedThen) {
-  Desk desk;
+  CommandDesk desk;
   desk.line(0, 0);
   desk.layer(Do::kAdd);
   desk.line(0, 10);
@@ -175,7 +175,7 @@ TEST(SessionSelection, DuplicateAddsShiftedCopiesWhichAreSelectedThen) {
 }
 
 TEST(SessionLayers, NewInkGoesToTheLayerInUse) {
-  Desk desk;
+  CommandDesk desk;
   desk.layer(Do::kAdd, 0, "Ideas");
   EXPECT_EQ(desk.session.layer().value, 2U);
   desk.layer(Do::kUse, 1);
@@ -187,13 +187,13 @@ TEST(SessionLayers, NewInkGoesToTheLayerInUse) {
   EXPECT_EQ(desk.layers(), (Ids{1, 3, 2})) << "above the one that was in use";
   EXPECT_EQ(desk.session.document().layer({2})->name, "Ideas");
   EXPECT_EQ(desk.session.document().layer({3})->name, "Layer 3");
-  Desk other;
+  CommandDesk other;
   ASSERT_TRUE(desk.session.import(desk.now_ns, {"a"}, desk.session.sketch()));
   EXPECT_EQ(desk.session.document().layer_of({2}).value, 3U);
 }
 
 TEST(SessionLayers, EachCommandIsOneStepAndUndone) {
-  Desk desk;
+  CommandDesk desk;
   desk.line(0, 0);
   desk.layer(Do::kAdd);
   desk.line(0, 10);
@@ -237,7 +237,7 @@ TEST(SessionLayers, EachCommandIsOneStepAndUndone) {
 TEST(SessionLayers, ThereIsAlwaysOneOpenToDrawOn) {
   for (const Do what : {Do::kHide, Do::kLock, Do::kRemove}) {
     SCOPED_TRACE(static_cast<int>(what));
-    Desk desk;
+    CommandDesk desk;
     desk.layer(Do::kAdd);
     desk.layer(Do::kAdd);
     desk.layer(Do::kUse, 1);
@@ -267,7 +267,7 @@ TEST(SessionLayers, ADocumentWithoutAnOpenLayerGetsOneAtTheStart) {
   SessionOptions options;
   options.document = document;
   options.on_edit = [&copy](const Edit& edit) { ASSERT_TRUE(copy.apply(edit)); };
-  Desk desk(std::move(options));
+  CommandDesk desk(std::move(options));
   EXPECT_EQ(desk.session.layer().value, 2U);
   EXPECT_EQ(desk.steps(), 0U);
   EXPECT_TRUE(copy == desk.session.document());
@@ -277,7 +277,7 @@ TEST(SessionLayers, SaysWhatIsWrongAndChangesNothing) {
   std::vector<Event> recorded;
   SessionOptions options;
   options.on_event = [&recorded](const Event& event) { recorded.push_back(event); };
-  Desk desk(std::move(options));
+  CommandDesk desk(std::move(options));
   desk.layer(Do::kAdd, 0, "b");
   desk.layer(Do::kHide, 2);
   recorded.clear();
@@ -299,7 +299,7 @@ TEST(SessionLayers, SaysWhatIsWrongAndChangesNothing) {
 }
 
 TEST(SessionCommands, DoNothingWhileAGestureIsInWork) {
-  Desk desk;
+  CommandDesk desk;
   desk.line(0, 0);
   desk.pen(0, 10, -1);
   desk.must(SelectStrokes{What::kAll});
@@ -314,7 +314,7 @@ TEST(SessionCommands, DoNothingWhileAGestureIsInWork) {
 }
 
 TEST(SessionCommands, KeepALineThatWaitsForItsLift) {
-  Desk desk;
+  CommandDesk desk;
   desk.pen(0, 10, -1);
   desk.pen(10, 10, -1);
   desk.pen(10, 10, 0.1);  // the tool still thinks of a bounce
@@ -327,7 +327,7 @@ TEST(SessionCommands, KeepALineThatWaitsForItsLift) {
   EXPECT_EQ(desk.session.document().layer_of({2}).value, 1U);
 }
 
-Edit shown(const Desk& desk) {
+Edit shown(const CommandDesk& desk) {
   EditBuilder builder(desk.session.document());
   builder.add({1},
               std::make_shared<const Stroke>(felt::testing::straight_stroke({0, 0}, {9, 0}, 1, 1)));
@@ -335,7 +335,7 @@ Edit shown(const Desk& desk) {
 }
 
 TEST(SessionPreview, StaysWhereTheToolSaysSoAndElseGoes) {
-  Desk desk;
+  CommandDesk desk;
   auto& answers = desk.tool->answers;
   const Edit edit = shown(desk);
   answers = {{.preview = edit}, {.same_preview = true}, {.same_preview = true}, {}};
@@ -358,7 +358,7 @@ TEST(SessionPreview, StaysWhereTheToolSaysSoAndElseGoes) {
 }
 
 TEST(SessionPreview, OfAHoveringPenIsNoGesture) {
-  Desk desk;
+  CommandDesk desk;
   desk.line(0, 0);
   desk.tool->answers = {{.preview = shown(desk)}, {.same_preview = true}};
   desk.pen(0, 0, 5);
@@ -405,7 +405,7 @@ Event random_event(const Session& session, std::mt19937& random) {
 }
 
 /// A session of anything that can happen; true where the step did something to the document.
-void random_step(Desk& desk, std::mt19937& random) {
+void random_step(CommandDesk& desk, std::mt19937& random) {
   if (random() % 2) {
     const double x = static_cast<double>(random() % 50), y = static_cast<double>(random() % 50);
     if (random() % 4) return desk.line(x, y);
@@ -428,7 +428,7 @@ TEST(SessionCommands, R52_RandomSessionsUndoToTheStartAndRedoToTheEnd) {
     std::vector<Event> recorded;
     SessionOptions options;
     options.on_event = [&recorded](const Event& event) { recorded.push_back(event); };
-    Desk desk(std::move(options));
+    CommandDesk desk(std::move(options));
     for (int i = 0; i < 300; ++i) {
       const Document before = desk.session.document();
       const std::size_t steps = desk.steps();
@@ -464,7 +464,7 @@ TEST(SessionCommands, R52_RandomSessionsUndoToTheStartAndRedoToTheEnd) {
     EXPECT_TRUE(desk.session.document() == end);
 
     // Told again what was recorded, another session is where this one is.
-    Desk again;
+    CommandDesk again;
     for (const Event& event : recorded) ASSERT_TRUE(again.session.apply(event));
     if (HasFatalFailure()) return;
     EXPECT_TRUE(again.session.document() == end);
@@ -474,7 +474,7 @@ TEST(SessionCommands, R52_RandomSessionsUndoToTheStartAndRedoToTheEnd) {
 }
 
 TEST(SessionCommands, WhatIsImportedIsSelectedInPlaceOfWhatWas) {
-  Desk desk;
+  CommandDesk desk;
   desk.line(0, 0);
   desk.must(SelectStrokes{What::kAll});
   const Sketch sketch{{"a", testing::straight_stroke({0, 50}, {9, 50}, 1, 2)},
@@ -488,7 +488,7 @@ TEST(SessionCommands, WhatIsImportedIsSelectedInPlaceOfWhatWas) {
 
 // Scripts of Feltline 0.1.0 do not say "select": what they delete after an import is what it was.
 TEST(SessionCommands, AnImportThatDoesNotSelectLeavesTheSelection) {
-  Desk desk;
+  CommandDesk desk;
   desk.line(0, 0);
   desk.must(SelectStrokes{What::kAll});
   const Sketch sketch{{"a", testing::straight_stroke({0, 50}, {9, 50}, 1, 2)}};
@@ -500,7 +500,7 @@ TEST(SessionCommands, AnImportThatDoesNotSelectLeavesTheSelection) {
 }
 
 TEST(SessionCommands, TheSelectionIsSeenWithToolsThatDoNotShowIt) {
-  Desk desk;
+  CommandDesk desk;
   desk.line(0, 0);
   desk.line(0, 20);
   const auto marked = [&desk] {
@@ -520,7 +520,7 @@ TEST(SessionCommands, TheSelectionIsSeenWithToolsThatDoNotShowIt) {
 }
 
 TEST(SessionCommands, RestyleIsOneStepOfAllThatIsSelected) {
-  Desk desk;
+  CommandDesk desk;
   desk.line(0, 0);
   desk.line(0, 20);
   const Document before = desk.session.document();

@@ -13,7 +13,7 @@ constexpr double kRateHz = RubVoice::kRateHz;
 constexpr double kWay = follow_share(0.003, kRateHz);
 constexpr double kStillMmPerS = 1.5, kMovesMmPerS = 5.0;  // silent below; as loud as it is above
 constexpr double kFastestMmPerS = 3000.0;
-constexpr double kMostPushN = 4.0;
+constexpr double kMaxHeardPushN = 4.0;
 // The gate: opens where there is nothing to hear yet, closes before a person wonders.
 constexpr double kOpenS = 0.0005, kCloseS = 0.012;
 // Loudness: 1 where friction takes 0.3 N at 200 mm/s, 60 mW.
@@ -89,7 +89,7 @@ void RubVoice::follow(Point at, double push_n) noexcept {
   at_ = at_ + step;
   velocity_ = kRateHz * step;
   speed_ = std::min(norm(velocity_), kFastestMmPerS);
-  push_ += kWay * (std::min(push_n, kMostPushN) - push_);
+  push_ += kWay * (std::min(push_n, kMaxHeardPushN) - push_);
 }
 
 /// What changes slowly enough to be looked at three times a millisecond.

@@ -12,10 +12,6 @@
 namespace felt {
 namespace {
 
-RubbingPair pair_of(const char* surface, const char* medium) {
-  return rubbing_pair(*find_surface(surface), *find_medium(medium));
-}
-
 /// The stroke without its touch.
 std::vector<float> rubbed(const RubbingPair& pair, const RubbedStroke& stroke) {
   return after(sound_of(pair, stroke), 0.1);

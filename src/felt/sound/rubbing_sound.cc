@@ -7,7 +7,7 @@ namespace felt {
 namespace {
 
 constexpr double kFarthestMm = 1e6;
-constexpr double kMostPushN = 20.0;
+constexpr double kMaxPushN = 20.0;
 constexpr double kFastestStrike = 1000.0;
 
 // A sample of sound is 62500/3 ns long.
@@ -20,7 +20,7 @@ RubbingSample sane(RubbingSample sample) noexcept {
       std::fabs(sample.at.x) <= kFarthestMm && std::fabs(sample.at.y) <= kFarthestMm;
   if (!is_place) sample.at = {};
   if (!is_place || !(sample.push_n > 0.0)) sample.push_n = 0.0;
-  sample.push_n = std::min(sample.push_n, kMostPushN);
+  sample.push_n = std::min(sample.push_n, kMaxPushN);
   return sample;
 }
 
@@ -32,7 +32,7 @@ RubbingPair sane(RubbingPair pair) noexcept {
   pair.grain_um = within(pair.grain_um, 0.0, 1e4);
   pair.stiffness_n_per_m = within(pair.stiffness_n_per_m, 50.0, 5000.0);
   pair.friction = within(pair.friction, 0.0, 3.0);
-  pair.firm_push_n = within(pair.firm_push_n, 0.05, kMostPushN);
+  pair.firm_push_n = within(pair.firm_push_n, 0.05, kMaxPushN);
   for (double* share : {&pair.through, &pair.wear, &pair.loudness, &pair.surface_brightness,
                         &pair.medium_brightness, &pair.squeak}) {
     *share = within(*share, 0.0, 1.0);

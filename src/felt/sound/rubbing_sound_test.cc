@@ -9,6 +9,7 @@
 #include <new>
 #include <random>
 
+#include "felt/base/constants.h"
 #include "felt/sound/testing/rubbed.h"
 
 namespace {
@@ -30,12 +31,6 @@ std::size_t allocations = 0;  // of this program, which has one thread
 
 namespace felt {
 namespace {
-
-constexpr std::int64_t kMs = 1'000'000;
-
-RubbingPair pair_of(const char* surface, const char* medium) {
-  return rubbing_pair(*find_surface(surface), *find_medium(medium));
-}
 
 std::vector<float> rendered(RubbingSound& sound, double seconds) {
   std::vector<float> samples(static_cast<std::size_t>(seconds * RubbingSound::kRateHz));

@@ -27,7 +27,7 @@ constexpr Tables make_tables() {
   return tables;
 }
 
-constexpr Tables kTables = make_tables();
+constexpr Tables kCrcTables = make_tables();
 
 }  // namespace
 
@@ -37,12 +37,12 @@ std::uint32_t crc32c(std::string_view bytes, std::uint32_t crc) noexcept {
   for (; bytes.size() >= 8; bytes.remove_prefix(8)) {
     crc ^= static_cast<std::uint32_t>(at(0)) | static_cast<std::uint32_t>(at(1)) << 8 |
            static_cast<std::uint32_t>(at(2)) << 16 | static_cast<std::uint32_t>(at(3)) << 24;
-    crc = kTables[7][crc & 0xff] ^ kTables[6][(crc >> 8) & 0xff] ^ kTables[5][(crc >> 16) & 0xff] ^
-          kTables[4][crc >> 24] ^ kTables[3][at(4)] ^ kTables[2][at(5)] ^ kTables[1][at(6)] ^
-          kTables[0][at(7)];
+    crc = kCrcTables[7][crc & 0xff] ^ kCrcTables[6][(crc >> 8) & 0xff] ^
+          kCrcTables[5][(crc >> 16) & 0xff] ^ kCrcTables[4][crc >> 24] ^ kCrcTables[3][at(4)] ^
+          kCrcTables[2][at(5)] ^ kCrcTables[1][at(6)] ^ kCrcTables[0][at(7)];
   }
   for (std::size_t i = 0; i < bytes.size(); ++i) {
-    crc = kTables[0][(crc ^ at(i)) & 0xff] ^ (crc >> 8);
+    crc = kCrcTables[0][(crc ^ at(i)) & 0xff] ^ (crc >> 8);
   }
   return ~crc;
 }

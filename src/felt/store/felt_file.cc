@@ -29,10 +29,6 @@ std::uint32_t big_endian(std::string_view bytes, std::size_t at) noexcept {
   return value;
 }
 
-tl::unexpected<Error> no_drawing(const std::string& why) {
-  return fail(ErrorCode::kInvalidData, why);
-}
-
 tl::unexpected<Error> too_large() {
   return fail(ErrorCode::kLimitExceeded,
               "is larger than " + std::to_string(kMaxFeltBytes) + " bytes");
@@ -41,14 +37,14 @@ tl::unexpected<Error> too_large() {
 /// What the first bytes say, before SQLite sees any.
 Result<void> check_header(std::string_view bytes) {
   if (bytes.size() > kMaxFeltBytes) return too_large();
-  if (bytes.empty()) return no_drawing("is empty");
+  if (bytes.empty()) return invalid_data("is empty");
   const std::size_t known = std::min(bytes.size(), kMagic.size());
   if (bytes.substr(0, known) != kMagic.substr(0, known)) {
-    return no_drawing("is no Feltline drawing");
+    return invalid_data("is no Feltline drawing");
   }
-  if (bytes.size() < kHeaderBytes) return no_drawing("is cut off within its header");
+  if (bytes.size() < kHeaderBytes) return invalid_data("is cut off within its header");
   if (big_endian(bytes, kApplicationIdAt) != kFeltApplicationId) {
-    return no_drawing("is a database of another program, no Feltline drawing");
+    return invalid_data("is a database of another program, no Feltline drawing");
   }
   const std::uint32_t version = big_endian(bytes, kUserVersionAt);
   if (version > kFeltVersion) {
@@ -56,9 +52,9 @@ Result<void> check_header(std::string_view bytes) {
                                              std::to_string(version) + ", this one knows " +
                                              std::to_string(kFeltVersion) + ")");
   }
-  if (version != kFeltVersion) return no_drawing("has no version of the format");
+  if (version != kFeltVersion) return invalid_data("has no version of the format");
   if (bytes[kWriteVersionAt] != 1 || bytes[kReadVersionAt] != 1) {
-    return no_drawing("was changed by another program, which left it open");
+    return invalid_data("was changed by another program, which left it open");
   }
   return {};
 }

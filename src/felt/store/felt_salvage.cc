@@ -45,10 +45,6 @@ const std::string* blob(const Value& v) noexcept {
 /// Of strokes whose number another one has; far from all others.
 constexpr std::int64_t kStrayIds = std::int64_t{1} << 40;
 
-bool is_id(std::int64_t n) noexcept {
-  return n > 0 && n <= kMaxId;
-}
-
 /// Rows by what they look like, for which page belongs to which table is not known.
 class Findings {
  public:

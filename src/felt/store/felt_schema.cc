@@ -82,10 +82,6 @@ constexpr std::string_view kLeanMark = "/lean/";
 
 constexpr std::size_t kMostSchemaRows = 4 * kMaxForeignTables;
 
-tl::unexpected<Error> bad(std::string what) {
-  return fail(ErrorCode::kInvalidData, std::move(what));
-}
-
 bool is_small_letter(char c) noexcept {
   return c >= 'a' && c <= 'z';
 }
@@ -161,7 +157,7 @@ Result<void> place(FeltSchema& schema, FeltTable table) {
   const auto is_named = [&table](const OwnTable& own) { return own.name == table.name; };
   if (const auto* own = std::find_if(kTables.begin(), kTables.end(), is_named);
       own != kTables.end()) {
-    if (!begins_like(table, *own)) return bad("the table '" + table.name + "' is another");
+    if (!begins_like(table, *own)) return invalid_data("the table '" + table.name + "' is another");
     const std::array places = {&schema.drawing, &schema.layer, &schema.palette, &schema.shown,
                                &schema.stroke};
     *places[static_cast<std::size_t>(own - kTables.begin())] = std::move(table);
@@ -169,12 +165,12 @@ Result<void> place(FeltSchema& schema, FeltTable table) {
   }
   if (const auto* own = std::find_if(kRecordingTables.begin(), kRecordingTables.end(), is_named);
       own != kRecordingTables.end()) {
-    if (!begins_like(table, *own)) return bad("the table '" + table.name + "' is another");
+    if (!begins_like(table, *own)) return invalid_data("the table '" + table.name + "' is another");
     schema.recordings.push_back(std::move(table));
     return {};
   }
   if (table.name == "material") {
-    if (table.sql != kMaterialTable) return bad("the table 'material' is another");
+    if (table.sql != kMaterialTable) return invalid_data("the table 'material' is another");
     schema.has_materials = true;
     return {};
   }
@@ -189,12 +185,13 @@ Result<void> take_row(FeltSchema& schema, const Statement& row) {
   const std::string_view type = row.text(0), name = row.text(1), on = row.text(2);
   if (type == "view") return {};
   if (type == "index") {
-    return is_core(on) ? bad("has an index of another program") : Result<void>();
+    return is_core(on) ? invalid_data("has an index of another program") : Result<void>();
   }
-  if (type != "table") return bad("has triggers, which no drawing needs");
+  if (type != "table") return invalid_data("has triggers, which no drawing needs");
   Result<FeltTable> table = parse_table(row.text(3));
   if (!table || table->name != name || name != on) {
-    return bad("has a table that no Feltline makes: '" + std::string(name.substr(0, 100)) + "'");
+    return invalid_data("has a table that no Feltline makes: '" + std::string(name.substr(0, 100)) +
+                        "'");
   }
   return place(schema, *std::move(table));
 }
@@ -277,10 +274,11 @@ Result<FeltTable> parse_table(std::string_view sql) {
   good = good && !table.name.empty() && in.take("(");
   do good = good && parse_column(in, table);
   while (good && in.take(", "));
-  if (!good || !in.take(")") || !in.is_done()) return bad("is no plain table");
+  if (!good || !in.take(")") || !in.is_done()) return invalid_data("is no plain table");
   std::vector<std::string> names = table.columns;
   std::sort(names.begin(), names.end());
-  if (std::adjacent_find(names.begin(), names.end()) != names.end()) return bad("is no table");
+  if (std::adjacent_find(names.begin(), names.end()) != names.end())
+    return invalid_data("is no table");
   return table;
 }
 
@@ -300,14 +298,14 @@ Result<FeltSchema> read_schema(const Database& database) {
   }
   for (const FeltTable* table :
        {&schema.drawing, &schema.layer, &schema.palette, &schema.shown, &schema.stroke}) {
-    if (table->name.empty()) return bad("has other tables than a Feltline drawing");
+    if (table->name.empty()) return invalid_data("has other tables than a Feltline drawing");
   }
   if (schema.palette.columns.size() > own_table("palette").columns ||
       schema.shown.columns.size() > own_table("shown").columns) {
-    return bad("has other tables than a Feltline drawing");
+    return invalid_data("has other tables than a Feltline drawing");
   }
   if (!schema.recordings.empty() && schema.recordings.size() != kRecordingTables.size()) {
-    return bad("has half the tables of recordings");
+    return invalid_data("has half the tables of recordings");
   }
   return schema;
 }

@@ -9,11 +9,7 @@
 namespace felt {
 namespace {
 
-tl::unexpected<Error> bad(std::string what) {
-  return fail(ErrorCode::kInvalidData, std::move(what));
-}
-
-bool is_name(std::string_view text) {
+bool is_palette_text(std::string_view text) {
   return text.size() <= GplLimits::kMaxNameBytes && is_utf8(text);
 }
 
@@ -39,7 +35,7 @@ Result<void> read_palette(const Database& db, GplPalette& palette) {
     }
     if (row->integer(0) != std::int64_t(palette.colors.size()) + 1 || !row->is_integer(1) ||
         !is_color_number(row->integer(1)) || !row->is_text(2)) {
-      return bad("the palette holds an impossible value");
+      return invalid_data("the palette holds an impossible value");
     }
     palette.colors.push_back({color_of(row->integer(1)), std::string(row->text(2))});
   }
@@ -53,15 +49,16 @@ Result<void> read_view(const Database& db, std::optional<StoredView>& view) {
   if (!any) return tl::unexpected(any.error());
   if (!*any) return {};
   for (const int column : {0, 1, 2, 3}) {
-    if (!row->is_real(column)) return bad("the table 'shown' holds no number where it must");
+    if (!row->is_real(column))
+      return invalid_data("the table 'shown' holds no number where it must");
   }
   if (!row->is_integer(4) || (row->integer(4) | 1) != 1) {
-    return bad("the table 'shown' holds an impossible value");
+    return invalid_data("the table 'shown' holds an impossible value");
   }
   view = StoredView{{row->real(0), row->real(1)}, row->real(2), row->real(3), row->integer(4) != 0};
   const Result<bool> more = row->step();
   if (!more) return tl::unexpected(more.error());
-  if (*more) return bad("the table 'shown' has more than one row");
+  if (*more) return invalid_data("the table 'shown' has more than one row");
   return {};
 }
 
@@ -108,16 +105,18 @@ Result<void> read_sheet(const Database& db, StoredDrawing& drawing) {
 
 Result<void> check_sheet(const StoredDrawing& drawing) {
   const GplPalette& palette = drawing.palette;
-  if (!is_name(palette.name) || palette.columns > GplLimits::kMaxColumns) {
-    return bad("the palette has an impossible name or number of columns");
+  if (!is_palette_text(palette.name) || palette.columns > GplLimits::kMaxColumns) {
+    return invalid_data("the palette has an impossible name or number of columns");
   }
   if (palette.colors.size() > GplLimits::kMaxColors) {
     return fail(ErrorCode::kLimitExceeded, "has more than 10000 colours in its palette");
   }
   for (const NamedColor& entry : palette.colors) {
-    if (!is_name(entry.name)) return bad("a colour of the palette has an impossible name");
+    if (!is_palette_text(entry.name))
+      return invalid_data("a colour of the palette has an impossible name");
   }
-  if (drawing.view && !is_view(*drawing.view)) return bad("what was seen of it is impossible");
+  if (drawing.view && !is_view(*drawing.view))
+    return invalid_data("what was seen of it is impossible");
   return {};
 }
 

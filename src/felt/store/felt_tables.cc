@@ -13,10 +13,6 @@
 namespace felt {
 namespace {
 
-tl::unexpected<Error> bad(std::string what) {
-  return fail(ErrorCode::kInvalidData, std::move(what));
-}
-
 /// A checksum of all that the strokes' own ones do not cover.
 std::uint32_t checksum_of(const StoredDrawing& d) {
   std::string bytes;
@@ -44,7 +40,7 @@ bool is_side(double mm) noexcept {
   return mm >= SheetPage::kLeastMm && mm <= SheetPage::kMostMm;  // false for NaN
 }
 
-bool is_name(std::string_view text) noexcept {
+bool is_layer_name(std::string_view text) noexcept {
   return text.size() <= kMaxLayerNameBytes && is_utf8(text);
 }
 
@@ -54,10 +50,11 @@ Result<void> check_drawing(const StoredDrawing& d) {
     return fail(ErrorCode::kLimitExceeded, "has used up the numbers of strokes or layers");
   }
   if (!is_side(d.page.width_mm) || !is_side(d.page.height_mm)) {
-    return bad("the sheet is not 10 to 5000 mm on a side");
+    return invalid_data("the sheet is not 10 to 5000 mm on a side");
   }
-  if (!is_name(d.page.surface)) return bad("the material of the sheet has an impossible name");
-  if (d.layer && !d.document.layer(d.layer)) return bad("the layer in use is not there");
+  if (!is_layer_name(d.page.surface))
+    return invalid_data("the material of the sheet has an impossible name");
+  if (d.layer && !d.document.layer(d.layer)) return invalid_data("the layer in use is not there");
   if (d.document.layers().size() > kMaxLayers) {
     return fail(ErrorCode::kLimitExceeded, "has more than 10000 layers");
   }
@@ -91,7 +88,7 @@ Result<void> write_layers(const Database& db, const Document& document) {
   if (!row) return tl::unexpected(row.error());
   std::int64_t place = 0;
   for (const Layer& layer : document.layers()) {
-    if (!is_name(layer.name)) return bad("a layer has an impossible name");
+    if (!is_layer_name(layer.name)) return invalid_data("a layer has an impossible name");
     row->bind(1, static_cast<std::int64_t>(layer.id.value));
     row->bind(2, place++);
     row->bind_text(3, layer.name);
@@ -133,9 +130,6 @@ struct Head {
   std::int64_t checksum = 0;
 };
 
-bool is_id(std::int64_t value) noexcept {
-  return value > 0 && value <= kMaxId;
-}
 bool is_counter(std::int64_t value) noexcept {
   return value >= 0 && value <= kMaxId;
 }
@@ -146,15 +140,16 @@ Result<Head> read_drawing_row(const Database& db, StoredDrawing& d) {
   if (!row) return tl::unexpected(row.error());
   const Result<bool> any = row->step();
   if (!any) return tl::unexpected(any.error());
-  if (!*any) return bad("says nothing about its sheet");
+  if (!*any) return invalid_data("says nothing about its sheet");
   for (const int column : {2, 4, 5, 6, 7, 8, 10}) {
-    if (!row->is_integer(column)) return bad("the table 'drawing' holds no number where it must");
+    if (!row->is_integer(column))
+      return invalid_data("the table 'drawing' holds no number where it must");
   }
   if (!row->is_real(0) || !row->is_real(1) || !row->is_text(3) ||
       !is_color_number(row->integer(2)) || !is_color_number(row->integer(4)) ||
       !is_counter(row->integer(5)) || !is_counter(row->integer(6)) ||
       !is_counter(row->integer(7)) || !row->is_text(9) || !is_counter(row->integer(10))) {
-    return bad("the table 'drawing' holds an impossible value");
+    return invalid_data("the table 'drawing' holds an impossible value");
   }
   d.page = {row->real(0), row->real(1), color_of(row->integer(2)), std::string(row->text(3))};
   d.color = color_of(row->integer(4));
@@ -165,7 +160,7 @@ Result<Head> read_drawing_row(const Database& db, StoredDrawing& d) {
                   static_cast<std::uint64_t>(row->integer(7)), row->integer(8)};
   const Result<bool> more = row->step();
   if (!more) return tl::unexpected(more.error());
-  if (*more) return bad("the table 'drawing' has more than one row");
+  if (*more) return invalid_data("the table 'drawing' has more than one row");
   return head;
 }
 
@@ -185,10 +180,11 @@ Result<void> read_layers(const Database& db, const Document& empty, Edit& edit) 
     const auto is_switch = [&row](int column) {
       return row->is_integer(column) && (row->integer(column) | 1) == 1;
     };
-    if (!is_id(row->integer(0)) || !row->is_text(1) || !is_name(row->text(1)) || !is_switch(2) ||
-        !is_switch(3) || !row->is_integer(4) ||
+    if (!is_id(row->integer(0)) || !row->is_text(1) || !is_layer_name(row->text(1)) ||
+        !is_switch(2) || !is_switch(3) || !row->is_integer(4) ||
         row->integer(4) != static_cast<std::int64_t>(place)) {
-      return bad("layer " + std::to_string(row->integer(0)) + " holds an impossible value");
+      return invalid_data("layer " + std::to_string(row->integer(0)) +
+                          " holds an impossible value");
     }
     LayerChange change{
         {static_cast<std::uint64_t>(row->integer(0))},
@@ -203,7 +199,7 @@ Result<void> read_layers(const Database& db, const Document& empty, Edit& edit) 
       edit.layers.push_back(std::move(change));
     }
   }
-  if (place == 0) return bad("has no layer");
+  if (place == 0) return invalid_data("has no layer");
   return {};
 }
 
@@ -217,7 +213,7 @@ Result<void> read_strokes(const Database& db, Edit& edit) {
     const std::string name = "stroke " + std::to_string(row->integer(0));
     if (!is_id(row->integer(0)) || !row->is_integer(1) || !is_id(row->integer(1)) ||
         !row->is_integer(2) || !is_counter(row->integer(2)) || !row->is_blob(3)) {
-      return bad(name + " holds an impossible value");
+      return invalid_data(name + " holds an impossible value");
     }
     Result<Stroke> stroke = read_stroke_blob(row->blob(3));
     if (!stroke) return tl::unexpected(with_context(stroke.error(), name));
@@ -258,7 +254,7 @@ Result<StoredDrawing> read_tables(const Database& database, const FeltSchema& sc
   drawing.document.reserve_ids({head->last_stroke}, {head->last_layer});
   if (auto ok = check_drawing(drawing); !ok) return tl::unexpected(ok.error());
   if (checksum_of(drawing) != head->checksum) {
-    return bad("is damaged: its checksum is not that of its layers");
+    return invalid_data("is damaged: its checksum is not that of its layers");
   }
   return drawing;
 }

@@ -12,6 +12,11 @@ inline constexpr std::size_t kMaxLayers = 10'000;
 inline constexpr std::size_t kMaxLayerNameBytes = 4096;
 inline constexpr std::int64_t kMaxId = std::int64_t{1} << 53;
 
+/// True for what may be the number of a layer or stroke.
+constexpr bool is_id(std::int64_t value) noexcept {
+  return value > 0 && value <= kMaxId;
+}
+
 /// Makes our tables in an empty database, with the columns of `like` if any, and fills ours. Error:
 /// something that no file may hold (a page out of its range, a name that is not UTF-8, a stroke
 /// that is too large), by its name.

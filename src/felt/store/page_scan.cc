@@ -11,7 +11,7 @@
 namespace felt {
 namespace {
 
-constexpr std::size_t kHeaderBytes = 100, kPageSizeAt = 16, kReservedAt = 20;
+constexpr std::size_t kDatabaseHeaderBytes = 100, kPageSizeAt = 16, kReservedAt = 20;
 constexpr std::size_t kUsualPage = 4096;  // ours always has
 constexpr std::uint8_t kLeafOfRows = 0x0d;
 constexpr std::size_t kLeafHeaderBytes = 8;
@@ -98,7 +98,7 @@ class Scan {
   void rows(const std::function<void(ScannedRow)>& tell) {
     for (std::size_t begin = 0; begin < file_.size() && budget_ > 0; begin += page_) {
       const std::string_view page = file_.substr(begin, page_);
-      leaf(page, begin == 0 ? kHeaderBytes : 0, tell);
+      leaf(page, begin == 0 ? kDatabaseHeaderBytes : 0, tell);
     }
   }
 

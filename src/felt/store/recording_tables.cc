@@ -22,10 +22,6 @@ constexpr std::size_t kMaxDeviceBytes = 4096;
 /// So that no sum of them leaves 64 bits.
 constexpr std::int64_t kMostNumber = std::int64_t{1} << 53;
 
-tl::unexpected<Error> bad(std::string what) {
-  return fail(ErrorCode::kInvalidData, std::move(what));
-}
-
 /// Forces as the tables have them: whole multiples of kRecordedForceStepN.
 std::int64_t steps_of(double n) noexcept {
   return std::llround(n / kRecordedForceStepN);
@@ -92,7 +88,7 @@ bool knows_lean(const FeltRecording& recording) {
 }
 
 /// The row of `recording`.
-struct Head {
+struct RecordingHead {
   std::string device;
   std::int64_t start_ns = 0, period_ns = 0, first_sample = 1, samples = 0, first_event = 1,
                events = 0, end_ns = 0, checksum = 0;
@@ -121,8 +117,8 @@ std::string line_of(const Event& event) {
 
 // --- Writing
 
-Result<void> write_samples(const Database& to, const FeltRecording& recording, const Head& head,
-                           bool with_lean, Checksums& checksums) {
+Result<void> write_samples(const Database& to, const FeltRecording& recording,
+                           const RecordingHead& head, bool with_lean, Checksums& checksums) {
   const std::string lean_name = with_lean ? ", lean_deg" : "", lean_mark = with_lean ? ",?" : "";
   const auto row = to.prepare(("INSERT INTO recording_sample(id, late_ns, x_mm, y_mm, z_mm, "
                                "pressure, buttons, asked_x, asked_y, asked_z, cut_x, cut_y, cut_z" +
@@ -155,15 +151,15 @@ Result<void> write_samples(const Database& to, const FeltRecording& recording, c
   return {};
 }
 
-Result<void> write_events(const Database& to, const FeltRecording& recording, const Head& head,
-                          Checksum& checksum) {
+Result<void> write_events(const Database& to, const FeltRecording& recording,
+                          const RecordingHead& head, Checksum& checksum) {
   const auto row = to.prepare(
       "INSERT INTO recording_event(id, before_sample, time_ns, kind, line) VALUES(?,?,?,?,?)");
   if (!row) return tl::unexpected(row.error());
   std::int64_t n = 0;
   for (const RecordedEvent& e : recording.events) {
     const std::string line = line_of(e.event);
-    if (!is_utf8(line)) return bad("an event of the recording is no text");
+    if (!is_utf8(line)) return invalid_data("an event of the recording is no text");
     checksum.event(e.before_sample, line);
     row->bind(1, head.first_event + n++);
     row->bind(2, head.first_sample + static_cast<std::int64_t>(e.before_sample));
@@ -176,7 +172,7 @@ Result<void> write_events(const Database& to, const FeltRecording& recording, co
   return {};
 }
 
-Result<void> write_head(const Database& to, const Head& head) {
+Result<void> write_head(const Database& to, const RecordingHead& head) {
   const bool leans = head.lean_checksum.has_value();
   const auto row = to.prepare(
       leans ? "INSERT INTO recording(device, start_ns, period_ns, first_sample, samples, "
@@ -208,9 +204,9 @@ Result<void> write_recording(const Database& to, const FeltRecording& recording)
   const Result<std::int64_t> event = next_id(to, "recording_event");
   if (!sample || !event) return tl::unexpected(sample ? event.error() : sample.error());
   if (recording.device.size() > kMaxDeviceBytes || !is_utf8(recording.device)) {
-    return bad("the device of the recording has an impossible name");
+    return invalid_data("the device of the recording has an impossible name");
   }
-  Head head{recording.device};
+  RecordingHead head{recording.device};
   head.period_ns = recording.period_ns;
   head.first_sample = *sample;
   head.first_event = *event;
@@ -231,14 +227,14 @@ Result<void> write_recording(const Database& to, const FeltRecording& recording)
 
 // --- Reading
 
-Result<std::vector<Head>> read_heads(const Database& db, bool with_lean) {
+Result<std::vector<RecordingHead>> read_heads(const Database& db, bool with_lean) {
   const auto row = db.prepare(
       with_lean ? "SELECT device, start_ns, period_ns, first_sample, samples, first_event, events, "
                   "end_ns, checksum, lean_checksum FROM recording NOT INDEXED"
                 : "SELECT device, start_ns, period_ns, first_sample, samples, first_event, events, "
                   "end_ns, checksum FROM recording NOT INDEXED");
   if (!row) return tl::unexpected(row.error());
-  std::vector<Head> heads;
+  std::vector<RecordingHead> heads;
   for (;;) {
     const Result<bool> more = row->step();
     if (!more) return tl::unexpected(more.error());
@@ -254,9 +250,10 @@ Result<std::vector<Head>> read_heads(const Database& db, bool with_lean) {
     good = good && (!has_leans || row->is_integer(9));
     // A device loops in 0.2..4 ms; what is far from it only makes the products below too large.
     if (!good || row->integer(2) > 1'000'000'000 || row->integer(4) > 1'000'000'000) {
-      return bad("recording " + std::to_string(heads.size()) + " holds an impossible value");
+      return invalid_data("recording " + std::to_string(heads.size()) +
+                          " holds an impossible value");
     }
-    Head head{std::string(row->text(0))};
+    RecordingHead head{std::string(row->text(0))};
     int at = 1;
     for (std::int64_t* value : {&head.start_ns, &head.period_ns, &head.first_sample, &head.samples,
                                 &head.first_event, &head.events, &head.end_ns, &head.checksum}) {
@@ -309,7 +306,7 @@ RecordedSample sample_of(const Statement& row, std::int64_t due_ns) {
   return s;
 }
 
-Result<void> read_samples(const Database& db, const Head& head, FeltRecording& recording,
+Result<void> read_samples(const Database& db, const RecordingHead& head, FeltRecording& recording,
                           Checksums& checksums) {
   const std::string lean = head.lean_checksum ? ", lean_deg" : "";
   const auto row = db.prepare(
@@ -323,9 +320,10 @@ Result<void> read_samples(const Database& db, const Head& head, FeltRecording& r
   for (std::int64_t n = 0;; ++n) {
     const Result<bool> more = row->step();
     if (!more) return tl::unexpected(more.error());
-    if (!*more) return n == head.samples ? Result<void>() : bad("has fewer samples than it says");
+    if (!*more)
+      return n == head.samples ? Result<void>() : invalid_data("has fewer samples than it says");
     if (row->integer(0) != head.first_sample + n || !is_sample_row(*row)) {
-      return bad("sample " + std::to_string(n) + " holds an impossible value");
+      return invalid_data("sample " + std::to_string(n) + " holds an impossible value");
     }
     recording.samples.push_back(sample_of(*row, head.due_ns(n)));
     checksums.sample(recording.samples.back(), n);
@@ -337,17 +335,17 @@ Result<Event> event_of(std::string_view text) {
   LineBatch batch;
   const Result<bool> any = lines.fill(batch, text.size() + 1);
   if (!any) return tl::unexpected(any.error());
-  if (!*any || batch.size() != 1) return bad("is no line");
+  if (!*any || batch.size() != 1) return invalid_data("is no line");
   EventReader reader;
   Event event;
   RawStroke stroke;
   const Result<ScriptLineKind> kind = reader.read(batch.line(0), event, stroke);
   if (!kind) return tl::unexpected(kind.error());
-  if (*kind != ScriptLineKind::kEvent) return bad("is no event");
+  if (*kind != ScriptLineKind::kEvent) return invalid_data("is no event");
   return event;
 }
 
-Result<void> read_events(const Database& db, const Head& head, FeltRecording& recording,
+Result<void> read_events(const Database& db, const RecordingHead& head, FeltRecording& recording,
                          Checksum& checksum) {
   const auto row = db.prepare(
       "SELECT id, before_sample, time_ns, line FROM recording_event NOT INDEXED "
@@ -358,12 +356,13 @@ Result<void> read_events(const Database& db, const Head& head, FeltRecording& re
   for (std::int64_t n = 0;; ++n) {
     const Result<bool> more = row->step();
     if (!more) return tl::unexpected(more.error());
-    if (!*more) return n == head.events ? Result<void>() : bad("has fewer events than it says");
+    if (!*more)
+      return n == head.events ? Result<void>() : invalid_data("has fewer events than it says");
     const std::string name = "event " + std::to_string(n);
     if (row->integer(0) != head.first_event + n || !row->is_integer(1) || !row->is_integer(2) ||
         !row->is_text(3) || row->integer(1) < head.first_sample ||
         row->integer(1) > head.first_sample + head.samples) {
-      return bad(name + " holds an impossible value");
+      return invalid_data(name + " holds an impossible value");
     }
     Result<Event> event = event_of(row->text(3));
     if (!event) return tl::unexpected(with_context(event.error(), name));
@@ -374,7 +373,7 @@ Result<void> read_events(const Database& db, const Head& head, FeltRecording& re
   }
 }
 
-Result<FeltRecording> read_one(const Database& db, const Head& head) {
+Result<FeltRecording> read_one(const Database& db, const RecordingHead& head) {
   FeltRecording recording;
   recording.device = head.device;
   recording.period_ns = head.period_ns;
@@ -385,12 +384,12 @@ Result<FeltRecording> read_one(const Database& db, const Head& head) {
   if (!done) return tl::unexpected(done.error());
   if (checksums.all.value() != head.checksum ||
       (head.lean_checksum && checksums.leans.value() != *head.lean_checksum)) {
-    return bad("its checksum is not that of its samples");
+    return invalid_data("its checksum is not that of its samples");
   }
   return recording;
 }
 
-RecordingInfo info_of(const Head& head) {
+RecordingInfo info_of(const RecordingHead& head) {
   const double s = 1e-9 * static_cast<double>(head.end_ns - head.start_ns);
   return {head.device, head.period_ns, head.samples, head.events, s};
 }
@@ -404,8 +403,8 @@ RecordingInfo info_of(const FeltRecording& r) {
 }
 
 /// Those of the file, or none.
-Result<std::vector<Head>> heads_of(const CarriedFile& file) {
-  if (!file.database() || file.schema()->recordings.empty()) return std::vector<Head>();
+Result<std::vector<RecordingHead>> heads_of(const CarriedFile& file) {
+  if (!file.database() || file.schema()->recordings.empty()) return std::vector<RecordingHead>();
   const auto& tables = file.schema()->recordings;
   return read_heads(*file.database(), std::count_if(tables.begin(), tables.end(), has_lean) == 2);
 }
@@ -435,10 +434,10 @@ Result<void> write_recordings(Database& to, const FeltExtras& extras, const Carr
 Result<std::vector<RecordingInfo>> recordings_of(const StoredDrawing& drawing) {
   const Result<CarriedFile> file = CarriedFile::open(drawing.extras);
   if (!file) return tl::unexpected(file.error());
-  const Result<std::vector<Head>> heads = heads_of(*file);
+  const Result<std::vector<RecordingHead>> heads = heads_of(*file);
   if (!heads) return tl::unexpected(heads.error());
   std::vector<RecordingInfo> all;
-  for (const Head& head : *heads) all.push_back(info_of(head));
+  for (const RecordingHead& head : *heads) all.push_back(info_of(head));
   for (const auto& recording : drawing.extras.added) all.push_back(info_of(*recording));
   return all;
 }
@@ -446,7 +445,7 @@ Result<std::vector<RecordingInfo>> recordings_of(const StoredDrawing& drawing) {
 Result<FeltRecording> read_recording(const StoredDrawing& drawing, std::size_t number) {
   const Result<CarriedFile> file = CarriedFile::open(drawing.extras);
   if (!file) return tl::unexpected(file.error());
-  const Result<std::vector<Head>> heads = heads_of(*file);
+  const Result<std::vector<RecordingHead>> heads = heads_of(*file);
   if (!heads) return tl::unexpected(heads.error());
   if (number >= heads->size() + drawing.extras.added.size()) {
     return fail(ErrorCode::kNotFound, "has no recording " + std::to_string(number));

@@ -119,10 +119,6 @@ constexpr std::uint8_t kToned = 2;
 constexpr std::uint8_t kClosed = 1;  // flags
 constexpr std::size_t kChecksumBytes = 4;
 
-tl::unexpected<Error> damaged(const char* what) {
-  return fail(ErrorCode::kInvalidData, what);
-}
-
 /// What a control point is likely to be, from those before it. The arithmetic is part of the
 /// format: doubles of IEEE 754, each operation rounded.
 class PointGuess {
@@ -265,12 +261,12 @@ void write_shape(std::string& bytes, const StrokeData& d) {
 
 Result<void> read_sizes(ByteReader& in, StrokeData& d) {
   const std::uint64_t segments = in.count(), knots = in.count();
-  if (!in.ok() || segments == 0 || knots < 2) return damaged("has no segment or no width");
+  if (!in.ok() || segments == 0 || knots < 2) return invalid_data("has no segment or no width");
   if (segments > kMaxStrokeSegments || knots > kMaxStrokeKnots) {
     return fail(ErrorCode::kLimitExceeded, "has more segments or widths than a stroke may have");
   }
   // Each point and breakpoint has a byte at least.
-  if (!in.has(3 * segments + knots - 1, 1)) return damaged("has fewer points than it says");
+  if (!in.has(3 * segments + knots - 1, 1)) return invalid_data("has fewer points than it says");
   d.points.resize(3 * segments + 1);
   d.widths.resize(knots);
   return {};
@@ -278,26 +274,27 @@ Result<void> read_sizes(ByteReader& in, StrokeData& d) {
 
 Result<void> read_shape(ByteReader& in, bool toned, StrokeData& d) {
   const std::uint8_t flags = in.u8();
-  if ((flags & ~kClosed) != 0) return damaged("has unknown flags");
+  if ((flags & ~kClosed) != 0) return invalid_data("has unknown flags");
   d.closed = (flags & kClosed) != 0;
   for (std::uint8_t* c : {&d.color.r, &d.color.g, &d.color.b, &d.color.a}) *c = in.u8();
   const std::uint64_t name_bytes = in.count();
-  if (name_bytes > kMaxMaterialNameBytes) return damaged("names no material");
+  if (name_bytes > kMaxMaterialNameBytes) return invalid_data("names no material");
   d.material = std::string(in.bytes(name_bytes));
-  if (!in.ok() || !is_utf8(d.material)) return damaged("names no material");
+  if (!in.ok() || !is_utf8(d.material)) return invalid_data("names no material");
   if (auto ok = read_sizes(in, d); !ok) return ok;
   const std::size_t segments = d.points.size() / 3;
   if (!read_joints(in, segments - (d.closed ? 0 : 1), d.joints)) {
-    return damaged("has no joints as it should");
+    return invalid_data("has no joints as it should");
   }
   NumberUnpacker numbers(in, number_count(d, toned));
   read_points(numbers, d);
   read_widths(numbers, static_cast<double>(segments), d.widths);
   if (toned) read_tones(numbers, d.widths);
-  if (!in.ok()) return damaged("has fewer points than it says");
-  if (in.left() > 0 || !numbers.is_clean()) return damaged("has bytes left over");
+  if (!in.ok()) return invalid_data("has fewer points than it says");
+  if (in.left() > 0 || !numbers.is_clean()) return invalid_data("has bytes left over");
   // Equal strokes have equal bytes.
-  if (toned && !has_own_tone(d.widths)) return damaged("has tones that its widths say already");
+  if (toned && !has_own_tone(d.widths))
+    return invalid_data("has tones that its widths say already");
   return {};
 }
 
@@ -319,8 +316,8 @@ Result<void> append_stroke_blob(std::string& out, const Stroke& stroke) {
 }
 
 Result<Stroke> read_stroke_blob(std::string_view bytes) {
-  if (bytes.size() > kMaxStrokeBlobBytes) return damaged("is too large");
-  if (bytes.size() <= kChecksumBytes) return damaged("is cut off");
+  if (bytes.size() > kMaxStrokeBlobBytes) return invalid_data("is too large");
+  if (bytes.size() <= kChecksumBytes) return invalid_data("is cut off");
   // The version is looked at first: another one may keep its checksum elsewhere.
   const auto version = static_cast<std::uint8_t>(bytes[0]);
   if (version != kPlain && version != kToned) {
@@ -330,7 +327,7 @@ Result<Stroke> read_stroke_blob(std::string_view bytes) {
   }
   const std::string_view shape = bytes.substr(0, bytes.size() - kChecksumBytes);
   if (ByteReader(bytes.substr(shape.size())).u32() != crc32c(shape)) {
-    return damaged("is damaged: its checksum is not that of its bytes");
+    return invalid_data("is invalid_data: its checksum is not that of its bytes");
   }
   ByteReader in(shape.substr(1));
   StrokeData data;

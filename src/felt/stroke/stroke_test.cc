@@ -8,6 +8,7 @@
 #include <functional>
 #include <limits>
 
+#include "felt/base/constants.h"
 #include "felt/stroke/outline/flatten.h"
 #include "felt/stroke/testing/random_stroke.h"
 
@@ -51,9 +52,6 @@ TEST_P(BrokenInvariant, IsNamedWithItsPlace) {
   EXPECT_THAT(result.error().message, StartsWith(GetParam().invariant));
   EXPECT_THAT(result.error().message, HasSubstr(GetParam().place));
 }
-
-constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
-constexpr double kInf = std::numeric_limits<double>::infinity();
 
 INSTANTIATE_TEST_SUITE_P(
     Each, BrokenInvariant,

@@ -1,5 +1,6 @@
 #include "felt/tools/gesture_tool.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -98,6 +99,12 @@ Result<void> GestureTool::set_option(std::string_view id, const OptionValue& val
 
 Result<OptionValue> GestureTool::option(std::string_view id) const {
   return options_.get(id);
+}
+
+double seconds_between(std::int64_t from_ns, std::int64_t to_ns, double max_s) noexcept {
+  // In double: the difference of two hostile times does not fit into 64 bits.
+  const double ns = static_cast<double>(to_ns) - static_cast<double>(from_ns);
+  return std::clamp(1e-9 * ns, 0.0, max_s);
 }
 
 }  // namespace felt

@@ -65,4 +65,7 @@ class GestureTool : public Tool {
   std::vector<PenSample> gap_;  // out of contact, perhaps only for a moment
 };
 
+/// Returns the seconds from one sample to another, within 0 and `max_s`.
+double seconds_between(std::int64_t from_ns, std::int64_t to_ns, double max_s) noexcept;
+
 }  // namespace felt

@@ -14,9 +14,9 @@
 namespace felt {
 namespace {
 
-constexpr OptionSpec kOptions[] = {
+constexpr OptionSpec kProbeOptions[] = {
     {"size_mm", "Size", "mm", OptionKind::kNumber, 0.1, 5.0, 1.0, {}, "Of something."}};
-constexpr ToolInfo kInfo{.id = "told", .label = "Told", .help = "Tells.", .options = kOptions};
+constexpr ToolInfo kInfo{.id = "told", .label = "Told", .help = "Tells.", .options = kProbeOptions};
 
 /// Writes down what it is told: h in the air, b, m, e, d; an option as its value.
 class Told final : public GestureTool {

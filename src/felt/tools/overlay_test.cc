@@ -5,8 +5,8 @@
 namespace felt {
 namespace {
 
-/// A ring of two segments.
-Stroke ring() {
+/// A small_ring of two segments.
+Stroke small_ring() {
   StrokeData data;
   data.points = {{1, 0}, {1, 1.3}, {-1, 1.3}, {-1, 0}, {-1, -1.3}, {1, -1.3}, {1, 0}};
   data.joints.assign(2, JointKind::kSmooth);
@@ -17,7 +17,7 @@ Stroke ring() {
 
 std::size_t spans(double u0, double u1) {
   Overlay overlay;
-  add_span(overlay, ring(), u0, u1, Overlay::Role::kSpan);
+  add_span(overlay, small_ring(), u0, u1, Overlay::Role::kSpan);
   return overlay.spans.size();
 }
 

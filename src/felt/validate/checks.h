@@ -18,6 +18,9 @@ struct PushResponse {
   double uncertainty = 0.0;  ///< mm, standard error of it
 };
 
+/// Forces below this are none.
+inline constexpr double kEpsilonN = 1e-6;
+
 /// What checks share: the device, and what earlier ones found.
 struct CheckContext {
   TestSubject& subject;

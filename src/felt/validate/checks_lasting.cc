@@ -12,7 +12,6 @@ constexpr double kPatienceS = 30.0;
 constexpr double kLookS = 0.5;
 constexpr double kSlice = 0.1;
 constexpr double kStaysGoneS = 0.5;
-constexpr double kEpsilonN = 1e-6;
 
 constexpr double kSoftPlaneNPerM = 200.0;
 constexpr double kOfMaximum = 0.5;

@@ -26,7 +26,7 @@ constexpr double kBegun = 0.15;  // of the way: it has begun to move
 constexpr double kMostDeadS = 0.050;
 constexpr double kMostRinging = 0.3;  // of the way, in the last third
 
-constexpr const char* kHoldStill =
+constexpr const char* kHoldStillWhilePushed =
     "Hold the pen in the air as for writing, loosely, and keep it still. It will push a little "
     "this way and that.";
 constexpr const char* kDrawCircles =
@@ -126,7 +126,7 @@ int count_felt(const CheckContext& context) {
 CheckOutcome check_force_felt(CheckContext& context) {
   if (context.subject.device() == nullptr) return not_possible("it did not open");
   if (const std::string why = context.refusal(); !why.empty()) return not_possible(why);
-  if (!context.person.does(PersonTask::kHoldStill, kHoldStill)) {
+  if (!context.person.does(PersonTask::kHoldStill, kHoldStillWhilePushed)) {
     return not_possible("nobody held it");
   }
   if (auto outcome = push_all(context, false)) return *outcome;
@@ -175,7 +175,7 @@ CheckOutcome check_force_sign(CheckContext& context) {
 CheckOutcome check_step(CheckContext& context) {
   const std::optional<int> axis = context.best_axis();
   if (!axis) return not_possible("no force was felt");
-  if (!context.person.does(PersonTask::kHoldStill, kHoldStill)) {
+  if (!context.person.does(PersonTask::kHoldStill, kHoldStillWhilePushed)) {
     return not_possible("nobody held it");
   }
   Result<std::unique_ptr<Trial>> trial = context.begin();

@@ -9,7 +9,6 @@ namespace felt {
 namespace {
 
 constexpr double kAskedN = 3.0;  // ten times what may come
-constexpr double kEpsilonN = 1e-6;
 /// A late tick is credited with two periods at most (TickClock).
 constexpr double kCreditedPeriods = 2.0;
 

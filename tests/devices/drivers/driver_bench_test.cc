@@ -4,6 +4,7 @@
 #include <set>
 #include <string>
 
+#include "felt/base/constants.h"
 #include "felt/rt/leap_filter.h"
 #include "felt/session/session.h"
 #include "tests/devices/drivers/driver_bench.h"
@@ -58,7 +59,6 @@ TEST(DriverBenches, EachHasANameOfItsOwn) {
 
 // An arm leaps while the pen bounces: what the filter hands on must not be one stroke for a pencil.
 TEST(LeapFilterWithAPencil, R49_ALeapDuringABounceDrawsNoLine) {
-  constexpr std::int64_t kMs = 1'000'000;
   for (const double before_z : {-1.0, 0.1}) {
     for (const double after_z : {-1.0, 0.3}) {
       LeapFilter filter{SafetyLimits{}};

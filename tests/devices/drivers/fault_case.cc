@@ -6,12 +6,12 @@
 #include <limits>
 #include <vector>
 
+#include "felt/base/constants.h"
 #include "felt/devices/simulated/random.h"
 
 namespace felt {
 namespace {
 
-constexpr std::int64_t kMs = 1'000'000;
 constexpr std::array<std::string_view, static_cast<std::size_t>(Happening::kCount)> kHappenings{
     "device fault", "stall",       "double ticks", "missed ticks", "clock step",
     "suspend",      "edit silent", "undo",         "other tool",   "material",

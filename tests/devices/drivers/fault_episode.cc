@@ -1,5 +1,6 @@
 // What happens in a case; fault_rules.cc says what must be kept.
 #include "tests/devices/drivers/fault_episode.h"
+#include "felt/base/constants.h"
 
 #include <algorithm>
 #include <array>
@@ -10,7 +11,6 @@
 namespace felt {
 namespace {
 
-constexpr std::int64_t kMs = 1'000'000;
 constexpr std::int64_t kSleepNs = 600'000 * kMs;
 constexpr std::int64_t kTurnNs = 4 * kMs;
 constexpr std::int64_t kLandNs = 80 * kMs, kDragNs = 700 * kMs;

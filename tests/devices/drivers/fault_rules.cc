@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 
+#include "felt/base/constants.h"
 #include "felt/driver/force_gate.h"
 #include "felt/io/ndjson/ndjson_writer.h"
 #include "tests/devices/drivers/fault_episode.h"
@@ -10,7 +11,6 @@
 namespace felt {
 namespace {
 
-constexpr std::int64_t kMs = 1'000'000;
 constexpr double kNoForceN = 1e-9;
 constexpr double kRiseNPerMs = 0.3, kEngageNPerMs = 0.01;
 constexpr std::int64_t kSoftFallNs = 60 * kMs;

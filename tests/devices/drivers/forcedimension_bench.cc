@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "felt/base/check.h"
+#include "felt/base/constants.h"
 #include "felt/devices/forcedimension/forcedimension.h"
 #include "felt/driver/device_models.h"
 #include "felt/driver/dynamic_library.h"
@@ -12,7 +13,6 @@
 namespace felt {
 namespace {
 
-constexpr double kMmPerM = 1000.0;
 // The vendor's numbers.
 constexpr int kErrorCom = 2, kErrorTimeout = 7;
 
@@ -33,7 +33,7 @@ fake_dhd::Bench* fake_in(const std::string& path) {
 
 // The simulated device of a model: mechanics of the nearest one that is simulated, figures of the
 // row; upright before the person, as the driver's usual plane is.
-StylusPreset preset_of(std::string_view model) {
+StylusPreset delta_preset(std::string_view model) {
   StylusPreset preset = *find_stylus_preset(model == "falcon" ? "falcon" : "omega");
   if (model == "omega.3" || model == "falcon") return preset;
   preset.name = model;
@@ -115,7 +115,7 @@ ForceDimensionBench::~ForceDimensionBench() {
 }
 
 void ForceDimensionBench::plug(std::string_view model, const fake_dhd::Model& faked) {
-  arm_ = std::make_unique<FakeArm>(preset_of(model), faults_);
+  arm_ = std::make_unique<FakeArm>(delta_preset(model), faults_);
   number_ = fake_->plug(faked, *arm_);
   FELT_CHECK(number_ >= 0);
 }

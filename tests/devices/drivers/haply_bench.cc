@@ -18,7 +18,7 @@ PlaneCalibration plane_over(const StylusPreset& preset) {
   return *PlaneCalibration::from({Vec3{1, 0, 0}, Vec3{0, -1, 0}, Vec3{0, 0, 1}}, middle);
 }
 
-StylusPreset preset_of(std::string_view model) {
+StylusPreset inverse_preset(std::string_view model) {
   StylusPreset preset = *find_stylus_preset("inverse3");
   if (model == preset.name) return preset;
   preset.name = kOtherModel;
@@ -96,7 +96,7 @@ class HaplyBench final : public DriverBench {
  private:
   void plug_in(std::string_view model) {
     service_.reset();
-    world_ = std::make_unique<FakeWorld>(preset_of(model), faults_);
+    world_ = std::make_unique<FakeWorld>(inverse_preset(model), faults_);
     haply::FakeServiceOptions options;
     options.type = model;
     if (model == kOtherModel) options.device_id = "0777";

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "felt/base/constants.h"
 #include "felt/base/hash.h"
 #include "felt/devices/simulated/random.h"
 #include "felt/driver/force_gate.h"
@@ -13,7 +14,6 @@
 namespace felt {
 namespace {
 
-constexpr std::int64_t kMs = 1'000'000;
 constexpr int kCalls = 1200;
 
 class Sequence {
@@ -54,8 +54,6 @@ class Sequence {
   }
 
   Force any_force() {
-    constexpr double kInf = std::numeric_limits<double>::infinity();
-    constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
     constexpr std::array<double, 9> kOdd{kNan, kInf,   -kInf,   1.7e308, -1e300,
                                          4e38, 5e-324, -1e-310, -0.0};
     switch (kind_) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <charconv>
 
+#include "felt/base/constants.h"
 #include "felt/geometry/rect.h"
 #include "tests/devices/drivers/bench_device.h"
 #include "tests/devices/drivers/ink_difference.h"
@@ -10,11 +11,10 @@
 namespace felt {
 namespace {
 
-constexpr std::int64_t kMs = 1'000'000;
 constexpr std::int64_t kLeadInNs = 700 * kMs;
 constexpr int kSlower = 2;
-constexpr double kMarginMm = 6.0;
-constexpr double kHoverMm = 5.0;
+constexpr double kSuiteMarginMm = 6.0;
+constexpr double kSuiteHoverMm = 5.0;
 
 const Vec3* place_of(const Event& event) {
   if (const auto* pen = std::get_if<PenEvent>(&event.what)) return &pen->position;
@@ -27,7 +27,7 @@ HandEvent by_hand(const PenEvent& pen) {
   const double pressure = pen.pressure.value_or(0.3);
   const bool touches = pen.position.z < 0.0 || pen.pressure.value_or(0.0) > 0.0;
   Vec3 aim = pen.position;
-  aim.z = touches ? -1.5 - 4.0 * pressure : std::max(aim.z, kHoverMm);
+  aim.z = touches ? -1.5 - 4.0 * pressure : std::max(aim.z, kSuiteHoverMm);
   return {aim, {}, pen.buttons};
 }
 
@@ -37,8 +37,9 @@ void fit_into(HandScript& script, const Capabilities& device) {
     if (const Vec3* at = place_of(event)) box.extend(Point{at->x, at->y});
   }
   if (box.empty()) return;
-  const Rect space{device.workspace_min.x + kMarginMm, device.workspace_min.y + kMarginMm,
-                   device.workspace_max.x - kMarginMm, device.workspace_max.y - kMarginMm};
+  const Rect space{device.workspace_min.x + kSuiteMarginMm, device.workspace_min.y + kSuiteMarginMm,
+                   device.workspace_max.x - kSuiteMarginMm,
+                   device.workspace_max.y - kSuiteMarginMm};
   const auto covers = [](double low, double high, double from, double to) {
     return low <= from && to <= high;
   };
@@ -150,7 +151,7 @@ HandScript hand_script(const Scenario& scenario, const Capabilities& in_the_shee
                                   [](const Event& event) { return place_of(event) != nullptr; });
   if (first == script.events.end()) return script;
   Vec3 above = *place_of(*first);
-  above.z = std::max(above.z, kHoverMm);
+  above.z = std::max(above.z, kSuiteHoverMm);
   script.events.insert(script.events.begin(), Event{0, HandEvent{above, {}, 0}});
   return script;
 }

@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::string_view kModel = "touch";
 constexpr std::int64_t kPatienceNs = 20'000'000;
-constexpr std::string_view kOtherModel = "premium";
+constexpr std::string_view kPremiumModel = "premium";
 
 PlaneCalibration leaning_table() {
   const double c = std::cos(0.436), s = std::sin(0.436);
@@ -250,7 +250,7 @@ class ScriptedBench final : public DriverBench {
   /// The pencil's own for widths: a step of the sensor may let another knot begin.
   [[nodiscard]] double tolerance_mm() const noexcept override { return 0.15; }
   [[nodiscard]] std::vector<std::string_view> other_models() const override {
-    return {kOtherModel};
+    return {kPremiumModel};
   }
   Result<void> reconnect_as(std::string_view model) override {
     device_.reset();

@@ -5,14 +5,14 @@
 #include <utility>
 #include <vector>
 
-#include "felt/haptics/compose.h"
+#include "felt/base/constants.h"
 #include "felt/haptics/bricks/drawing_feel.h"
 #include "felt/haptics/bricks/well.h"
+#include "felt/haptics/compose.h"
 
 namespace felt::rt_test {
 namespace {
 
-constexpr std::int64_t kMs = 1'000'000;
 // By then the first forces have been written.
 constexpr std::int64_t kWarmUpNs = 1500 * kMs;
 constexpr std::int64_t kFirstFaultNs = 1600 * kMs, kFaultNs = 50 * kMs, kNextFaultNs = 1100 * kMs;

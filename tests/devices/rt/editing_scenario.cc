@@ -13,7 +13,7 @@
 namespace felt::rt_test {
 namespace {
 
-constexpr int kTurnTicks = 4;  // of the edit side
+constexpr int kEditTicks = 4;  // of the edit side
 
 // A gesture: the hand hovers above the first place, presses, goes along the others, lifts.
 struct Task {
@@ -89,7 +89,7 @@ class EditingSession final : public Session {
     const Task& task = kTasks[static_cast<std::size_t>(tick / kTaskTicks) % kTasks.size()];
     if (phase == 0) begin(task, now_ns);
     stylus_.aim(aim_of(task, phase), {}, 0);
-    if (tick % kTurnTicks != 0) return;
+    if (tick % kEditTicks != 0) return;
     PenSample sample;
     while (servo_->for_edit().pop(sample)) (void)session_.sample(sample);
     while (servo_->for_saver().pop(sample)) {

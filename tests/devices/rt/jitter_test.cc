@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "felt/base/constants.h"
 #include "felt/haptics/bricks/plane.h"
 #include "felt/rt/servo.h"
 #include "felt/rt/virtual_clock.h"
@@ -17,7 +18,6 @@
 namespace felt::rt_test {
 namespace {
 
-constexpr std::int64_t kMs = 1'000'000;
 constexpr double kRiseNPerMs = 0.3;
 constexpr double kTiny = 1e-9;
 

@@ -5,14 +5,15 @@
 #include <optional>
 #include <vector>
 
+#include "felt/base/constants.h"
 #include "felt/devices/simulated/faulty_device.h"
 #include "felt/devices/simulated/simulated_stylus.h"
-#include "felt/haptics/compose.h"
 #include "felt/haptics/bricks/damping.h"
 #include "felt/haptics/bricks/drawing_feel.h"
 #include "felt/haptics/bricks/spring.h"
 #include "felt/haptics/bricks/stabiliser.h"
 #include "felt/haptics/bricks/well.h"
+#include "felt/haptics/compose.h"
 #include "felt/rt/null_device.h"
 #include "tests/devices/drivers/driver_bench.h"
 #include "tests/devices/rt/drawing_scenario.h"
@@ -21,8 +22,6 @@
 
 namespace felt::rt_test {
 namespace {
-
-constexpr std::int64_t kMs = 1'000'000;
 
 // A simulated stylus in a hand that scribbles, in and out of the sheet.
 class Scribble : public Session {

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "felt/base/constants.h"
+
 namespace felt::safety {
 namespace {
 
@@ -146,8 +148,6 @@ PenSample FuzzWorld::sense(double dt_s) {
 void FuzzWorld::spoil(PenSample& sample) {
   const double odds = mood_ == Mood::kWild ? 0.004 : mood_ == Mood::kRough ? 0.001 : 0.0;
   if (!chance(odds)) return;
-  constexpr double kInf = std::numeric_limits<double>::infinity();
-  constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
   constexpr std::array<double, 8> kOdd{kNan, kInf, -kInf, 1e308, -1e300, 5e-324, 1e6, -1e-310};
   const double odd = kOdd.at(below(kOdd.size()));
   switch (below(9)) {

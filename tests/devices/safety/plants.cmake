@@ -12,7 +12,7 @@ felt_plant(free_reversal safety_stages.cc
   "return step_towards(from, wanted, step_n)"
   "return norm(wanted) <= norm(previous) ? wanted : step_towards(from, wanted, step_n)")
 felt_plant(late_ticks_buy_steps safety_chain.cc
-  "kMillisecondsPerSecond * time_.credited_s" "kMillisecondsPerSecond * time_.charged_s")
+  "kMsPerS * time_.credited_s" "kMsPerS * time_.charged_s")
 felt_plant(backwards_is_on_time safety_clock.cc "std::abs(measured_s)" "measured_s")
 felt_plant(no_wait safety_chain.cc "calm_ticks_ = is_calm ? calm_ticks_ + 1 : 0;" "++calm_ticks_;")
 felt_plant(no_ramp safety_chain.cc "const Force target = ramp_ * wanted;"

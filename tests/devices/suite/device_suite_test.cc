@@ -10,6 +10,7 @@
 
 #include <gtest/gtest.h>
 
+#include "felt/base/constants.h"
 #include "felt/devices/replay/replay_device.h"
 #include "felt/devices/simulated/faulty_device.h"
 #include "felt/devices/simulated/simulated_stylus.h"
@@ -24,9 +25,6 @@
 
 namespace felt {
 namespace {
-
-constexpr std::int64_t kMs = 1'000'000;
-constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
 // A device under test, and what moves it: called before each read.
 struct Subject {

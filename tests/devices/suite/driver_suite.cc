@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 
+#include "felt/base/constants.h"
 #include "felt/driver/device_models.h"
 #include "felt/haptics/bricks/drawing_feel.h"
 #include "felt/rt/servo.h"
@@ -11,7 +12,6 @@
 namespace felt {
 namespace {
 
-constexpr std::int64_t kMs = 1'000'000;
 constexpr std::array kAxes{"x", "y", "z"};
 
 double along(const Vec3& v, std::size_t axis) {

@@ -17,14 +17,14 @@ namespace fs = std::filesystem;
 using faults::drawing_of;
 
 constexpr std::uint32_t kSaves = 30;
-constexpr unsigned kPauseUs = 20'000;
+constexpr unsigned kSavePauseUs = 20'000;
 
-std::string document_in(const std::string& folder) {
+std::string saved_document_in(const std::string& folder) {
   return folder + "/drawing.felt";
 }
 
 int find_document(const std::string& folder, std::uint32_t most, std::string& why) {
-  const std::string path = document_in(folder);
+  const std::string path = saved_document_in(folder);
   if (!fs::exists(path)) return 0;
   const int found = faults::generation_at(path, most, why);
   return found < 0 ? -1 : found;
@@ -37,10 +37,10 @@ Workload save_loop(std::string name, Saver saver) {
           [saver](const std::string& folder, std::uint32_t from, Diary& diary) {
             for (std::uint32_t i = from + 1; i <= from + kSaves; ++i) {
               diary.start(i);
-              const std::string problem = saver(document_in(folder), drawing_of(i));
+              const std::string problem = saver(saved_document_in(folder), drawing_of(i));
               if (!problem.empty()) return diary.fail(problem);
               diary.acknowledge(i);
-              ::usleep(kPauseUs);
+              ::usleep(kSavePauseUs);
             }
           },
           find_document};

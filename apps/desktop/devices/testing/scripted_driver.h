@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "desktop/engine/studio.h"
 #include "felt/devices/simulated/simulated_stylus.h"
 #include "felt/driver/driver.h"
 
@@ -126,5 +127,12 @@ class ScriptedDriver final : public Driver {
 
   std::shared_ptr<ScriptedArm> arm_;
 };
+
+/// A studio whose haptic loop does nothing by itself: the test turns it.
+inline StudioOptions by_hand() {
+  StudioOptions options;
+  options.live = false;
+  return options;
+}
 
 }  // namespace felt::desktop

@@ -7,12 +7,11 @@
 #include <limits>
 #include <vector>
 
+#include "felt/base/constants.h"
 #include "felt/haptics/bricks/spring.h"
 
 namespace felt {
 namespace {
-
-constexpr double kTau = 6.283185307179586;
 
 /// A grip that trembles about `x0` by `mm` at `hz`, a millisecond a sample, under a force.
 template <class Law>

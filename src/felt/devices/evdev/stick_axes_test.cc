@@ -6,10 +6,10 @@
 #include <deque>
 #include <map>
 
+#include "felt/base/constants.h"
+
 namespace felt {
 namespace {
-
-constexpr std::int64_t kMs = 1'000'000;
 
 /// Events that were put in, and axes as they stand.
 class Queue final : public EvdevPort {

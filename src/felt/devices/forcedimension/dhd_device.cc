@@ -4,10 +4,11 @@
 #include <cstring>
 #include <utility>
 
+#include "felt/base/constants.h"
+
 namespace felt::dhd {
 namespace {
 
-constexpr double kMmPerM = 1000.0;
 constexpr double kFarthestMm = 2000.0;  // no such arm is longer
 constexpr double kLongestGapS = 0.1;
 

@@ -6,10 +6,11 @@
 #include <thread>
 #include <utility>
 
+#include "felt/base/constants.h"
+
 namespace felt::haply {
 namespace {
 
-constexpr double kMmPerM = 1000.0;
 constexpr int kMaxMessages = 16;  // that one tick looks at
 constexpr int kMaxEvents = 4;
 constexpr double kNsPerS = 1e9;

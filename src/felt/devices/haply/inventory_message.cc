@@ -7,7 +7,7 @@
 namespace felt::haply {
 namespace {
 
-constexpr std::size_t kMostId = 64;
+constexpr std::size_t kMaxListedId = 64;
 constexpr std::size_t kMostDevices = 16;
 
 // What may stand in a command and in an id of ours as it is.
@@ -16,7 +16,7 @@ bool is_plain_id(std::string_view id) {
     return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '-' ||
            c == '_';
   };
-  return !id.empty() && id.size() <= kMostId && std::all_of(id.begin(), id.end(), is_plain);
+  return !id.empty() && id.size() <= kMaxListedId && std::all_of(id.begin(), id.end(), is_plain);
 }
 
 // The next value, where it is a text; what else it is, is passed over.
@@ -24,7 +24,7 @@ bool read_text(JsonScanner& json, std::string& text) {
   JsonScanner ahead = json;
   if (ahead.next() != JsonToken::kString) return json.skip_value();
   json = ahead;
-  text = json.text().substr(0, kMostId);
+  text = json.text().substr(0, kMaxListedId);
   return true;
 }
 

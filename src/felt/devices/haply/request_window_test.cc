@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <deque>
 
+#include "felt/base/constants.h"
+
 namespace felt::haply {
 namespace {
-
-constexpr std::int64_t kMs = 1'000'000;
 
 TEST(RequestWindow, OneMessageAtATimeAndOneToLetGo) {
   RequestWindow window;

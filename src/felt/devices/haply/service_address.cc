@@ -11,7 +11,7 @@
 namespace felt::haply {
 namespace {
 
-constexpr std::size_t kMostAnswer = std::size_t{1} << 17;
+constexpr std::size_t kMaxListingBytes = std::size_t{1} << 17;
 
 std::optional<std::uint16_t> port_of(std::string_view digits) {
   std::uint16_t port = 0;
@@ -111,7 +111,8 @@ Result<std::string> http_get(const TcpConnect& connect, const Address& address,
     }
     if (!count) break;  // the end of the answer: we asked for a connection that is closed
     answer.append(reinterpret_cast<const char*>(room.data()), *count);
-    if (answer.size() > kMostAnswer) return fail(ErrorCode::kLimitExceeded, where + ": too long");
+    if (answer.size() > kMaxListingBytes)
+      return fail(ErrorCode::kLimitExceeded, where + ": too long");
   }
   const std::string first = answer.substr(0, answer.find("\r\n"));
   if (first.find(" 200") == std::string::npos) {

@@ -2,10 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include "felt/base/constants.h"
+
 namespace felt::haply {
 namespace {
-
-constexpr std::int64_t kMs = 1'000'000;
 
 void run(ServicePace& pace, int ticks, int every, std::int64_t tick_ns = kMs) {
   for (int i = 1; i <= ticks; ++i) pace.tick(tick_ns, i % every == 0);

@@ -16,8 +16,8 @@ constexpr std::uint8_t kLastBit = 0x80, kReservedBits = 0x70, kOpcodeBits = 0x0F
 constexpr std::uint8_t kMaskBit = 0x80, kLengthBits = 0x7F;
 constexpr std::uint8_t kLength16 = 126, kLength64 = 127;
 constexpr std::size_t kMostControl = 125;
-constexpr std::int64_t kControlNs = 100'000;  // a pong or a good-bye goes within this, or not
-constexpr std::size_t kMostAnswer = 8192;     // of the opening
+constexpr std::int64_t kControlNs = 100'000;    // a pong or a good-bye goes within this, or not
+constexpr std::size_t kMaxOpeningBytes = 8192;  // of the opening
 
 std::uint8_t byte_of(char c) noexcept {
   return static_cast<std::uint8_t>(c);
@@ -109,7 +109,7 @@ Result<std::size_t> WebSocket::take_answer(std::int64_t within_ns) {
     const std::string_view so_far(received_.data(), end_);
     const std::size_t end = so_far.find("\r\n\r\n");
     if (end != std::string_view::npos) return end + 4;
-    if (so_far.size() > kMostAnswer) {
+    if (so_far.size() > kMaxOpeningBytes) {
       return fail(ErrorCode::kLimitExceeded, "the answer to the opening is too long");
     }
     if (!fill(deadline.left_ns())) {

@@ -13,7 +13,8 @@
 namespace felt {
 namespace {
 
-constexpr std::size_t kMostErrors = 64;  // a library that never ends to complain is not listened to
+constexpr std::size_t kMaxErrorsCleared =
+    64;  // a library that never ends to complain is not listened to
 
 // As long as the program: a thread of the library may still have it.
 locale_t plain_locale() noexcept {
@@ -85,7 +86,7 @@ Result<void> HdLibrary::find_functions() {
 
 std::string drained_words(const HdFunctions& call) {
   std::vector<std::string> words;
-  drain_errors(call, kMostErrors, [&](const hd::ErrorInfo& info) {
+  drain_errors(call, kMaxErrorsCleared, [&](const hd::ErrorInfo& info) {
     const char* text = call.error_words(info.code);
     words.push_back((text != nullptr ? std::string(text) : "no words") + " (" +
                     hexadecimal(info.code) + ", internal " + std::to_string(info.internal_code) +

@@ -10,7 +10,7 @@
 namespace felt {
 namespace {
 
-constexpr std::size_t kMostErrors = 16;     // heard at once; more wait for the next time
+constexpr std::size_t kMaxErrorsRead = 16;  // heard at once; more wait for the next time
 constexpr std::uint64_t kStatusEvery = 16;  // ticks
 constexpr double kFarthestMm = 1e5;         // what is farther away makes no sense
 constexpr double kFastestMmPerS = 1e6;
@@ -203,7 +203,7 @@ void OpenHapticsDevice::die() noexcept {
   is_gone_ = true;
   if (frame_ == Frame::kOpen) close_frame({});
   let_go();
-  drain_errors(call_, kMostErrors, [](const hd::ErrorInfo&) {});
+  drain_errors(call_, kMaxErrorsRead, [](const hd::ErrorInfo&) {});
   status_.fault = DeviceFault::kDisconnected;
   publish();
 }
@@ -211,7 +211,7 @@ void OpenHapticsDevice::die() noexcept {
 std::optional<DeviceFault> OpenHapticsDevice::drain() noexcept {
   std::optional<DeviceFault> gravest;
   hd::ErrorInfo told{};
-  drain_errors(call_, kMostErrors, [&](const hd::ErrorInfo& error) {
+  drain_errors(call_, kMaxErrorsRead, [&](const hd::ErrorInfo& error) {
     const std::optional<DeviceFault> with = graver(gravest, fault_of(error.code));
     if (with != gravest) told = error;  // the newest of the gravest ones
     gravest = with;

@@ -5,15 +5,17 @@
 #include <cmath>
 #include <span>
 
+#include "felt/base/ascii.h"
+#include "felt/base/constants.h"
+
 namespace felt {
 namespace {
 
-constexpr double kMmPerM = 1000.0;
 constexpr double kLargestMm = 2000.0;  // of a workspace, from the origin, that is believed
 constexpr double kSmallestMm = 10.0;   // of one of its sides
 
 struct Word {
-  std::string_view word;  // lower case
+  std::string_view word;  // ascii_lower case
   std::string_view model;
 };
 
@@ -23,13 +25,9 @@ constexpr std::array kWords{Word{"touch x", "touch-x"}, Word{"touchx", "touch-x"
                             Word{"desktop", "desktop"}, Word{"premium 3", "premium-3.0"},
                             Word{"3.0", "premium-3.0"}, Word{"premium", "premium-1.5"}};
 
-constexpr char lower(char c) noexcept {
-  return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-}
-
 bool contains(std::string_view text, std::string_view lower_word) noexcept {
   return std::search(text.begin(), text.end(), lower_word.begin(), lower_word.end(),
-                     [](char a, char b) { return lower(a) == b; }) != text.end();
+                     [](char a, char b) { return ascii_lower(a) == b; }) != text.end();
 }
 
 // Of two limits the lesser; one that is not said, or is nonsense, is none.

@@ -4,10 +4,10 @@
 
 #include <gtest/gtest.h>
 
+#include "felt/base/constants.h"
+
 namespace felt {
 namespace {
-
-constexpr std::int64_t kMs = 1'000'000;
 
 PenSample sample(std::int64_t ms, double x, double z, std::optional<double> pressure = {},
                  std::uint32_t buttons = 0) {

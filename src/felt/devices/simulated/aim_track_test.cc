@@ -7,14 +7,13 @@
 
 #include <gtest/gtest.h>
 
+#include "felt/base/constants.h"
 #include "felt/devices/simulated/random.h"
 #include "felt/devices/simulated/simulated_stylus.h"
 #include "felt/rt/servo.h"
 
 namespace felt {
 namespace {
-
-constexpr std::int64_t kMs = 1'000'000;
 
 struct Told {
   std::int64_t time_ns = 0;     // when the hand was there

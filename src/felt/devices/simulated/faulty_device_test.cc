@@ -6,12 +6,11 @@
 
 #include <gtest/gtest.h>
 
+#include "felt/base/constants.h"
 #include "felt/devices/simulated/simulated_stylus.h"
 
 namespace felt {
 namespace {
-
-constexpr std::int64_t kMs = 1'000'000;
 
 // What a fault between 10 and 20 ms makes of a pen that moves along x and down.
 std::vector<tl::expected<PenSample, DeviceFault>> with_fault(InjectedFault fault, double amount) {

@@ -5,6 +5,7 @@
 #include <memory>
 #include <random>
 
+#include "felt/base/constants.h"
 #include "felt/devices/simulated/high_pass.h"
 #include "felt/devices/simulated/simulated_stylus.h"
 #include "felt/haptics/bricks/drawing_feel.h"
@@ -18,7 +19,6 @@ constexpr double kHoverMm = 3.0;
 constexpr double kArmedS = 0.8;  // the safety chain has engaged by then
 constexpr double kLandedS = 1.3;
 constexpr double kStillS = 0.2;  // before it goes
-constexpr double kTau = 6.283185307179586;
 
 // The hand trembles: three sines of 6 to 12 Hz, 0.03 mm each.
 class Tremor {

@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+#include "felt/base/constants.h"
+
 namespace felt {
 namespace {
 
@@ -36,7 +38,7 @@ TEST(FeltStroke, R48_APenThatRestsIsQuiet) {
 }
 
 TEST(FeltStroke, OnlyWhatIsFastCountsAsTrembling) {
-  constexpr double kPeriodS = 0.001, kTau = 6.283185307179586;
+  constexpr double kPeriodS = 0.001;
   const auto trembling = [&](double hz) {
     std::vector<Force> forces(2000);
     for (std::size_t i = 0; i < forces.size(); ++i) {

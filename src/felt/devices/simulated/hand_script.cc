@@ -9,15 +9,15 @@
 namespace felt {
 namespace {
 
-constexpr double kAirSpeed = 250.0;         // mm/s on average, in the air
-constexpr double kTravelS = 0.12;           // shortest way in the air
-constexpr double kLandS = 0.15;             // from hovering to the first pressure
-constexpr double kLiftS = 0.12;             // and back
-constexpr double kSettleS = 0.03;           // before the pen moves off, and before it lifts
-constexpr double kShortestS = 0.06;         // of a stroke: a dot
-constexpr double kLookS = 0.008;            // over which speed and its change are planned
-constexpr double kFrictionFromSpeed = 5.0;  // mm/s: slower, and it counts less
-constexpr double kLeastPressure = 1e-3;     // that still counts as contact
+constexpr double kAirSpeed = 250.0;           // mm/s on average, in the air
+constexpr double kTravelS = 0.12;             // shortest way in the air
+constexpr double kLandS = 0.15;               // from hovering to the first pressure
+constexpr double kLiftS = 0.12;               // and back
+constexpr double kSettleS = 0.03;             // before the pen moves off, and before it lifts
+constexpr double kShortestS = 0.06;           // of a stroke: a dot
+constexpr double kLookS = 0.008;              // over which speed and its change are planned
+constexpr double kFrictionFromSpeed = 5.0;    // mm/s: slower, and it counts less
+constexpr double kMinContactPressure = 1e-3;  // that still counts as contact
 
 double press_n(const HandScriptOptions& options, double pressure) noexcept {
   return options.light_n + std::clamp(pressure, 0.0, 1.0) * (options.full_n - options.light_n);
@@ -56,7 +56,9 @@ class PenPlanner {
   [[nodiscard]] const std::vector<PenPlan>& plan() const { return plan_; }
 
  private:
-  static double contact_pressure(double pressure) { return std::max(pressure, kLeastPressure); }
+  static double contact_pressure(double pressure) {
+    return std::max(pressure, kMinContactPressure);
+  }
 
   [[nodiscard]] Vec3 pressed(const ScriptKnot& knot) const {
     const double depth_mm = options_.contact == ContactBy::kPressure

@@ -9,7 +9,7 @@ namespace {
 constexpr double kSpeedTimeS = 0.05;
 constexpr double kFastMmPerS = 300.0;
 constexpr double kSlowPressure = 0.8, kFastPressure = 0.2;
-constexpr double kLeastPressure = 1e-3;  // of a pen that touches
+constexpr double kMinTouchPressure = 1e-3;  // of a pen that touches
 
 }  // namespace
 
@@ -25,7 +25,7 @@ double PointerHand::pressure_of(const PointerEvent& event) noexcept {
   }
   if (!event.touching) return 0.0;
   if (event.pressure && !std::isnan(*event.pressure)) {
-    return std::clamp(*event.pressure, kLeastPressure, 1.0);
+    return std::clamp(*event.pressure, kMinTouchPressure, 1.0);
   }
   if (mouse_ == MousePressure::kConstant) return options_.absent_pressure;
   const double part = std::min(speed_mm_per_s_ / kFastMmPerS, 1.0);

@@ -5,12 +5,11 @@
 
 #include <gtest/gtest.h>
 
+#include "felt/base/constants.h"
 #include "felt/devices/simulated/simulated_stylus.h"
 
 namespace felt {
 namespace {
-
-constexpr std::int64_t kMs = 1'000'000;
 
 // Holds the pen down for 1.5 s on a plane of K n/m and returns the plane's spring force.
 double pressed_force_n(const StylusPreset& device, const SimulatedHand& hand,

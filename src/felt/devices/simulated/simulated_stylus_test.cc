@@ -8,13 +8,11 @@
 
 #include <gtest/gtest.h>
 
+#include "felt/base/constants.h"
 #include "felt/devices/simulated/random.h"
 
 namespace felt {
 namespace {
-
-constexpr std::int64_t kMs = 1'000'000;
-constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
 StylusPreset preset(std::string_view name) {
   return *find_stylus_preset(name);

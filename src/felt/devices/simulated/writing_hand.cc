@@ -4,12 +4,12 @@
 #include <cmath>
 #include <numbers>
 
+#include "felt/base/constants.h"
 #include "felt/devices/simulated/hand_path.h"
 
 namespace felt {
 namespace {
 
-constexpr double kTau = 2.0 * std::numbers::pi;
 constexpr double kGridS = 0.001;   // the aim is smoothed on a grid of 1 ms
 constexpr int kMuscleHalfMs = 20;  // half of the smoothing window
 constexpr double kRiseS = 0.05;    // pressure at pen-down

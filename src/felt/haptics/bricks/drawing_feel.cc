@@ -14,7 +14,6 @@ constexpr double kOneSpring = 300.0;
 constexpr double kQuietStepN = 0.025;  // what one step of the sensor may change
 constexpr double kSoftest = 200.0;
 constexpr double kLeastB = 0.5;
-constexpr double kSpeedFilterS = 1.0 / (6.283185307179586 * 100.0);  // as in plane.cc
 
 double period_s(const Capabilities& device) noexcept {
   return 1e-9 * static_cast<double>(device.period_ns);
@@ -29,7 +28,7 @@ struct QuietLimits {
 QuietLimits quiet_limits(const Capabilities& device) noexcept {
   if (!(device.position_step_mm > 0.0)) return {};
   const double step_m = 1e-3 * device.position_step_mm;
-  const double seen_over_s = kSpeedFilterS + period_s(device);
+  const double seen_over_s = Plane::kSpeedFilterS + period_s(device);
   return {std::max(kQuietStepN / step_m, kSoftest),
           std::max(kQuietStepN * seen_over_s / step_m, kLeastB)};
 }

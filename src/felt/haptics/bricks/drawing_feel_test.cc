@@ -4,17 +4,16 @@
 
 #include <numbers>
 
-#include "felt/haptics/testing/feel_rig.h"
-#include "felt/haptics/safety/safety_chain.h"
+#include "felt/base/constants.h"
 #include "felt/haptics/bricks/spring.h"
 #include "felt/haptics/bricks/stabiliser.h"
 #include "felt/haptics/bricks/tether.h"
 #include "felt/haptics/bricks/well.h"
+#include "felt/haptics/safety/safety_chain.h"
+#include "felt/haptics/testing/feel_rig.h"
 
 namespace felt {
 namespace {
-
-constexpr double kTau = 2.0 * std::numbers::pi;
 
 TEST(Material, R13_SurfacesAndToolsAreOrderedByTheirDrag) {
   const Medium& pencil = *find_medium("pencil");

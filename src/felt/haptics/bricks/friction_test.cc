@@ -5,15 +5,14 @@
 
 #include <numbers>
 
-#include "felt/haptics/compose.h"
+#include "felt/base/constants.h"
 #include "felt/haptics/bricks/drawing_feel.h"
-#include "felt/haptics/testing/feel_rig.h"
 #include "felt/haptics/bricks/plane.h"
+#include "felt/haptics/compose.h"
+#include "felt/haptics/testing/feel_rig.h"
 
 namespace felt {
 namespace {
-
-constexpr double kTau = 2.0 * std::numbers::pi;
 
 /// The force of a bristle alone, pushed with `normal_n`, where the pen is now.
 Force step(const Friction& friction, ForceMemory& memory, Vec3 position, Vec3 velocity,

@@ -7,7 +7,6 @@ namespace {
 
 constexpr std::int64_t kGapNs = 20'000'000;
 constexpr double kFastestMmPerS = 500.0;
-constexpr double kSpeedFilterS = 1.0 / (6.283185307179586 * 100.0);
 
 void follow_speed(const PenSample& sample, ForceMemory& memory) noexcept {
   const double z_mm = sample.position.z;
@@ -17,9 +16,10 @@ void follow_speed(const PenSample& sample, ForceMemory& memory) noexcept {
   // Backward Euler, as VelocityFilter; written so that no division by dt turns the jitter of a
   // short tick into speed.
   const double way_mm = z_mm - memory.last_z_mm;
-  memory.normal_speed_mm_per_s = fresh ? (kSpeedFilterS * memory.normal_speed_mm_per_s + way_mm) /
-                                             (kSpeedFilterS + memory.dt_s)
-                                       : 0.0;
+  memory.normal_speed_mm_per_s =
+      fresh ? (Plane::kSpeedFilterS * memory.normal_speed_mm_per_s + way_mm) /
+                  (Plane::kSpeedFilterS + memory.dt_s)
+            : 0.0;
   memory.last_z_mm = z_mm;
   memory.last_z_time_ns = sample.time_ns;
   memory.has_last_z = true;

@@ -32,6 +32,9 @@ struct PlaneOptions {
 /// Writes memory.normal_force_n (for the friction) and memory.spring_force_n (for the width).
 class Plane {
  public:
+  /// Time constant of the low-pass at 100 Hz.
+  static constexpr double kSpeedFilterS = 1.0 / (6.283185307179586 * 100.0);
+
   explicit Plane(const PlaneOptions& options = {}) noexcept : options_(options) {}
 
   Force operator()(const PenSample& sample, ForceMemory& memory) const noexcept;

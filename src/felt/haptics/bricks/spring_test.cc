@@ -5,14 +5,13 @@
 
 #include <numbers>
 
-#include "felt/haptics/compose.h"
+#include "felt/base/constants.h"
 #include "felt/haptics/bricks/drawing_feel.h"
+#include "felt/haptics/compose.h"
 #include "felt/haptics/testing/feel_rig.h"
 
 namespace felt {
 namespace {
-
-constexpr double kTau = 2.0 * std::numbers::pi;
 
 RC_GTEST_PROP(EditSpring, R29_PointsBackAndKeepsToItsBounds, ()) {
   const Point origin{0.1 * *rc::gen::inRange(-999, 999), 0.1 * *rc::gen::inRange(-999, 999)};

@@ -4,13 +4,12 @@
 
 #include <numbers>
 
+#include "felt/base/constants.h"
 #include "felt/haptics/bricks/drawing_feel.h"
 #include "felt/haptics/testing/feel_rig.h"
 
 namespace felt {
 namespace {
-
-constexpr double kTau = 2.0 * std::numbers::pi;
 
 TEST(Towed, NothingIsFeltWhileTheRopeIsSlack) {
   const Towed towed({.rope_mm = 4.0});

@@ -5,12 +5,11 @@
 
 #include <numbers>
 
+#include "felt/base/constants.h"
 #include "felt/haptics/testing/feel_rig.h"
 
 namespace felt {
 namespace {
-
-constexpr double kTau = 2.0 * std::numbers::pi;
 
 Force pull(const Tether& tether, Point pen, double share = 1.0) {
   ForceMemory memory;

@@ -7,13 +7,12 @@
 #include <map>
 #include <numbers>
 
+#include "felt/base/constants.h"
 #include "felt/haptics/bricks/drawing_feel.h"
 #include "felt/haptics/testing/feel_rig.h"
 
 namespace felt {
 namespace {
-
-constexpr double kTau = 2.0 * std::numbers::pi;
 
 TEST(Texture, R48_TheLimitIsThatOfTheLoop) {
   EXPECT_DOUBLE_EQ(texture_stiffness_limit_n_per_m(0.001), 400.0);

@@ -6,14 +6,13 @@
 #include <numbers>
 #include <vector>
 
-#include "felt/haptics/compose.h"
+#include "felt/base/constants.h"
 #include "felt/haptics/bricks/drawing_feel.h"
+#include "felt/haptics/compose.h"
 #include "felt/haptics/testing/feel_rig.h"
 
 namespace felt {
 namespace {
-
-constexpr double kTau = 2.0 * std::numbers::pi;
 
 Force pull(const Wells& wells, Point pen) {
   ForceMemory memory;

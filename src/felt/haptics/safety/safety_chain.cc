@@ -3,15 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "felt/base/constants.h"
 #include "felt/haptics/safety/safety_stages.h"
 
 namespace felt {
-namespace {
-
-constexpr double kMillisecondsPerSecond = 1000.0;
-
-}  // namespace
-
 SafetyChain::SafetyChain(const SafetyLimits& limits) noexcept
     : limits_(is_sound(limits) ? limits : SafetyLimits{.peak_force_n = 0.0}),
       clock_(limits_),
@@ -233,7 +228,7 @@ bool SafetyChain::wants_damping_only() const noexcept {
 }
 
 double SafetyChain::credit_n(double rate_n_per_ms) const noexcept {
-  return rate_n_per_ms * kMillisecondsPerSecond * time_.credited_s;
+  return rate_n_per_ms * kMsPerS * time_.credited_s;
 }
 
 Force SafetyChain::by_state(const Force& wanted) noexcept {
@@ -276,7 +271,7 @@ Force SafetyChain::engage(const Force& wanted) noexcept {
 }
 
 Force SafetyChain::fall(const Force& wanted) noexcept {
-  const double ms = kMillisecondsPerSecond * time_.charged_s;
+  const double ms = kMsPerS * time_.charged_s;
   const double ceiling = norm(sent_) - limits_.soft_fall_n_per_ms * ms;
   if (!(ceiling > 0.0)) {
     go_to(SafetyState::kWaiting);

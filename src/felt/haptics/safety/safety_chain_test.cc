@@ -7,12 +7,10 @@
 #include <optional>
 #include <vector>
 
+#include "felt/base/constants.h"
+
 namespace felt {
 namespace {
-
-constexpr std::int64_t kMs = 1'000'000;
-constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
-constexpr double kInf = std::numeric_limits<double>::infinity();
 
 /// A chain on an even clock; each tick is one call.
 class Rig {

@@ -4,10 +4,10 @@
 
 #include <limits>
 
+#include "felt/base/constants.h"
+
 namespace felt {
 namespace {
-
-constexpr std::int64_t kMs = 1'000'000;
 
 TEST(TickClock, TheFirstTickIsOnePeriod) {
   TickClock clock({});

@@ -8,11 +8,6 @@ namespace {
 
 constexpr SafetyLimits kDefaults;
 
-/// A number of a device that may be missing or nonsense: then it counts as 0.
-double sane(double value) noexcept {
-  return std::isfinite(value) && value > 0.0 ? value : 0.0;
-}
-
 /// 0 or more, and no more than the largest; NaN is not.
 constexpr bool within(double value, double largest) noexcept {
   return value >= 0.0 && value <= largest;
@@ -85,16 +80,16 @@ bool is_sound(const SafetyLimits& limits) noexcept {
 
 SafetyLimits limits_for(const Capabilities& device, double user_limit_n) noexcept {
   SafetyLimits limits;
-  limits.peak_force_n =
-      device.has_force()
-          ? std::min({sane(user_limit_n), limits.peak_force_n, 0.9 * sane(device.max_force_n)})
-          : 0.0;
+  limits.peak_force_n = device.has_force()
+                            ? std::min({finite_positive(user_limit_n), limits.peak_force_n,
+                                        0.9 * finite_positive(device.max_force_n)})
+                            : 0.0;
   if (device.advised_force_n != 0.0) {
-    limits.peak_force_n = std::min(limits.peak_force_n, sane(device.advised_force_n));
+    limits.peak_force_n = std::min(limits.peak_force_n, finite_positive(device.advised_force_n));
   }
-  limits.continuous_force_n = std::min(0.8 * sane(device.continuous_force_n), 1e3);
-  limits.max_damping_n_s_per_m = std::min(0.5 * sane(device.max_damping_n_s_per_m), 1e3);
-  limits.max_stiffness_n_per_m = std::min(0.9 * sane(device.max_stiffness_n_per_m), 1e6);
+  limits.continuous_force_n = std::min(0.8 * finite_positive(device.continuous_force_n), 1e3);
+  limits.max_damping_n_s_per_m = std::min(0.5 * finite_positive(device.max_damping_n_s_per_m), 1e3);
+  limits.max_stiffness_n_per_m = std::min(0.9 * finite_positive(device.max_stiffness_n_per_m), 1e6);
   limits.period_ns = std::clamp(device.period_ns, kShortestPeriodNs, kLongestPeriodNs);
   limits.delay_ticks = std::clamp(device.delay_ticks, 0, kMostDelayTicks);
   hold_at_the_hand(limits, device.sheet_scale);

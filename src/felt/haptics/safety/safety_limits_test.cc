@@ -4,6 +4,8 @@
 
 #include <limits>
 
+#include "felt/base/constants.h"
+
 namespace felt {
 namespace {
 
@@ -22,9 +24,6 @@ TEST(SafetyLimits, R14_R49_ADeviceWithinTheUsersLimitHasTheSameLimits) {
   }
   EXPECT_EQ(with_force_limit({}, 0.5), Capabilities{}) << "a mouse";
 }
-
-constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
-constexpr double kInf = std::numeric_limits<double>::infinity();
 
 TEST(SafetyLimits, R49_ThePeakIsTheSmallestOfUserAdviceAndNineTenthsOfTheDevice) {
   EXPECT_DOUBLE_EQ(limits_for({.max_force_n = 22.0}).peak_force_n, 3.0);

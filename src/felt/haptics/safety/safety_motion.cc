@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "felt/base/constants.h"
+
 namespace felt {
 namespace {
 
-constexpr double kMetresPerMillimetre = 0.001;
-constexpr double kMillisecondsPerSecond = 1000.0;
 constexpr double kForgivenShare = 0.125;
 
 }  // namespace
@@ -23,7 +23,7 @@ bool repeats(const PenSample& last, const PenSample& sample) noexcept {
 }
 
 JumpGuard::JumpGuard(const SafetyLimits& limits) noexcept
-    : jump_mm_per_s_(limits.jump_mm_per_ms * kMillisecondsPerSecond), hold_s_(limits.jump_hold_s) {}
+    : jump_mm_per_s_(limits.jump_mm_per_ms * kMsPerS), hold_s_(limits.jump_hold_s) {}
 
 PositionVerdict JumpGuard::judge(const Vec3& position_mm, const TickTime& time) noexcept {
   const double span_s = time.lateness == Lateness::kVeryLate
@@ -79,7 +79,7 @@ void SpeedGuard::update(const PenSample& sample, const TickTime& time) noexcept 
   const double measured = norm(measured_mm_per_s_);
   const double reported = norm(sample.velocity);
   velocity_mm_per_s_ = reported >= measured ? sample.velocity : measured_mm_per_s_;
-  speed_m_per_s_ = kMetresPerMillimetre * std::max(reported, measured);
+  speed_m_per_s_ = kMPerMm * std::max(reported, measured);
 
   if (is_judged) fast_samples_ = speed_m_per_s_ > cut_m_per_s_ ? fast_samples_ + 1 : 0;
   fast_samples_ = std::min(fast_samples_, cut_samples_);

@@ -4,6 +4,8 @@
 
 #include <limits>
 
+#include "felt/base/constants.h"
+
 namespace felt {
 namespace {
 
@@ -119,7 +121,6 @@ TEST(SpeedGuard, BurstsOfTicksDoNotTurnAQuantumIntoASpeed) {
 }
 
 TEST(PenSample, FiniteMeansEveryNumber) {
-  constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
   EXPECT_TRUE(is_finite(PenSample{}));
   for (int i = 0; i < 7; ++i) {
     PenSample s;

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "felt/base/constants.h"
+
 namespace felt {
 namespace {
 
@@ -59,8 +61,7 @@ double brake_damping(const SafetyLimits& limits, double speed_m_per_s) noexcept 
 
 Force damping_force(double damping_n_s_per_m, const Vec3& velocity_mm_per_s,
                     double max_n) noexcept {
-  constexpr double kMetresPerMillimetre = 0.001;
-  const double c = -damping_n_s_per_m * kMetresPerMillimetre;
+  const double c = -damping_n_s_per_m * kMPerMm;
   return clamp_length({c * velocity_mm_per_s.x, c * velocity_mm_per_s.y, c * velocity_mm_per_s.z},
                       max_n);
 }

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <limits>
 
+#include "felt/base/constants.h"
+
 namespace felt {
 namespace {
 
@@ -107,8 +109,6 @@ TEST(Budget, R55_ThePlaneStaysUnderNineTenthsOfTheDevicesStiffness) {
 }
 
 TEST(Budget, SlopesThatAreNoNumbersGetNoShare) {
-  constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
-  constexpr double kInf = std::numeric_limits<double>::infinity();
   for (double odd : {kNan, -1.0, kInf}) {
     const StiffnessScale s = share_budget({}, {odd, odd, odd});
     EXPECT_EQ(s, (StiffnessScale{0.0, 0.0, 0.0})) << odd;

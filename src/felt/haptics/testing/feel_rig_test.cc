@@ -4,12 +4,11 @@
 
 #include <numbers>
 
+#include "felt/base/constants.h"
 #include "felt/haptics/bricks/spring.h"
 
 namespace felt {
 namespace {
-
-constexpr double kTau = 2.0 * std::numbers::pi;
 
 TEST(FeelRig, HighFrequencyPassesWhatIsAbove30Hz) {
   for (const double period_s : {0.0002, 0.001}) {

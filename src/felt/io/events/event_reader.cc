@@ -107,7 +107,7 @@ Result<void> check_layer(EventName name, const EventFields& fields) {
   return {};
 }
 
-std::string milliseconds(std::int64_t time_ns) {
+std::string milliseconds_text(std::int64_t time_ns) {
   std::string text = std::to_string(static_cast<double>(time_ns) / 1e6);
   text.erase(text.find_last_not_of('0') + 1);
   if (text.back() == '.') text.pop_back();
@@ -149,8 +149,8 @@ struct EventReader::State {
     if (read) read = check_layer(name, values);
     if (!read) return tl::unexpected(read.error());
     if (values.time_ns < last_ns) {
-      return json::bad("t_ms: " + milliseconds(values.time_ns) + " is before " +
-                       milliseconds(last_ns) + ", the time of the event before");
+      return json::bad("t_ms: " + milliseconds_text(values.time_ns) + " is before " +
+                       milliseconds_text(last_ns) + ", the time of the event before");
     }
     last_ns = values.time_ns;
     return event_of(name, std::move(values));

@@ -19,10 +19,6 @@ namespace {
 
 using Next = NumberList::Next;
 
-tl::unexpected<Error> bad(std::string what) {
-  return fail(ErrorCode::kInvalidData, std::move(what));
-}
-
 void append_number(std::string& out, double value) {
   std::array<char, 32> text;
   out.append(text.data(), std::to_chars(text.data(), text.data() + text.size(), value).ptr);
@@ -46,7 +42,7 @@ bool read_points(std::string_view text, std::vector<Point>& points) {
 }
 
 /// u W u W ...
-bool read_widths(std::string_view text, std::vector<WidthKnot>& widths) {
+bool read_width_list(std::string_view text, std::vector<WidthKnot>& widths) {
   NumberList numbers(text);
   for (;;) {
     double u = 0.0, width_mm = 0.0;
@@ -58,7 +54,7 @@ bool read_widths(std::string_view text, std::vector<WidthKnot>& widths) {
 }
 
 /// t t ...: one for each breakpoint.
-bool read_tones(std::string_view text, std::vector<WidthKnot>& widths) {
+bool read_tone_list(std::string_view text, std::vector<WidthKnot>& widths) {
   NumberList numbers(text);
   for (WidthKnot& knot : widths) {
     if (numbers.next(knot.tone) != Next::kNumber) return false;
@@ -69,7 +65,7 @@ bool read_tones(std::string_view text, std::vector<WidthKnot>& widths) {
 }
 
 /// "scs": smooth, corner, smooth.
-bool read_joints(std::string_view text, std::vector<JointKind>& joints) {
+bool read_joint_kinds(std::string_view text, std::vector<JointKind>& joints) {
   for (const char c : text) {
     if (c != 's' && c != 'c') return false;
     joints.push_back(c == 's' ? JointKind::kSmooth : JointKind::kCorner);
@@ -162,25 +158,28 @@ std::optional<Result<SketchStroke>> read_model(const pugi::xml_node& node,
   };
   if (prefix.empty() || !node.attribute((prefix + "points").c_str())) return std::nullopt;
   if (ours("trace") != hex(trace_sum(trace))) {
-    return bad("was changed by another program: its points were taken, not the curve beside them");
+    return invalid_data(
+        "was changed by another program: its points were taken, not the curve beside them");
   }
   StrokeData d;
   d.material = ours("material");
   d.closed = ours("closed") == "true";
   d.color = color;
   if (d.material.size() > limits::kMaxNameBytes || ours("id").size() > limits::kMaxNameBytes) {
-    return bad("has a name of more than 4096 bytes; its points were taken");
+    return invalid_data("has a name of more than 4096 bytes; its points were taken");
   }
-  if (!read_points(ours("points"), d.points) || !read_joints(ours("joints"), d.joints) ||
-      !read_widths(ours("widths"), d.widths)) {
-    return bad("has a damaged curve; its points were taken");
+  if (!read_points(ours("points"), d.points) || !read_joint_kinds(ours("joints"), d.joints) ||
+      !read_width_list(ours("widths"), d.widths)) {
+    return invalid_data("has a damaged curve; its points were taken");
   }
-  if (!ours("tones").empty() && !read_tones(ours("tones"), d.widths)) {
-    return bad("has tones that are not one number of 0 to 1 a width; its points were taken");
+  if (!ours("tones").empty() && !read_tone_list(ours("tones"), d.widths)) {
+    return invalid_data(
+        "has tones that are not one number of 0 to 1 a width; its points were taken");
   }
   mend_rounding(d);
   Result<Stroke> stroke = Stroke::create(std::move(d));
-  if (!stroke) return bad("has a damaged curve; its points were taken: " + stroke.error().message);
+  if (!stroke)
+    return invalid_data("has a damaged curve; its points were taken: " + stroke.error().message);
   return SketchStroke{std::string(ours("id")), *std::move(stroke)};
 }
 

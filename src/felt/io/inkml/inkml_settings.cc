@@ -20,7 +20,7 @@ struct NamedColor {
   Rgba color;
 };
 /// The sixteen names of CSS 1 and orange.
-constexpr std::array kColors = {
+constexpr std::array kInkmlColors = {
     NamedColor{"black", {0, 0, 0, 255}},      NamedColor{"silver", {192, 192, 192, 255}},
     NamedColor{"gray", {128, 128, 128, 255}}, NamedColor{"white", {255, 255, 255, 255}},
     NamedColor{"maroon", {128, 0, 0, 255}},   NamedColor{"red", {255, 0, 0, 255}},
@@ -196,10 +196,10 @@ void Settings::read_property(const pugi::xml_node& node, Brush& brush) {
 
 void Settings::read_color(const pugi::xml_node& node, Brush& brush) {
   const std::string_view text = node.attribute("value").value();
-  const auto named = std::find_if(kColors.begin(), kColors.end(),
+  const auto named = std::find_if(kInkmlColors.begin(), kInkmlColors.end(),
                                   [&](const NamedColor& c) { return c.name == text; });
   const std::optional<Rgba> color =
-      named != kColors.end() ? std::optional(named->color) : color_from_text(text);
+      named != kInkmlColors.end() ? std::optional(named->color) : color_from_text(text);
   if (!color) {
     notice(node, "is no colour that is known; it was taken as black");
     return;

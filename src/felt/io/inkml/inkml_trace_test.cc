@@ -7,12 +7,12 @@
 namespace felt {
 namespace {
 
-using Points = std::vector<std::vector<double>>;
+using Rows = std::vector<std::vector<double>>;
 constexpr double kNone = -999.0;  // stands for what is unknown
 
-Points read(std::string_view text, std::size_t channels = 2, std::string* problem = nullptr) {
+Rows read(std::string_view text, std::size_t channels = 2, std::string* problem = nullptr) {
   InkmlTraceReader reader(text, channels);
-  Points points;
+  Rows points;
   while (reader.next()) {
     points.emplace_back();
     for (const double v : reader.values()) points.back().push_back(std::isnan(v) ? kNone : v);
@@ -32,43 +32,43 @@ std::string problem(std::string_view text, std::size_t channels = 2) {
 }
 
 TEST(InkmlTrace, ExplicitValues) {
-  EXPECT_EQ(read("10 0, 9 14,\n 8 28"), (Points{{10, 0}, {9, 14}, {8, 28}}));
-  EXPECT_EQ(read("1.5-2.5,.5+3"), (Points{{1.5, -2.5}, {.5, 3}}));
-  EXPECT_EQ(read(" 1 2 , , 3 4 , "), (Points{{1, 2}, {3, 4}}));
-  EXPECT_EQ(read("  "), (Points{}));
+  EXPECT_EQ(read("10 0, 9 14,\n 8 28"), (Rows{{10, 0}, {9, 14}, {8, 28}}));
+  EXPECT_EQ(read("1.5-2.5,.5+3"), (Rows{{1.5, -2.5}, {.5, 3}}));
+  EXPECT_EQ(read(" 1 2 , , 3 4 , "), (Rows{{1, 2}, {3, 4}}));
+  EXPECT_EQ(read("  "), (Rows{}));
 }
 
 TEST(InkmlTrace, TheExampleOfTheRecommendation) {
   // Positions by hand: velocities 23 43, then plus the second differences.
-  EXPECT_EQ(read("1125 18432,'23'43,\"7\"-8,3-5,7 -3,6 2,6 8,3 6"), (Points{{1125, 18432},
-                                                                            {1148, 18475},
-                                                                            {1178, 18510},
-                                                                            {1211, 18540},
-                                                                            {1251, 18567},
-                                                                            {1297, 18596},
-                                                                            {1349, 18633},
-                                                                            {1404, 18676}}));
+  EXPECT_EQ(read("1125 18432,'23'43,\"7\"-8,3-5,7 -3,6 2,6 8,3 6"), (Rows{{1125, 18432},
+                                                                          {1148, 18475},
+                                                                          {1178, 18510},
+                                                                          {1211, 18540},
+                                                                          {1251, 18567},
+                                                                          {1297, 18596},
+                                                                          {1349, 18633},
+                                                                          {1404, 18676}}));
 }
 
 TEST(InkmlTrace, ModesStayUntilChangedChannelByChannel) {
   EXPECT_EQ(read("10 10,'1 20,1 30,!50'5,60 5"),
-            (Points{{10, 10}, {11, 20}, {12, 30}, {50, 35}, {60, 40}}));
+            (Rows{{10, 10}, {11, 20}, {12, 30}, {50, 35}, {60, 40}}));
 }
 
 TEST(InkmlTrace, AStarGoesOnAsBefore) {
-  EXPECT_EQ(read("10 10,* 20,* *"), (Points{{10, 10}, {10, 20}, {10, 20}}));
-  EXPECT_EQ(read("10 10,'2'3,**,*1"), (Points{{10, 10}, {12, 13}, {14, 16}, {16, 17}}));
-  EXPECT_EQ(read("0 0,'1'1,\"1\"0,**,**"), (Points{{0, 0}, {1, 1}, {3, 2}, {6, 3}, {10, 4}}));
+  EXPECT_EQ(read("10 10,* 20,* *"), (Rows{{10, 10}, {10, 20}, {10, 20}}));
+  EXPECT_EQ(read("10 10,'2'3,**,*1"), (Rows{{10, 10}, {12, 13}, {14, 16}, {16, 17}}));
+  EXPECT_EQ(read("0 0,'1'1,\"1\"0,**,**"), (Rows{{0, 0}, {1, 1}, {3, 2}, {6, 3}, {10, 4}}));
 }
 
 TEST(InkmlTrace, UnknownAndLeftOut) {
-  EXPECT_EQ(read("1 ? 3,4 5,6 ? ?", 3), (Points{{1, kNone, 3}, {4, 5, kNone}, {6, kNone, kNone}}));
-  EXPECT_EQ(read("*1"), (Points{{kNone, 1}}));
+  EXPECT_EQ(read("1 ? 3,4 5,6 ? ?", 3), (Rows{{1, kNone, 3}, {4, 5, kNone}, {6, kNone, kNone}}));
+  EXPECT_EQ(read("*1"), (Rows{{kNone, 1}}));
 }
 
 TEST(InkmlTrace, BooleansAndHexadecimal) {
-  EXPECT_EQ(read("10 20T,11 21F,12 22*", 3), (Points{{10, 20, 1}, {11, 21, 0}, {12, 22, 0}}));
-  EXPECT_EQ(read("#ff #10,#a 2"), (Points{{255, 16}, {10, 2}}));
+  EXPECT_EQ(read("10 20T,11 21F,12 22*", 3), (Rows{{10, 20, 1}, {11, 21, 0}, {12, 22, 0}}));
+  EXPECT_EQ(read("#ff #10,#a 2"), (Rows{{255, 16}, {10, 2}}));
 }
 
 TEST(InkmlTrace, SaysWhereItIsBroken) {

@@ -12,15 +12,15 @@ namespace felt::json {
 namespace {
 
 /// The four places of a point.
-enum PointPart : std::size_t { kX, kY, kPressure, kTime, kPartCount };
+enum PointPart : std::size_t { kXPart, kYPart, kPressurePart, kTimePart, kPartCount };
 constexpr std::array<const char*, kPartCount> kPartNames = {"x", "y", "pressure", "time"};
 
 void set_part(std::size_t part, double number, InkSample& out) {
-  if (part == kX) out.position.x = number;
-  if (part == kY) out.position.y = number;
+  if (part == kXPart) out.position.x = number;
+  if (part == kYPart) out.position.y = number;
   // Drivers overshoot their own range by a little; a pressure has no meaning outside 0..1.
-  if (part == kPressure) out.pressure = std::fmin(std::fmax(number, 0.0), 1.0);
-  if (part == kTime) out.time_ns = std::llround(number * 1e6);
+  if (part == kPressurePart) out.pressure = std::fmin(std::fmax(number, 0.0), 1.0);
+  if (part == kTimePart) out.time_ns = std::llround(number * 1e6);
 }
 
 Result<void> parse_lean(Value& value, InkSample& out) {
@@ -95,8 +95,8 @@ Result<void> parse_part(Value& value, std::size_t part, InkSample& out) {
   if (part == kPartCount) return parse_more(value, out);
   if (part > kPartCount) return check_ignored(value);
   const std::string_view token = token_of(value);
-  if (part >= kPressure && token == "null") return {};
-  const NumberLimit limit = part == kTime ? kTimeLimit : kCoordinateLimit;
+  if (part >= kPressurePart && token == "null") return {};
+  const NumberLimit limit = part == kTimePart ? kTimeLimit : kCoordinateLimit;
   double number = 0.0;
   if (!read_number(value, limit, number)) {
     return tl::unexpected(with_context(number_error(token, limit), kPartNames[part]));

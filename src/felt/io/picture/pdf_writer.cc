@@ -20,12 +20,12 @@ namespace {
 
 constexpr double kPointsPerMm = 72.0 / 25.4;
 constexpr double kMostPoints = 14'400.0;
-constexpr double kFarthestMm = 1e6;
+constexpr double kClipMarginMm = 1e6;
 constexpr double kStepsPerMm = 1e3;  // of coordinates: 1e-3 mm
 constexpr double kHairMm = 5e-4;
 
 /// A value to four places without trailing zeros, and a space.
-void append_number(std::string& out, double value) {
+void append_pdf_number(std::string& out, double value) {
   constexpr double kPlaces = 1e4;
   std::array<char, 40> text;
   const double rounded = std::round(value * kPlaces) / kPlaces;
@@ -36,7 +36,7 @@ void append_number(std::string& out, double value) {
 }
 
 /// A length of the sheet in whole steps, and a space.
-void append_steps(std::string& out, double mm) {
+void append_grid_steps(std::string& out, double mm) {
   std::array<char, 24> text;
   out.append(
       text.data(),
@@ -56,17 +56,17 @@ class Content {
     std::snprintf(text.data(), text.size(), "%.*f 0 0 %.*f ", kMatrixDigits,
                   kPointsPerMm / kStepsPerMm, kMatrixDigits, -kPointsPerMm / kStepsPerMm);
     out_ += text.data();
-    append_number(out_, -area.x0 * kPointsPerMm);
-    append_number(out_, area.y1 * kPointsPerMm);
+    append_pdf_number(out_, -area.x0 * kPointsPerMm);
+    append_pdf_number(out_, area.y1 * kPointsPerMm);
     out_ += "cm\n";
   }
 
   void paper(const Rect& area, Rgba color) {
     set_color(color);
-    append_steps(out_, area.x0);
-    append_steps(out_, area.y0);
-    append_steps(out_, area.width());
-    append_steps(out_, area.height());
+    append_grid_steps(out_, area.x0);
+    append_grid_steps(out_, area.y0);
+    append_grid_steps(out_, area.width());
+    append_grid_steps(out_, area.height());
     out_ += "re f\n";
   }
 
@@ -106,15 +106,15 @@ class Content {
 
   void points(const Point* p, int count, const char* verb) {
     for (int i = 0; i < count; ++i) {
-      append_steps(out_, p[i].x);
-      append_steps(out_, p[i].y);
+      append_grid_steps(out_, p[i].x);
+      append_grid_steps(out_, p[i].y);
     }
     out_ += verb;
   }
 
   void set_color(Rgba color) {
     if (has_color_ && color == color_) return;
-    for (const std::uint8_t c : {color.r, color.g, color.b}) append_number(out_, c / 255.0);
+    for (const std::uint8_t c : {color.r, color.g, color.b}) append_pdf_number(out_, c / 255.0);
     out_ += "rg\n";
     if (!has_color_ || color.a != color_.a) out_ += "/A" + std::to_string(color.a) + " gs\n";
     color_ = color;
@@ -154,12 +154,12 @@ class Masks {
     const Rect area = mask.area.inflated(-kHairMm);
     std::string place = "q ";
     for (const double v : {area.width(), 0.0, 0.0, -area.height(), area.x0, area.y1}) {
-      append_number(place, kStepsPerMm * v);
+      append_pdf_number(place, kStepsPerMm * v);
     }
     place += "cm /P Do Q\n";
     std::string group = "<< /Type /XObject /Subtype /Form /BBox [";
     for (const double v : {mask.area.x0, mask.area.y0, mask.area.x1, mask.area.y1}) {
-      append_number(group, kStepsPerMm * v);
+      append_pdf_number(group, kStepsPerMm * v);
     }
     group +=
         "] /Group << /S /Transparency /CS /DeviceGray /I true >> /Resources << /XObject << /P " +
@@ -176,15 +176,15 @@ class Masks {
 std::string page_object(const Rect& area, const std::set<std::uint8_t>& alphas,
                         const Masks& masks) {
   std::string out = "<< /Type /Page /Parent 2 0 R /MediaBox [0 0 ";
-  append_number(out, area.width() * kPointsPerMm);
-  append_number(out, area.height() * kPointsPerMm);
+  append_pdf_number(out, area.width() * kPointsPerMm);
+  append_pdf_number(out, area.height() * kPointsPerMm);
   // A group: transparency is worked out in sRGB-like device colours, as everywhere else here.
   out +=
       "] /Contents 4 0 R /Group << /S /Transparency /CS /DeviceRGB >> "
       "/Resources << /ExtGState <<";
   for (const std::uint8_t alpha : alphas) {
     out += " /A" + std::to_string(alpha) + " << /ca ";
-    append_number(out, alpha / 255.0);
+    append_pdf_number(out, alpha / 255.0);
     out += ">>";
   }
   for (std::size_t mask = 1; mask <= masks.count(); ++mask) {
@@ -203,7 +203,7 @@ Result<void> check(const DrawingView& drawing, const PdfOptions& options, const 
   if (!(area.width() > 0.0) || !(area.height() > 0.0) || !(longest <= kMostPoints)) {
     return fail(ErrorCode::kLimitExceeded, "a PDF page has sides from above 0 to 5080 mm");
   }
-  const Rect reach = area.inflated(kFarthestMm);
+  const Rect reach = area.inflated(kClipMarginMm);
   for (const LayerView& layer : drawing.layers) {
     for (std::size_t i = 0; i < layer.count; ++i) {
       const Rect ink = layer.stroke(i).bounds();
@@ -337,8 +337,7 @@ class PdfParts final : public DrawingParts {
 }  // namespace
 
 Result<std::unique_ptr<DrawingParts>> pdf_parts(DrawingView drawing, const PdfOptions& options) {
-  const Rect area =
-      picture_area(drawing.ink(), options.sheet, options.margin_mm);
+  const Rect area = picture_area(drawing.ink(), options.sheet, options.margin_mm);
   if (auto ok = check(drawing, options, area); !ok) return tl::unexpected(ok.error());
   return std::make_unique<PdfParts>(std::move(drawing), options, area);
 }

@@ -18,7 +18,7 @@ namespace {
 namespace fs = std::filesystem;
 using ::testing::HasSubstr;
 
-Sketch random_sketch(std::uint64_t seed, int count) {
+Sketch sketch_on_page(std::uint64_t seed, int count) {
   Sketch sketch;
   for (int i = 0; i < count; ++i) {
     StrokeData data =
@@ -32,7 +32,7 @@ Sketch random_sketch(std::uint64_t seed, int count) {
 /// Every object begins where the table of the file says.
 TEST(PdfWriter, TheTableFindsEveryObject) {
   for (std::uint64_t seed = 0; seed < 20; ++seed) {
-    const std::string pdf = pdf_text(random_sketch(seed, static_cast<int>(seed)), {}).value();
+    const std::string pdf = pdf_text(sketch_on_page(seed, static_cast<int>(seed)), {}).value();
     const std::size_t start = std::stoul(pdf.substr(pdf.rfind("startxref") + 10));
     ASSERT_EQ(pdf.substr(start, 5), "xref\n");
     const std::size_t first = pdf.find("65535 f \n", start) + 9;
@@ -44,7 +44,7 @@ TEST(PdfWriter, TheTableFindsEveryObject) {
     const std::size_t length = std::stoul(pdf.substr(pdf.find("\n5 0 obj\n") + 9));
     const std::size_t stream = pdf.find("stream\n") + 7;
     EXPECT_EQ(pdf.substr(stream + length, 9), "endstream");
-    EXPECT_EQ(pdf, pdf_text(random_sketch(seed, static_cast<int>(seed)), {}).value());
+    EXPECT_EQ(pdf, pdf_text(sketch_on_page(seed, static_cast<int>(seed)), {}).value());
   }
 }
 
@@ -70,7 +70,7 @@ TEST(PdfWriter, AnotherProgramSeesTheSameInk) {
   constexpr double kDpi = 150.0;
   const Rect sheet{0.0, 0.0, 60.96, 60.96};  // 360 pixels
   for (std::uint64_t seed = 0; seed < 5; ++seed) {
-    const Sketch sketch = random_sketch(seed, 8);
+    const Sketch sketch = sketch_on_page(seed, 8);
     const std::string pdf = folder + "/a.pdf";
     const Rgba paper{255, 250, 240, 255};
     ASSERT_TRUE(write_pdf(pdf, sketch, {.sheet = sheet, .paper = paper}));

@@ -14,7 +14,7 @@
 namespace felt {
 namespace {
 
-constexpr std::size_t kBatchBytes = std::size_t{64} << 10;
+constexpr std::size_t kReadBytes = std::size_t{64} << 10;
 constexpr double kSquare = 255.0;  // units of the simplified drawings
 constexpr double kInset = 0.5 * (kQuickdrawCellMm - kSquare * kQuickdrawMmPerUnit);
 
@@ -122,7 +122,7 @@ Result<ImportedDrawing> import_quickdraw(std::string_view text, const ImportOpti
   LineReader lines(read_text(text));
   LineBatch batch;
   for (;;) {
-    const Result<bool> more = lines.fill(batch, kBatchBytes);
+    const Result<bool> more = lines.fill(batch, kReadBytes);
     if (!more) return tl::unexpected(more.error());
     if (!*more) break;
     for (std::size_t i = 0; i < batch.size(); ++i) reader.add(batch.line(i));

@@ -9,7 +9,7 @@ namespace {
 
 using testing::HasSubstr;
 
-std::string error_of(const std::string& line) {
+std::string parse_error(const std::string& line) {
   LineReader reader(read_text(line));
   LineBatch batch;
   EXPECT_TRUE(reader.fill(batch, line.size()).value());
@@ -44,23 +44,24 @@ TEST(QuickdrawLine, SimplifiedAndRaw) {
 }
 
 TEST(QuickdrawLine, ErrorsNameTheElement) {
-  EXPECT_THAT(error_of(R"({"word":"cat"})"), HasSubstr("key \"drawing\" is missing"));
-  EXPECT_THAT(error_of(R"({"drawing":[]})"), HasSubstr("holds no stroke"));
-  EXPECT_THAT(error_of(R"({"drawing":[[[1,2],[3]]]})"),
+  EXPECT_THAT(parse_error(R"({"word":"cat"})"), HasSubstr("key \"drawing\" is missing"));
+  EXPECT_THAT(parse_error(R"({"drawing":[]})"), HasSubstr("holds no stroke"));
+  EXPECT_THAT(parse_error(R"({"drawing":[[[1,2],[3]]]})"),
               HasSubstr("drawing[0]: a stroke needs as many y"));
-  EXPECT_THAT(error_of(R"({"drawing":[[[1],[3],[]]]})"), HasSubstr("as many y, and t"));
-  EXPECT_THAT(error_of(R"({"drawing":[[[],[]]]})"),
+  EXPECT_THAT(parse_error(R"({"drawing":[[[1],[3],[]]]})"), HasSubstr("as many y, and t"));
+  EXPECT_THAT(parse_error(R"({"drawing":[[[],[]]]})"),
               HasSubstr("drawing[0]: a stroke needs a point"));
-  EXPECT_THAT(error_of(R"({"drawing":[[[1],["a"]]]})"), HasSubstr("drawing[0]: y[0]: "));
-  EXPECT_THAT(error_of(R"({"drawing":[[[1],[2]],7]})"), HasSubstr("drawing[1]: 7 is not an array"));
-  EXPECT_THAT(error_of(R"({"drawing":3})"), HasSubstr("drawing: 3 is not an array"));
-  EXPECT_THAT(error_of(R"({"word":3,"drawing":[[[1],[2]]]})"),
+  EXPECT_THAT(parse_error(R"({"drawing":[[[1],["a"]]]})"), HasSubstr("drawing[0]: y[0]: "));
+  EXPECT_THAT(parse_error(R"({"drawing":[[[1],[2]],7]})"),
+              HasSubstr("drawing[1]: 7 is not an array"));
+  EXPECT_THAT(parse_error(R"({"drawing":3})"), HasSubstr("drawing: 3 is not an array"));
+  EXPECT_THAT(parse_error(R"({"word":3,"drawing":[[[1],[2]]]})"),
               HasSubstr("word: 3 is not a string"));
 }
 
 TEST(QuickdrawLine, NumbersAtTheirLimits) {
   const auto fits = [](const std::string& x) {
-    return error_of(R"({"drawing":[[[)" + x + R"(],[0]]]})").empty();
+    return parse_error(R"({"drawing":[[[)" + x + R"(],[0]]]})").empty();
   };
   EXPECT_TRUE(fits("999999999"));
   EXPECT_TRUE(fits("1000000000"));

@@ -16,10 +16,10 @@ using json::Field;
 using json::Value;
 
 /// The columns of a stroke, one array each.
-using Columns = std::array<std::vector<double>, 3>;
+using InkColumns = std::array<std::vector<double>, 3>;
 constexpr std::array<const char*, 3> kColumnNames = {"x", "y", "t"};
 
-Result<void> parse_column(Value& value, std::size_t column, Columns& columns) {
+Result<void> parse_column(Value& value, std::size_t column, InkColumns& columns) {
   if (column >= columns.size()) return json::check_ignored(value);
   const json::NumberLimit limit = column == 2 ? json::kTimeLimit : json::kCoordinateLimit;
   columns[column].clear();
@@ -40,7 +40,7 @@ Result<void> parse_stroke(Value& value, std::vector<InkSample>& samples) {
   if (value.get_array().get(parts)) {
     return json::bad(json::excerpt(whole) + " is not an array");
   }
-  Columns columns;
+  InkColumns columns;
   std::size_t count = 0;
   for (auto element : parts) {
     Value part;

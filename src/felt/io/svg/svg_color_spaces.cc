@@ -14,7 +14,7 @@ namespace {
 using Triple = std::array<double, 3>;
 using Matrix = std::array<Triple, 3>;
 
-constexpr int kMaxNesting = 8;  // of light-dark() and color-mix()
+constexpr int kMaxColorNesting = 8;  // of light-dark() and color-mix()
 
 Triple times(const Matrix& m, const Triple& v) noexcept {
   Triple r{};
@@ -224,7 +224,7 @@ std::optional<Rgba> system_color(std::string_view name) {
 }
 
 bool is_too_nested(std::string_view text) noexcept {
-  return std::count(text.begin(), text.end(), '(') > kMaxNesting;
+  return std::count(text.begin(), text.end(), '(') > kMaxColorNesting;
 }
 
 }  // namespace

@@ -28,12 +28,6 @@ ImportedDrawing imported(const std::string& text) {
   return result ? *std::move(result) : ImportedDrawing();
 }
 
-std::string notices(const ImportedDrawing& drawing) {
-  std::string text;
-  for (const ImportNotice& n : drawing.report.notices()) text += notice_text(n) + "\n";
-  return text;
-}
-
 Sketch strokes(const ImportedDrawing& drawing) {
   Sketch all;
   for (const SketchLayer& layer : drawing.drawing.layers) {
@@ -50,7 +44,7 @@ TEST(SvgForeign, CurvesAreTakenAsTheyAre) {
   const ImportedDrawing drawing = imported(svg("<path id='leaf'" + std::string(kLine) +
                                                " d='M1 2C3 4 5 6 7 8S11 12 13 2l0 10'/><path" +
                                                kLine + " d='M20 20h10v10z'/>"));
-  EXPECT_TRUE(drawing.report.empty()) << notices(drawing);
+  EXPECT_TRUE(drawing.report.empty()) << notice_lines(drawing);
   const Sketch ink = strokes(drawing);
   ASSERT_EQ(ink.size(), 2U);
   const StrokeData& d = ink[0].stroke.data();
@@ -78,7 +72,7 @@ TEST(SvgForeign, ShortSegmentsGoIntoTheirNeighbours) {
       imported(svg("<path" + std::string(kLine) + " d='" + d + "z'/><path" + kLine +
                    " d='M40 40h0.01'/><path" + kLine + " d='M50 50h5v0l0.02 0h5'/>"));
   const Sketch ink = strokes(drawing);
-  ASSERT_EQ(ink.size(), 3U) << notices(drawing);
+  ASSERT_EQ(ink.size(), 3U) << notice_lines(drawing);
   EXPECT_TRUE(ink[0].stroke.closed());
   for (double u = 0.0; u <= ink[0].stroke.segment_count(); u += 0.25) {
     EXPECT_NEAR(distance(ink[0].stroke.position(u), {10, 10}), 2.0, 0.05);
@@ -86,7 +80,7 @@ TEST(SvgForeign, ShortSegmentsGoIntoTheirNeighbours) {
   EXPECT_NEAR(distance(ink[1].stroke.position(0.5), {40.005, 40}), 0.0, 1e-9);
   EXPECT_EQ(ink[2].stroke.segment_count(), 2);
   EXPECT_EQ(ink[2].stroke.data().points.back(), (Point{60.02, 50}));
-  EXPECT_THAT(notices(drawing), HasSubstr("shorter than 0.05 mm"));
+  EXPECT_THAT(notice_lines(drawing), HasSubstr("shorter than 0.05 mm"));
 }
 
 TEST(SvgForeign, StretchedPensAreAsWideAsTheyGo) {
@@ -102,7 +96,7 @@ TEST(SvgForeign, StretchedPensAreAsWideAsTheyGo) {
   EXPECT_NEAR(ink[2].stroke.width_mm(1.5), 6.0, 1e-9);
   EXPECT_NEAR(ink[3].stroke.width_mm(0.0), 6.0, 1e-9);
   EXPECT_NEAR(ink[3].stroke.width_mm(1.0), 2.0, 1e-9);
-  EXPECT_THAT(notices(drawing), HasSubstr("stretched in one direction"));
+  EXPECT_THAT(notice_lines(drawing), HasSubstr("stretched in one direction"));
 }
 
 TEST(SvgForeign, DashesAreStrokes) {
@@ -128,8 +122,8 @@ TEST(SvgForeign, FillingsBecomeEdges) {
   EXPECT_EQ(ink[0].stroke.color(), (Rgba{0, 128, 128, 255}));
   EXPECT_EQ(ink[0].stroke.width_mm(0.0), 0.35);
   EXPECT_EQ(ink[1].stroke.color(), (Rgba{255, 0, 0, 255}));
-  EXPECT_THAT(notices(drawing), HasSubstr("line 2: path 'a' is filled and has no line"));
-  EXPECT_THAT(notices(drawing), HasSubstr("line 3: circle has a filling, which was left out"));
+  EXPECT_THAT(notice_lines(drawing), HasSubstr("line 2: path 'a' is filled and has no line"));
+  EXPECT_THAT(notice_lines(drawing), HasSubstr("line 3: circle has a filling, which was left out"));
 }
 
 TEST(SvgForeign, SaysWhatItLeavesOut) {
@@ -142,7 +136,7 @@ TEST(SvgForeign, SaysWhatItLeavesOut) {
       "xlink:href='#none'/><path visibility='hidden' d='M1 1h9'/><rect fill='url(#g)' width='9' "
       "height='9'/><linearGradient id='g'><stop stop-color='red'/></linearGradient><foreignObject/>"
       "<path stroke='red' d='M1 1h9x'/>"));
-  const std::string text = notices(drawing);
+  const std::string text = notice_lines(drawing);
   for (const char* expected :
        {"line 2: text 'title' is no ink and was left out (and 3 more like it)",
         "line 5: script was left out: nothing moves", "line 6: g has a filter",
@@ -199,7 +193,7 @@ TEST(SvgForeign, PowerStrokesHaveTheirWidths) {
   const ImportedDrawing linear =
       imported(power_stroke("interpolator_type='Linear' offset_points='0.5,1 | 1.25,2'",
                             "M10 10C13 10 17 10 20 10L30 20"));
-  EXPECT_TRUE(linear.report.empty()) << notices(linear);
+  EXPECT_TRUE(linear.report.empty()) << notice_lines(linear);
   const Stroke stroke = strokes(linear).at(0).stroke;
   EXPECT_EQ(stroke.data().widths, (std::vector<WidthKnot>{{0, 2}, {0.5, 2}, {1.25, 4}, {2, 4}}));
   EXPECT_EQ(stroke.color(), (Rgba{0, 128, 128, 255}));
@@ -207,7 +201,7 @@ TEST(SvgForeign, PowerStrokesHaveTheirWidths) {
       "interpolator_type='CubicBezierJohan' scale_width='2' end_linecap_type='zerowidth' "
       "offset_points='0,1 | 1,2'",
       "M10 10L20 10L30 20"));
-  EXPECT_THAT(notices(johan), HasSubstr("CubicBezierJohan, which were sampled"));
+  EXPECT_THAT(notice_lines(johan), HasSubstr("CubicBezierJohan, which were sampled"));
   const Stroke sampled = strokes(johan).at(0).stroke;
   EXPECT_EQ(sampled.width_mm(0.0), 4.0);
   EXPECT_EQ(sampled.width_mm(1.0), 8.0);
@@ -218,7 +212,7 @@ TEST(SvgForeign, PowerStrokesHaveTheirWidths) {
   EXPECT_NEAR(strokes(ring).at(0).stroke.width_mm(0.0), 3.0, 1e-9);
   EXPECT_NEAR(strokes(ring).at(0).stroke.width_mm(4.0), 3.0, 1e-9);
   const ImportedDrawing broken = imported(power_stroke("offset_points=''", "M10 10h10"));
-  EXPECT_THAT(notices(broken), HasSubstr("has lost its variable width"));
+  EXPECT_THAT(notice_lines(broken), HasSubstr("has lost its variable width"));
   EXPECT_EQ(strokes(broken).size(), 1U);
 }
 
@@ -297,12 +291,12 @@ TEST(SvgForeign, RepeatingElementsEnds) {
     text += "</g>";
   }
   const ImportedDrawing bomb = imported(svg(text + "<path id='l10'" + kLine + " d='M1 1h9'/>"));
-  EXPECT_THAT(notices(bomb), HasSubstr("'use' repeats more than is taken"));
+  EXPECT_THAT(notice_lines(bomb), HasSubstr("'use' repeats more than is taken"));
   EXPECT_LE(strokes(bomb).size(), static_cast<std::size_t>(limits::kMaxSvgUseElements));
   const ImportedDrawing cycle = imported(
       svg("<g id='a'><use xlink:href='#b'/></g><g id='b'><use xlink:href='#a'/></g><use id='c' "
           "xlink:href='#c'/>"));
-  EXPECT_THAT(notices(cycle), HasSubstr("it repeats itself"));
+  EXPECT_THAT(notice_lines(cycle), HasSubstr("it repeats itself"));
   // One long path, repeated: the curves of all of them are bounded.
   std::string path = "M0 0";
   for (int i = 0; i < 20000; ++i) path += "l9 9";
@@ -315,7 +309,7 @@ TEST(SvgForeign, RepeatingElementsEnds) {
     segments += static_cast<std::size_t>(s.stroke.segment_count());
   }
   EXPECT_LE(segments, limits::kSpareSvgSegments + long_file.size() / 2);
-  EXPECT_THAT(notices(many), HasSubstr("more curves than are taken"));
+  EXPECT_THAT(notice_lines(many), HasSubstr("more curves than are taken"));
 }
 
 /// What costs time without being an element that is repeated: each of these would take minutes.
@@ -361,7 +355,7 @@ TEST(SvgForeign, DashesEnd) {
   EXPECT_GT(strokes(dashes("0.5 0.50002")).size(), limits::kMaxSvgDashes - 10);
   const ImportedDrawing over = dashes("0.5 0.49");
   EXPECT_EQ(strokes(over).size(), 1U);
-  EXPECT_THAT(notices(over), HasSubstr("became a solid line"));
+  EXPECT_THAT(notice_lines(over), HasSubstr("became a solid line"));
   EXPECT_EQ(strokes(dashes("1e-7")).size(), 1U);
 }
 

@@ -60,13 +60,6 @@ ImportedDrawing imported(std::string_view svg) {
   return result ? *std::move(result) : ImportedDrawing();
 }
 
-/// All notices, one a line.
-std::string notices(const ImportedDrawing& drawing) {
-  std::string text;
-  for (const ImportNotice& n : drawing.report.notices()) text += notice_text(n) + "\n";
-  return text;
-}
-
 std::string changed(std::string text, std::string_view from, std::string_view to) {
   const std::size_t at = text.find(from);
   EXPECT_NE(at, std::string::npos) << from;
@@ -86,7 +79,7 @@ TEST(SvgImport, DrawingsComeBackEqual) {
     const std::string text = svg_text(drawing, {}).value();
     const ImportedDrawing back = imported(text);
     ASSERT_EQ(back.drawing, drawing) << "seed " << seed;
-    EXPECT_TRUE(back.report.empty()) << "seed " << seed << ": " << notices(back);
+    EXPECT_TRUE(back.report.empty()) << "seed " << seed << ": " << notice_lines(back);
     EXPECT_EQ(svg_text(back.drawing, {}).value(), text) << "seed " << seed;
   }
 }
@@ -98,7 +91,7 @@ TEST(SvgImport, AsManyLayersComeBackAsADrawingMayHave) {
   }
   drawing.layers.back().strokes = random_sketch(1, 1);
   const ImportedDrawing back = imported(svg_text(drawing, {}).value());
-  EXPECT_TRUE(back.report.empty()) << notices(back);
+  EXPECT_TRUE(back.report.empty()) << notice_lines(back);
   EXPECT_EQ(back.drawing.layers.size(), drawing.layers.size());
   EXPECT_TRUE(back.drawing == drawing);
 }
@@ -113,7 +106,7 @@ TEST(SvgImport, PlainSketchesComeBackEqual) {
     ASSERT_EQ(back.drawing.layers.size(), 1U);
     EXPECT_EQ(back.drawing.layers[0].strokes, sketch) << "seed " << seed;
     EXPECT_EQ(back.drawing.layers[0].name, "Ink");
-    EXPECT_TRUE(back.report.empty()) << notices(back);
+    EXPECT_TRUE(back.report.empty()) << notice_lines(back);
     if (!options.sheet) continue;
     ASSERT_TRUE(back.drawing.page);
     EXPECT_EQ(back.drawing.page->area(), *options.sheet);
@@ -174,7 +167,7 @@ TEST(SvgImport, TonesComeBackAndDamagedOnesAreToldOf) {
     SCOPED_TRACE(tones);
     const ImportedDrawing back =
         imported(changed(text, written, "felt:tones=\"" + std::string(tones) + "\""));
-    EXPECT_THAT(notices(back), HasSubstr("tones that are not one number of 0 to 1"));
+    EXPECT_THAT(notice_lines(back), HasSubstr("tones that are not one number of 0 to 1"));
     EXPECT_EQ(back.drawing.layers[0].strokes[0].stroke.data().widths[1],
               (WidthKnot{1.0, 2.0, tone_of_width(2.0)}));
   }
@@ -207,7 +200,7 @@ TEST(SvgImport, OursIsMovedExactly) {
     const ImportedDrawing back = imported(moved);
     ASSERT_EQ(back.drawing.layers.size(), 1U);
     ASSERT_EQ(back.drawing.layers[0].strokes.size(), sketch.size());
-    EXPECT_TRUE(back.report.empty()) << notices(back);
+    EXPECT_TRUE(back.report.empty()) << notice_lines(back);
     const Affine m = svg_transform(transform).value();
     const double scale = std::sqrt(std::fabs(determinant(m)));
     for (std::size_t i = 0; i < sketch.size(); ++i) {
@@ -264,7 +257,7 @@ constexpr const char* kVersion1 = R"svg(<?xml version="1.0" encoding="UTF-8"?>
 
 TEST(SvgImport, FilesOfVersion1ReadAsTheyDid) {
   const ImportedDrawing back = imported(kVersion1);
-  EXPECT_TRUE(back.report.empty()) << notices(back);
+  EXPECT_TRUE(back.report.empty()) << notice_lines(back);
   ASSERT_EQ(back.drawing.layers.size(), 1U);
   StrokeData open, ring;
   open.points = {

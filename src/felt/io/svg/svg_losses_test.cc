@@ -18,12 +18,12 @@ constexpr Rgba kRed{255, 0, 0, 255}, kBlack{0, 0, 0, 255};
 constexpr const char* kRound = " stroke-linecap='round' stroke-linejoin='round' fill='none'";
 
 /// What became of a document whose user unit is a millimetre.
-struct Read {
+struct ReadBack {
   Sketch strokes;
   std::string notices;
   std::optional<SheetPage> page;
-  explicit Read(const std::string& inside, const std::string& before = {},
-                const std::string& behind = {}) {
+  explicit ReadBack(const std::string& inside, const std::string& before = {},
+                    const std::string& behind = {}) {
     Result<ImportedDrawing> result =
         import_svg(before +
                    "<svg xmlns='http://www.w3.org/2000/svg' width='100mm' height='80mm' "
@@ -44,7 +44,7 @@ std::string line(const std::string& attributes) {
 }
 
 Rgba color_of(const std::string& color) {
-  const Read read(line("style='stroke:" + color + "'"));
+  const ReadBack read(line("style='stroke:" + color + "'"));
   EXPECT_THAT(read.notices, IsEmpty()) << color;
   EXPECT_EQ(read.strokes.size(), 1U) << color;
   return read.strokes.empty() ? Rgba{} : read.strokes[0].stroke.color();
@@ -75,12 +75,12 @@ TEST(SvgLosses, ColoursOfCss4) {
 }
 
 TEST(SvgLosses, AColourThatIsNotReadBecomesBlackAndIsTold) {
-  const Read read(line("stroke='rgb(from red r g b)'"));
+  const ReadBack read(line("stroke='rgb(from red r g b)'"));
   ASSERT_EQ(read.strokes.size(), 1U);
   EXPECT_EQ(read.strokes[0].stroke.color(), kBlack);
   EXPECT_THAT(read.notices, HasSubstr("has a stroke that is not read, and became black"));
   // An older form before it is what CSS means it for.
-  const Read older(line("style='stroke:red;stroke:rgb(from blue r g b)'"));
+  const ReadBack older(line("style='stroke:red;stroke:rgb(from blue r g b)'"));
   ASSERT_EQ(older.strokes.size(), 1U);
   EXPECT_EQ(older.strokes[0].stroke.color(), kRed);
   EXPECT_THAT(older.notices, IsEmpty());
@@ -91,21 +91,22 @@ TEST(SvgLosses, Variables) {
       "<style>:root{--ink:red;--w:4;--twice:var(--ink)} .b{--ink:blue}</style>";
   for (const char* red :
        {"var(--ink)", "var(--none, red)", "var(--none, var(--ink))", "var(--twice)"}) {
-    const Read read(sheet + line(std::string("stroke='") + red + "'"));
+    const ReadBack read(sheet + line(std::string("stroke='") + red + "'"));
     ASSERT_EQ(read.strokes.size(), 1U) << red;
     EXPECT_EQ(read.strokes[0].stroke.color(), kRed) << red;
     EXPECT_THAT(read.notices, IsEmpty());
   }
-  const Read inner(sheet + "<g class='b'>" + line("stroke='var(--ink)'") + "</g>" +
-                   line("stroke='var(--ink)' stroke-width='var(--w,5)'"));
+  const ReadBack inner(sheet + "<g class='b'>" + line("stroke='var(--ink)'") + "</g>" +
+                       line("stroke='var(--ink)' stroke-width='var(--w,5)'"));
   ASSERT_EQ(inner.strokes.size(), 2U);
   EXPECT_EQ(inner.strokes[0].stroke.color(), (Rgba{0, 0, 255, 255}));
   EXPECT_EQ(inner.strokes[1].stroke.color(), kRed);
   EXPECT_EQ(inner.strokes[1].stroke.width_mm(0.0), 4.0);
-  const Read unknown(line("stroke='var(--none)'"));
+  const ReadBack unknown(line("stroke='var(--none)'"));
   ASSERT_EQ(unknown.strokes.size(), 1U);
   EXPECT_THAT(unknown.notices, HasSubstr("has a stroke that is not read, and became black"));
-  const Read loop("<style>:root{--a:var(--b);--b:var(--a)}</style>" + line("stroke='var(--a)'"));
+  const ReadBack loop("<style>:root{--a:var(--b);--b:var(--a)}</style>" +
+                      line("stroke='var(--a)'"));
   EXPECT_EQ(loop.strokes.size(), 1U);
 }
 
@@ -119,7 +120,7 @@ TEST(SvgLosses, VariablesThatMultiplyAreLeftOutInBoundedWork) {
     for (int n = 0; n < 30; ++n) style += "var(--" + next + ")";
     style += ";";
   }
-  const Read read(line("style='" + style + "' stroke='var(--a)'"));
+  const ReadBack read(line("style='" + style + "' stroke='var(--a)'"));
   ASSERT_EQ(read.strokes.size(), 1U);
   EXPECT_THAT(read.notices, HasSubstr("has a stroke that is not read, and became black"));
 
@@ -140,26 +141,26 @@ TEST(SvgLosses, VariablesThatMultiplyAreLeftOutInBoundedWork) {
 
 TEST(SvgLosses, WidthsThatAreCalculatedOrNotRead) {
   const auto width = [](const char* text) {
-    return Read(line(std::string("stroke='red' stroke-width='") + text + "'"))
+    return ReadBack(line(std::string("stroke='red' stroke-width='") + text + "'"))
         .strokes.at(0)
         .stroke.width_mm(0.0);
   };
   EXPECT_DOUBLE_EQ(width("calc(1px + 2*(3 - 1))"), 5.0);
   EXPECT_DOUBLE_EQ(width("calc(10px / 4)"), 2.5);
   EXPECT_NEAR(width("calc(1em - 10px)"), 6.0, 1e-9);
-  const Read wrong(line("stroke='red' stroke-width='fat'"));
+  const ReadBack wrong(line("stroke='red' stroke-width='fat'"));
   EXPECT_THAT(wrong.notices, HasSubstr("has a stroke-width that is not read, which was ignored"));
 }
 
 TEST(SvgLosses, PrefixesDeclaredBelowTheRoot) {
-  const Read read(
+  const ReadBack read(
       "<s:g xmlns:s='http://www.w3.org/2000/svg'><s:line x1='1' y1='1' x2='9' y2='1' "
       "stroke='red'/></s:g><o:g xmlns:o='http://other'><o:line/></o:g>");
   EXPECT_EQ(read.strokes.size(), 1U);
 }
 
 TEST(SvgLosses, SizesAndPathsInCss) {
-  const Read read(
+  const ReadBack read(
       "<style>rect{width:50px;height:20px} circle{r:20px;cx:30px;cy:30px} "
       "#p{d:path('M1 1L9 1')}</style><rect stroke='red' fill='none'/><circle "
       "stroke='red' fill='none'/><path id='p' stroke='red' fill='none'/>");
@@ -170,8 +171,8 @@ TEST(SvgLosses, SizesAndPathsInCss) {
 }
 
 TEST(SvgLosses, TransformsAsProperties) {
-  const Read read("<g style='translate: 10px 20px; rotate: 90deg; scale: 2'>" +
-                  line("stroke='red'") + "</g>");
+  const ReadBack read("<g style='translate: 10px 20px; rotate: 90deg; scale: 2'>" +
+                      line("stroke='red'") + "</g>");
   ASSERT_EQ(read.strokes.size(), 1U);
   // (10, 10) is scaled to (20, 20), turned to (-20, 20), moved to (-10, 40).
   const Point begin = read.strokes[0].stroke.position(0.0);
@@ -181,9 +182,10 @@ TEST(SvgLosses, TransformsAsProperties) {
 }
 
 TEST(SvgLosses, PathLengthAndLinesThatAreNotScaled) {
-  const Read dashes(line("stroke='red' stroke-width='0.1' pathLength='8' stroke-dasharray='1 1'"));
+  const ReadBack dashes(
+      line("stroke='red' stroke-width='0.1' pathLength='8' stroke-dasharray='1 1'"));
   EXPECT_EQ(dashes.strokes.size(), 4U);
-  const Read thin(
+  const ReadBack thin(
       "<g transform='scale(10)'><path d='M1 1h5' stroke='red' fill='none' "
       "stroke-width='4' vector-effect='non-scaling-stroke'/></g>");
   ASSERT_EQ(thin.strokes.size(), 1U);
@@ -192,7 +194,7 @@ TEST(SvgLosses, PathLengthAndLinesThatAreNotScaled) {
 
 TEST(SvgLosses, FlatDashesStayAsLongAsTheyAre) {
   // 10 mm of line and 5 mm of gap, 4 mm wide: what is seen of the ink, caps included.
-  const Read read(
+  const ReadBack read(
       "<path d='M0 10h100' fill='none' stroke='red' stroke-width='4' "
       "stroke-dasharray='10 5'/>");
   ASSERT_EQ(read.strokes.size(), 7U);
@@ -201,7 +203,7 @@ TEST(SvgLosses, FlatDashesStayAsLongAsTheyAre) {
     EXPECT_NEAR(seen.x0, 15.0 * static_cast<double>(i), 1e-6) << i;
     EXPECT_NEAR(seen.width(), 10.0, 1e-6) << i;
   }
-  const Read wide(
+  const ReadBack wide(
       "<path d='M0 10h100' fill='none' stroke='red' stroke-width='10' "
       "stroke-dasharray='5 5'/>");
   EXPECT_THAT(wide.notices, HasSubstr("dashes shorter than its width, which became dots"));
@@ -210,8 +212,8 @@ TEST(SvgLosses, FlatDashesStayAsLongAsTheyAre) {
 
 TEST(SvgLosses, AGradientIsItsMeanColour) {
   const auto color = [](const std::string& stops) {
-    const Read read("<linearGradient id='g'>" + stops + "</linearGradient>" +
-                    line("stroke='url(#g)'"));
+    const ReadBack read("<linearGradient id='g'>" + stops + "</linearGradient>" +
+                        line("stroke='url(#g)'"));
     EXPECT_THAT(read.notices, HasSubstr("mean colour of its stops"));
     EXPECT_EQ(read.strokes.size(), 1U);
     return read.strokes.empty() ? Rgba{} : read.strokes[0].stroke.color();
@@ -227,35 +229,37 @@ TEST(SvgLosses, AGradientIsItsMeanColour) {
 
 TEST(SvgLosses, ARectangleThatIsCutIsNoPaper) {
   const std::string rect = "<rect width='100' height='80' fill='green' clip-path='url(#c)'/>";
-  const Read cut("<clipPath id='c'><circle r='5'/></clipPath>" + rect);
+  const ReadBack cut("<clipPath id='c'><circle r='5'/></clipPath>" + rect);
   ASSERT_TRUE(cut.page);
   EXPECT_NE(cut.page->paper, (Rgba{0, 128, 0, 255}));
-  const Read inherited("<g clip-path='url(#c)'><rect width='100' height='80' fill='green'/></g>");
+  const ReadBack inherited(
+      "<g clip-path='url(#c)'><rect width='100' height='80' fill='green'/></g>");
   EXPECT_NE(inherited.page->paper, (Rgba{0, 128, 0, 255}));
-  const Read whole("<rect width='100' height='80' fill='green'/>");
+  const ReadBack whole("<rect width='100' height='80' fill='green'/>");
   EXPECT_EQ(whole.page->paper, (Rgba{0, 128, 0, 255}));
 }
 
 TEST(SvgLosses, WhatIsLeftOutIsTold) {
   const std::string red = line("stroke='red'");
-  EXPECT_THAT(Read(red, "<?xml-stylesheet href='a.css'?>").notices,
+  EXPECT_THAT(ReadBack(red, "<?xml-stylesheet href='a.css'?>").notices,
               HasSubstr("names a style sheet in another file"));
-  EXPECT_THAT(Read("<style>g{fill:red;&:hover{fill:blue}}</style>" + red).notices,
+  EXPECT_THAT(ReadBack("<style>g{fill:red;&:hover{fill:blue}}</style>" + red).notices,
               HasSubstr("rules of style sheets are not known"));
-  EXPECT_THAT(Read("<path d='M0 0h9' fill='none' marker-end='url(#m)'/>" + red).notices,
+  EXPECT_THAT(ReadBack("<path d='M0 0h9' fill='none' marker-end='url(#m)'/>" + red).notices,
               HasSubstr("has markers, which were left out"));
-  EXPECT_THAT(Read("<g style='mix-blend-mode:multiply'>" + red + "</g>").notices,
+  EXPECT_THAT(ReadBack("<g style='mix-blend-mode:multiply'>" + red + "</g>").notices,
               HasSubstr("blend mode, which was ignored"));
-  EXPECT_THAT(Read("<g style='zoom:2'>" + red + "</g>").notices, HasSubstr("has a zoom"));
-  EXPECT_THAT(Read("<solidColor id='s' solid-color='red'/>" + line("stroke='url(#s)'"))
+  EXPECT_THAT(ReadBack("<g style='zoom:2'>" + red + "</g>").notices, HasSubstr("has a zoom"));
+  EXPECT_THAT(ReadBack("<solidColor id='s' solid-color='red'/>" + line("stroke='url(#s)'"))
                   .strokes.at(0)
                   .stroke.color(),
               kRed);
 }
 
 TEST(SvgLosses, WhatFollowsTheFirstRootIsTold) {
-  const Read two(line("stroke='red'"), "",
-                 "<svg xmlns='http://www.w3.org/2000/svg'><path d='M0 0h9' stroke='red'/></svg>");
+  const ReadBack two(
+      line("stroke='red'"), "",
+      "<svg xmlns='http://www.w3.org/2000/svg'><path d='M0 0h9' stroke='red'/></svg>");
   EXPECT_EQ(two.strokes.size(), 1U);
   EXPECT_THAT(two.notices, HasSubstr("svg was skipped: it follows the end of the drawing"));
 }
@@ -265,7 +269,7 @@ TEST(SvgLosses, APathThatIsTooLongForAStrokeBecomesSeveral) {
   for (std::size_t i = 1; i <= limits::kMaxSvgStrokeSegments + 10; ++i) {
     d += "L" + std::to_string(i % 100) + " " + std::to_string(i % 7);
   }
-  const Read read("<path stroke='red' fill='none' d='" + d + "'/>");
+  const ReadBack read("<path stroke='red' fill='none' d='" + d + "'/>");
   ASSERT_EQ(read.strokes.size(), 2U);
   const Stroke& first = read.strokes[0].stroke;
   EXPECT_EQ(first.position(first.segment_count()), read.strokes[1].stroke.position(0.0));

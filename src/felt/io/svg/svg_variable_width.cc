@@ -140,10 +140,6 @@ constexpr double kAnyDifference = std::numeric_limits<double>::infinity();
 /// How far knots that we wrote may be from those of the model: places, and widths in mm.
 constexpr double kKnotPlace = 1e-4, kKnotWidthMm = 1.5 / kSvgStepsPerMm;
 
-tl::unexpected<Error> bad(std::string what) {
-  return fail(ErrorCode::kInvalidData, std::move(what));
-}
-
 bool read_joints(std::string_view text, std::vector<JointKind>& joints) {
   SvgScan scan(text);
   while (!scan.at_end()) {
@@ -333,7 +329,7 @@ void move_to_sheet(StrokeData& d, const Affine& m, std::vector<std::string>& not
 /// Path of a PowerStroke whose widths are not ours.
 Result<StrokeData> power_stroke(const SvgVariableWidth& a, const SvgContour& line,
                                 std::vector<std::string>& notices) {
-  if (!a.has_effect) return bad("its centre line was changed by another program");
+  if (!a.has_effect) return invalid_data("its centre line was changed by another program");
   Result<SvgPowerKnots> knots = svg_power_knots(a, line.segment_count(), line.closed);
   if (!knots) return tl::unexpected(knots.error());
   if (knots->is_sampled) {
@@ -359,8 +355,8 @@ bool svg_is_similarity(const Affine& m) noexcept {
 Result<SvgWideStroke> svg_wide_stroke(const SvgVariableWidth& a, const Affine& to_mm) {
   SvgPathData path =
       parse_svg_path(a.center_line, limits::kMaxSvgSegments, limits::kMaxSvgPathNumber);
-  if (path.contours.empty()) return bad("it has no centre line");
-  if (!path.problem.empty()) return bad("its centre line has an error");
+  if (path.contours.empty()) return invalid_data("it has no centre line");
+  if (!path.problem.empty()) return invalid_data("its centre line has an error");
   SvgWideStroke wide;
   if (path.contours.size() > 1) {
     wide.notices.emplace_back("has a centre line of several parts; the first was taken");

@@ -8,7 +8,7 @@
 namespace felt {
 namespace {
 
-constexpr int kMaxNesting = 8;
+constexpr int kMaxVariableNesting = 8;
 constexpr std::size_t kMaxBytes = 4096;
 /// Of one value; each replacement counts as kReplacementBytes more than the text that it reads.
 constexpr std::size_t kMaxReadBytes = std::size_t{64} << 10, kReplacementBytes = 16;
@@ -35,7 +35,7 @@ std::size_t closing(std::string_view text) noexcept {
 /// values of 30 variables each are 10^10 replacements of nothing. `bytes_left` does.
 std::optional<std::string> replaced(std::string_view value, const SvgVariables& variables,
                                     int nesting, std::size_t& bytes_left) {
-  if (nesting > kMaxNesting || !spend(kReplacementBytes + value.size(), bytes_left)) {
+  if (nesting > kMaxVariableNesting || !spend(kReplacementBytes + value.size(), bytes_left)) {
     return std::nullopt;
   }
   std::string text;
@@ -103,7 +103,7 @@ class Calculation {
   std::optional<double> value(int nesting) {
     scan_.skip_spaces();
     if (scan_.take("calc(") || scan_.take('(')) {
-      if (nesting == kMaxNesting) return std::nullopt;
+      if (nesting == kMaxVariableNesting) return std::nullopt;
       const std::optional<double> inside = sum(nesting + 1);
       scan_.skip_spaces();
       return scan_.take(')') ? inside : std::nullopt;

@@ -26,7 +26,7 @@ namespace {
 namespace fs = std::filesystem;
 using ::testing::HasSubstr;
 
-Sketch random_sketch(std::uint64_t first, int count) {
+Sketch sketch_in_rows(std::uint64_t first, int count) {
   Sketch sketch;
   for (int i = 0; i < count; ++i) {
     const std::uint64_t seed = first + static_cast<std::uint64_t>(i);
@@ -133,7 +133,7 @@ pugi::xml_document parsed(const std::string& text) {
 constexpr std::size_t kMostBytesAStroke = 3200;
 
 TEST(SvgWriter, CarriesTheModelExactly) {
-  const Sketch sketch = random_sketch(100, 60);
+  const Sketch sketch = sketch_in_rows(100, 60);
   const auto document = parsed(svg_text(sketch, {}).value());
   std::size_t i = 0;
   for (const pugi::xml_node path : document.child("svg").child("g").children("path")) {
@@ -184,7 +184,7 @@ Outline outline_in(const std::string& d) {
 
 /// As other programs see it: the written path, rounded to steps, with lines for flat curves.
 TEST(SvgWriter, R53_TheWrittenPathIsWithinAHundredthOfAMillimetre) {
-  const Sketch sketch = random_sketch(300, 60);
+  const Sketch sketch = sketch_in_rows(300, 60);
   const auto document = parsed(svg_text(sketch, {}).value());
   std::size_t i = 0;
   for (const pugi::xml_node path : document.child("svg").child("g").children("path")) {
@@ -198,7 +198,7 @@ TEST(SvgWriter, R53_TheWrittenPathIsWithinAHundredthOfAMillimetre) {
 
 /// 6.6 kB a stroke before there were steps and exact numbers beside them.
 TEST(SvgWriter, R53_AStrokeTakesFewBytes) {
-  const Sketch sketch = random_sketch(100, 60);
+  const Sketch sketch = sketch_in_rows(100, 60);
   EXPECT_LE(svg_text(sketch, {})->size() / sketch.size(), kMostBytesAStroke);
 }
 
@@ -252,7 +252,7 @@ TEST(SvgWriter, RefusesWhatXmlCannotHold) {
 }
 
 TEST(SvgWriter, FileAndTextAreTheSame) {
-  const Sketch sketch = random_sketch(7, 12);
+  const Sketch sketch = sketch_in_rows(7, 12);
   const std::string path = scratch_path("svg-test.svg");
   ASSERT_TRUE(write_svg(path, sketch, {}));
   std::ifstream in(path, std::ios::binary);
@@ -279,7 +279,7 @@ TEST(SvgWriter, AnotherProgramShowsTheSamePicture) {
   if (std::system("command -v rsvg-convert >/dev/null 2>&1") != 0) {
     GTEST_SKIP() << "rsvg-convert is not installed (package librsvg2-bin)";
   }
-  const Sketch sketch = random_sketch(40, 16);
+  const Sketch sketch = sketch_in_rows(40, 16);
   const SvgOptions options{.sheet = Rect{-10, -10, 130, 130}};
   const std::string svg = scratch_path("svg-view.svg");
   const std::string png = svg + ".png";

@@ -3,16 +3,13 @@
 #include <algorithm>
 #include <utility>
 
+#include "felt/base/ascii.h"
 #include "felt/base/utf8.h"
 
 namespace felt {
 namespace {
 
-constexpr std::size_t kBlock = 1024;
-
-tl::unexpected<Error> bad(std::string what) {
-  return fail(ErrorCode::kInvalidData, std::move(what));
-}
+constexpr std::size_t kLineBlock = 1024;
 
 std::int64_t line_at(std::string_view text, std::size_t offset) {
   const std::string_view before = text.substr(0, offset);
@@ -61,7 +58,7 @@ std::string utf8_of_utf16(std::string_view bytes, bool big_endian) {
 
 bool declares_latin1(std::string_view text) {
   std::string head(text.substr(0, std::min<std::size_t>(text.find("?>"), 200)));
-  for (char& c : head) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  for (char& c : head) c = ascii_lower(c);
   return head.substr(0, 5) == "<?xml" && head.find("iso-8859-1") != std::string::npos;
 }
 
@@ -71,7 +68,7 @@ Result<std::string> to_utf8(std::string_view bytes) {
   if (bytes.substr(0, 2) == "\xFE\xFF") return utf8_of_utf16(bytes.substr(2), true);
   if (bytes.substr(0, 3) == "\xEF\xBB\xBF") bytes.remove_prefix(3);
   if (is_utf8(bytes)) return std::string(bytes);
-  if (!declares_latin1(bytes)) return bad("is not UTF-8");
+  if (!declares_latin1(bytes)) return invalid_data("is not UTF-8");
   std::string text;
   for (const char c : bytes) append_utf8(text, static_cast<unsigned char>(c));
   return text;
@@ -177,14 +174,14 @@ Result<XmlInput> XmlInput::parse(std::string_view bytes, const XmlLimits& limits
       input.text_.data(), input.text_.size(), pugi::parse_default, pugi::encoding_utf8);
   if (!parsed) {
     const auto at = static_cast<std::size_t>(std::max<std::ptrdiff_t>(parsed.offset, 0));
-    return bad("line " + std::to_string(line_at(input.text_, at)) +
-               ": is no XML: " + parsed.description());
+    return invalid_data("line " + std::to_string(line_at(input.text_, at)) +
+                        ": is no XML: " + parsed.description());
   }
-  if (!input.root()) return bad("is no XML: it has no element");
+  if (!input.root()) return invalid_data("is no XML: it has no element");
   std::uint32_t lines = 0;
-  for (std::size_t at = 0; at < input.text_.size(); at += kBlock) {
+  for (std::size_t at = 0; at < input.text_.size(); at += kLineBlock) {
     input.lines_before_.push_back(lines);
-    const std::string_view block = std::string_view(input.text_).substr(at, kBlock);
+    const std::string_view block = std::string_view(input.text_).substr(at, kLineBlock);
     lines += static_cast<std::uint32_t>(std::count(block.begin(), block.end(), '\n'));
   }
   return input;
@@ -194,8 +191,9 @@ std::int64_t XmlInput::line_of(const pugi::xml_node& node) const {
   const std::ptrdiff_t offset = node.offset_debug();
   if (offset < 0 || static_cast<std::size_t>(offset) >= text_.size()) return 0;
   const auto at = static_cast<std::size_t>(offset);
-  const std::string_view rest = std::string_view(text_).substr(at / kBlock * kBlock, at % kBlock);
-  return 1 + lines_before_[at / kBlock] + std::count(rest.begin(), rest.end(), '\n');
+  const std::string_view rest =
+      std::string_view(text_).substr(at / kLineBlock * kLineBlock, at % kLineBlock);
+  return 1 + lines_before_[at / kLineBlock] + std::count(rest.begin(), rest.end(), '\n');
 }
 
 std::string XmlInput::describe(const pugi::xml_node& node) {

@@ -41,7 +41,7 @@ class XmlInput {
 
   std::string text_;  // as UTF-8
   std::unique_ptr<pugi::xml_document> document_;
-  std::vector<std::uint32_t> lines_before_;  // ends of line before each block of kBlock bytes
+  std::vector<std::uint32_t> lines_before_;  // ends of line before each block of kLineBlock bytes
 };
 
 /// The name of an element or attribute without its prefix.

@@ -15,7 +15,7 @@ bool allowed_in_xml(std::uint32_t code) noexcept {
          (code >= 0x20 && code != 0xfffe && code != 0xffff);
 }
 
-std::string hex(std::uint32_t code) {
+std::string hex_code(std::uint32_t code) {
   std::array<char, 8> digits;
   const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), code, 16).ptr;
   return "U+" + std::string(digits.data(), end);
@@ -32,7 +32,7 @@ Result<void> append_xml_attribute(std::string& out, std::string_view text) {
       return fail(ErrorCode::kInvalidData, "text that is not UTF-8 cannot be written as XML");
     }
     if (!allowed_in_xml(code)) {
-      return fail(ErrorCode::kInvalidData, "XML cannot hold the character " + hex(code));
+      return fail(ErrorCode::kInvalidData, "XML cannot hold the character " + hex_code(code));
     }
     switch (code) {
       case '&':

@@ -29,18 +29,18 @@ struct NamedColor {
   Rgba color;
 };
 /// Names of colours in Xournal's files; the last five are of paper.
-constexpr std::array kColors = {NamedColor{"black", {0x00, 0x00, 0x00, 255}},
-                                NamedColor{"blue", {0x33, 0x33, 0xcc, 255}},
-                                NamedColor{"red", {0xff, 0x00, 0x00, 255}},
-                                NamedColor{"green", {0x00, 0x80, 0x00, 255}},
-                                NamedColor{"gray", {0x80, 0x80, 0x80, 255}},
-                                NamedColor{"lightblue", {0x00, 0xc0, 0xff, 255}},
-                                NamedColor{"lightgreen", {0x00, 0xff, 0x00, 255}},
-                                NamedColor{"magenta", {0xff, 0x00, 0xff, 255}},
-                                NamedColor{"orange", {0xff, 0x80, 0x00, 255}},
-                                NamedColor{"yellow", {0xff, 0xff, 0x00, 255}},
-                                NamedColor{"white", {0xff, 0xff, 0xff, 255}},
-                                NamedColor{"pink", {0xff, 0xc0, 0xd4, 255}}};
+constexpr std::array kXoppColors = {NamedColor{"black", {0x00, 0x00, 0x00, 255}},
+                                    NamedColor{"blue", {0x33, 0x33, 0xcc, 255}},
+                                    NamedColor{"red", {0xff, 0x00, 0x00, 255}},
+                                    NamedColor{"green", {0x00, 0x80, 0x00, 255}},
+                                    NamedColor{"gray", {0x80, 0x80, 0x80, 255}},
+                                    NamedColor{"lightblue", {0x00, 0xc0, 0xff, 255}},
+                                    NamedColor{"lightgreen", {0x00, 0xff, 0x00, 255}},
+                                    NamedColor{"magenta", {0xff, 0x00, 0xff, 255}},
+                                    NamedColor{"orange", {0xff, 0x80, 0x00, 255}},
+                                    NamedColor{"yellow", {0xff, 0xff, 0x00, 255}},
+                                    NamedColor{"white", {0xff, 0xff, 0xff, 255}},
+                                    NamedColor{"pink", {0xff, 0xc0, 0xd4, 255}}};
 constexpr std::array kPaperColors = {
     NamedColor{"blue", {0xa0, 0xe8, 0xff, 255}}, NamedColor{"green", {0x80, 0xff, 0xc0, 255}},
     NamedColor{"orange", {0xff, 0xc0, 0x80, 255}}, NamedColor{"yellow", {0xff, 0xff, 0x80, 255}}};
@@ -176,7 +176,7 @@ class XoppReader {
   }
 
   static std::optional<Rgba> color_of(std::string_view text) {
-    if (const std::optional<Rgba> color = named_color(kColors, text)) return color;
+    if (const std::optional<Rgba> color = named_color(kXoppColors, text)) return color;
     return color_from_text(text);
   }
 

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <chrono>
 #include <optional>
 #include <string_view>
+#include <thread>
 
 #include "felt/rt/device.h"
 
@@ -49,5 +51,11 @@ class ScriptedDevice final : public Device {
   int stops = 0;
   Capabilities abilities;
 };
+
+/// Waits for `condition` without end: the test's own time limit is the only one.
+template <class Condition>
+void wait_until(Condition condition) {
+  while (!condition()) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+}
 
 }  // namespace felt

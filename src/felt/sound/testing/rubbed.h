@@ -9,6 +9,11 @@
 /// For tests and measurements: strokes, and what can be said of a sound in one number.
 namespace felt {
 
+/// Of materials that come with the program, by their ids.
+inline RubbingPair pair_of(const char* surface, const char* medium) {
+  return rubbing_pair(*find_surface(surface), *find_medium(medium));
+}
+
 /// A straight stroke at an even speed and push, with a sample a millisecond, and its sound.
 struct RubbedStroke {
   double mm_per_s = 150.0;

@@ -7,8 +7,8 @@
 #include <utility>
 #include <vector>
 
-#include "felt/stroke/profile_builder.h"
 #include "felt/stroke/edit/subdivide.h"
+#include "felt/stroke/profile_builder.h"
 
 namespace felt {
 namespace {
@@ -21,7 +21,7 @@ constexpr double kWidthToleranceMm = 0.005;
 constexpr int kMaxRun = 96;
 constexpr int kPlaces = 4;
 /// Least-squares rounds of a fit.
-constexpr int kRounds = 16;
+constexpr int kSearchRounds = 16;
 /// After so many a curve that is this many tolerances away will not come near enough.
 constexpr int kPatience = 4;
 constexpr double kHopeless = 3.0;
@@ -67,7 +67,7 @@ class RunFit {
   /// True when the curve is within the tolerance of the run, and the run of the curve.
   bool fit(double tolerance_mm) {
     if (!(length_ > 0.0)) return false;
-    for (int round = 0; round < kRounds; ++round) {
+    for (int round = 0; round < kSearchRounds; ++round) {
       if (!solve()) return false;
       place();
       if (round < 2) continue;

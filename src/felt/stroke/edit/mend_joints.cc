@@ -4,12 +4,11 @@
 #include <cstddef>
 #include <numbers>
 
+#include "felt/base/constants.h"
 #include "felt/stroke/fit/segment_fit.h"
 
 namespace felt {
 namespace {
-
-constexpr double kDegPerRad = 180.0 / std::numbers::pi;
 
 // The two sides of a joint: the segment that arrives and the one that leaves.
 struct Joint {

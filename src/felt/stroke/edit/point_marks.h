@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -17,6 +18,11 @@ namespace felt {
 
 /// Widths are not scaled beyond this, the broadest line of the pencil, unless they were broader.
 inline constexpr double kMostScaledWidthMm = 50.0;
+
+/// True if every point is marked.
+inline bool all_marked(std::span<const std::uint8_t> marks) noexcept {
+  return std::find(marks.begin(), marks.end(), 0) == marks.end();
+}
 
 /// Completes marks so that a similarity, or any invertible affine map, of the marked points can
 /// keep G1 (R32). The least set with the marks given such that

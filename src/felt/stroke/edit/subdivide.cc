@@ -11,7 +11,7 @@ namespace felt {
 namespace {
 
 /// Lengths that decide about slivers need not be better than this.
-constexpr double kLengthAccuracy = 1e-9;
+constexpr double kExactLength = 1e-9;
 
 /// Both parts of c. Handles of zero length stay so: rounding would give them a direction of their
 /// own, and tangents are taken from them (I2).
@@ -63,8 +63,8 @@ class Subdivision {
  private:
   /// The number of the joint at t of the segment: a new one, or the nearer of its neighbours.
   int cut(const Cubic& whole, int i, double t) {
-    const double before = arc_length(whole, from_, t, kLengthAccuracy);
-    const double after = arc_length(whole, t, 1.0, kLengthAccuracy);
+    const double before = arc_length(whole, from_, t, kExactLength);
+    const double after = arc_length(whole, t, 1.0, kExactLength);
     if (before < kMinSegmentMm || after < kMinSegmentMm) {
       return before <= after ? count_ : count_ + 1;
     }

@@ -10,18 +10,12 @@
 #include "felt/geometry/nearest.h"
 #include "felt/stroke/arc_map.h"
 #include "felt/stroke/testing/random_stroke.h"
+#include "felt/stroke/testing/stroke_probe.h"
 
 namespace felt {
 namespace {
 
-double distance_to(const Stroke& s, Point p) {
-  double best = std::numeric_limits<double>::infinity();
-  for (int i = 0; i < s.segment_count(); ++i) {
-    best = std::min(best, nearest(s.segment(i), p).distance_squared);
-  }
-  return std::sqrt(best);
-}
-
+using testing::distance_to;
 /// The largest distance of places on a from b.
 double deviation(const Stroke& a, const Stroke& b) {
   double worst = 0.0;

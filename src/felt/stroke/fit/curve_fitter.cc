@@ -23,10 +23,6 @@ constexpr double kJointSpeed = 0.6;
 constexpr long kStepWork = 64;
 constexpr long kAllWork = std::numeric_limits<long>::max();
 
-double effective_tolerance(const CurveFitOptions& options) {
-  return std::max(options.tolerance_mm, kMinSegmentMm);
-}
-
 }  // namespace
 
 std::size_t choose_joint(const Cubic& curve, std::span<const double> parameters,
@@ -64,7 +60,7 @@ void append_sample_places(const SamplePlace& place, double next_u, const Cubic& 
 }
 
 CurveFitter::CurveFitter(const CurveFitOptions& options)
-    : kept_(effective_tolerance(options), spacing_mm(effective_tolerance(options))) {}
+    : kept_(options.effective_tolerance_mm(), spacing_mm(options.effective_tolerance_mm())) {}
 
 void CurveFitter::begin() noexcept {
   kept_.clear();

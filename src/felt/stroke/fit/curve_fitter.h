@@ -20,6 +20,9 @@ struct CurveFitOptions {
   /// Largest distance from any sample to the curve, in mm. Values below kMinSegmentMm, the
   /// resolution of the stroke model (I5), count as kMinSegmentMm.
   double tolerance_mm = 0.15;
+  [[nodiscard]] double effective_tolerance_mm() const noexcept {
+    return std::max(tolerance_mm, kMinSegmentMm);
+  }
 };
 
 /// A chain of joined cubics fitted to samples.

@@ -17,11 +17,11 @@ using testing::kAllShapes;
 using testing::TestInk;
 
 // The tolerance of pens, and what the fit keeps at it.
-constexpr double kToleranceMm = CurveFitOptions{}.tolerance_mm;
-constexpr double kSpacingMm = CurveFitter::spacing_mm(kToleranceMm);
+constexpr double kPenToleranceMm = CurveFitOptions{}.tolerance_mm;
+constexpr double kMergedMm = CurveFitter::spacing_mm(kPenToleranceMm);
 
 KeptSamples filled(const std::vector<Point>& ink) {
-  KeptSamples kept(kToleranceMm, kSpacingMm);
+  KeptSamples kept(kPenToleranceMm, kMergedMm);
   for (const Point p : ink) kept.add(p);
   return kept;
 }
@@ -33,7 +33,7 @@ INSTANTIATE_TEST_SUITE_P(AllInk, KeptSamplesOf, ::testing::ValuesIn(kAllShapes),
 TEST_P(KeptSamplesOf, R3KeptSamplesAreTheSpacingApart) {
   const KeptSamples w = filled(TestInk(1).draw(GetParam(), 3000));
   for (std::size_t i = 1; i < w.size(); ++i) {
-    ASSERT_GT(distance(w.point(i - 1), w.point(i)), kSpacingMm) << "sample " << i;
+    ASSERT_GT(distance(w.point(i - 1), w.point(i)), kMergedMm) << "sample " << i;
   }
 }
 
@@ -49,7 +49,7 @@ TEST_P(KeptSamplesOf, R8EverySampleIsKeptOrWithinTheSpacingOfTheOneThatStandsFor
       is_one_of_them = is_one_of_them || ink[next] == w.point(i);
     }
     ASSERT_TRUE(is_one_of_them);
-    ASSERT_LE(slack, kSpacingMm * (1.0 + 1e-12));
+    ASSERT_LE(slack, kMergedMm * (1.0 + 1e-12));
     const double limit = w.tolerance_mm() - slack;
     ASSERT_NEAR(w.inverse_limit(i) * limit * limit, 1.0, 1e-12);
   }
@@ -76,13 +76,13 @@ TEST_P(KeptSamplesOf, PathIsTheLengthAlongKeptSamples) {
 }
 
 TEST(KeptSamples, R8SpeedDropsNothing) {
-  KeptSamples w(kToleranceMm, CurveFitter::kDataPointMm);  // 500 mm/s at 1 kHz
+  KeptSamples w(kPenToleranceMm, CurveFitter::kDataPointMm);  // 500 mm/s at 1 kHz
   for (int i = 0; i < 1000; ++i) EXPECT_TRUE(w.add({0.5 * i, 0.0}));
   EXPECT_EQ(w.size(), 1000u);
 }
 
 TEST(KeptSamples, ClearedAndReusedItForgetsMarks) {
-  KeptSamples w(kToleranceMm, kSpacingMm);
+  KeptSamples w(kPenToleranceMm, kMergedMm);
   w.add({0.0, 0.0});
   w.add({0.01, 0.0});
   w.set_corner(0);

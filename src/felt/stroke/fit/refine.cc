@@ -10,14 +10,11 @@ namespace {
 
 constexpr std::size_t kNoNode = static_cast<std::size_t>(-1);
 
-double effective_tolerance(const CurveFitOptions& options) {
-  return std::max(options.tolerance_mm, kMinSegmentMm);
-}
-
 }  // namespace
 
 Refiner::Refiner(const CurveFitOptions& options)
-    : kept_(effective_tolerance(options), CurveFitter::spacing_mm(effective_tolerance(options))) {}
+    : kept_(options.effective_tolerance_mm(),
+            CurveFitter::spacing_mm(options.effective_tolerance_mm())) {}
 
 void Refiner::begin() {
   kept_.clear();

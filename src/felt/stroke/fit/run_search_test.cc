@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "felt/stroke/stroke.h"
+#include "felt/stroke/testing/fit_oracle.h"
 #include "felt/stroke/testing/test_ink.h"
 
 namespace felt {
@@ -14,14 +15,7 @@ namespace {
 using testing::InkShape;
 using testing::kAllShapes;
 using testing::TestInk;
-
-SampleWindow window_of(const std::vector<Point>& ink, double tolerance_mm) {
-  KeptSamples kept(tolerance_mm, 0.125 * tolerance_mm);
-  for (const Point p : ink) kept.add(p);
-  SampleWindow window(ink.size());
-  for (std::size_t i = 0; i < kept.size(); ++i) window.add(kept, i);
-  return window;
-}
+using testing::window_of;
 
 RunSearch search_all(const SampleWindow& window, const RunStart& start, std::size_t first) {
   RunSearch search;

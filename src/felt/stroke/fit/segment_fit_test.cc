@@ -7,23 +7,16 @@
 #include <cmath>
 #include <vector>
 
-#include "felt/stroke/testing/fit_oracle.h"
 #include "felt/stroke/fit/segment_fit_kernels.h"
+#include "felt/stroke/testing/fit_oracle.h"
 #include "felt/stroke/testing/test_ink.h"
 
 namespace felt {
 namespace {
 
 using testing::TestInk;
+using testing::window_of;
 using Kind = RunStart::Kind;
-
-SampleWindow window_of(const std::vector<Point>& ink, double tolerance_mm) {
-  KeptSamples kept(tolerance_mm, 0.125 * tolerance_mm);
-  for (const Point p : ink) kept.add(p);
-  SampleWindow window(ink.size());
-  for (std::size_t i = 0; i < kept.size(); ++i) window.add(kept, i);
-  return window;
-}
 
 // A cubic without cusp or loop, as segments of ink are: about 10 mm, bending gently.
 Cubic random_cubic(TestInk& random) {

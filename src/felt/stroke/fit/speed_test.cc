@@ -10,8 +10,8 @@
 #include <string>
 #include <vector>
 
-#include "felt/stroke/testing/fit_oracle.h"
 #include "felt/stroke/fit/ink_fitter.h"
+#include "felt/stroke/testing/fit_oracle.h"
 #include "felt/stroke/testing/test_ink.h"
 
 namespace felt {
@@ -19,7 +19,7 @@ namespace {
 
 using testing::TestInk;
 
-constexpr double kToleranceMm = CurveFitOptions{}.tolerance_mm;
+constexpr double kDefaultToleranceMm = CurveFitOptions{}.tolerance_mm;
 constexpr double kRateHz = 1000.0;
 constexpr double kFastMmPerS = 250.0;
 
@@ -86,7 +86,7 @@ Counts fitted(const std::vector<Point>& ink) {
   Counts counts{fitter.segment_count(), 0};
   for (int step = 0; step < 2; ++step) {
     EXPECT_TRUE(testing::has_all_places(fitter.curve(), ink.size()));
-    EXPECT_LE(testing::worst_error(fitter.curve(), ink), kToleranceMm);
+    EXPECT_LE(testing::worst_error(fitter.curve(), ink), kDefaultToleranceMm);
     EXPECT_LE(testing::worst_smooth_turn_deg(fitter.curve()), kSmoothJointMaxDeg);
     if (step == 0) fitter.refine();
   }
@@ -165,7 +165,7 @@ TEST(CurveFitter, R3_ADataPointIsKeptOnlyAfterTheThreshold) {
 
 TEST(CurveFitter, R3_TheThresholdIsThatOfTheDeviceOrTheSpecification) {
   // PHANToM: 0.03 mm; specification E18: 0.25 mm.
-  EXPECT_EQ(CurveFitter::spacing_mm(kToleranceMm), 0.03);
+  EXPECT_EQ(CurveFitter::spacing_mm(kDefaultToleranceMm), 0.03);
   EXPECT_EQ(CurveFitter::spacing_mm(0.2), 0.03);
   EXPECT_EQ(CurveFitter::spacing_mm(2.0), 0.25);
   EXPECT_EQ(CurveFitter::spacing_mm(3.0), 0.25);
@@ -203,7 +203,7 @@ TEST(CurveFitter, R9_WorkOfAPushIsBoundedWhateverCameBefore) {
   // Runs of ten thousands of samples, with and without noise.
   for (const Sensor sensor : {Sensor::kExact, Sensor::kGrid, Sensor::kNoisy}) {
     for (const Line line : {Line::kStraight, Line::kWave}) {
-      EXPECT_LE(largest_work(drawn(line, sensor, 150.0, 5.0, 3), kToleranceMm), kMaxWork);
+      EXPECT_LE(largest_work(drawn(line, sensor, 150.0, 5.0, 3), kDefaultToleranceMm), kMaxWork);
     }
   }
 }
@@ -214,7 +214,7 @@ TEST(CurveFitter, R9_WorkOfAStrokeIsInProportionToItsSamples) {
   for (const Sensor sensor : {Sensor::kExact, Sensor::kGrid, Sensor::kNoisy}) {
     for (const double speed : {5.0, 10.0, 50.0, 250.0}) {
       const std::vector<Point> ink = drawn(Line::kWave, sensor, 150.0, speed, 4);
-      CurveFitter fitter({.tolerance_mm = kToleranceMm});
+      CurveFitter fitter({.tolerance_mm = kDefaultToleranceMm});
       fitter.begin();
       for (const Point p : ink) fitter.push(p);
       fitter.end();
@@ -227,13 +227,13 @@ TEST(CurveFitter, R9_WorkOfAStrokeIsInProportionToItsSamples) {
 TEST(CurveFitter, R7_LongRunsDoNotDependOnWhatWasFittedBefore) {
   const std::vector<Point> slow = drawn(Line::kSpiral, Sensor::kNoisy, 60.0, 5.0, 5);
   const std::vector<Point> other = drawn(Line::kWave, Sensor::kGrid, 60.0, 5.0, 6);
-  CurveFitter reused({.tolerance_mm = kToleranceMm});
+  CurveFitter reused({.tolerance_mm = kDefaultToleranceMm});
   for (const auto* ink : {&other, &slow}) {
     reused.begin();
     for (const Point p : *ink) reused.push(p);
     reused.end();
   }
-  EXPECT_EQ(reused.curve(), testing::fit_online(slow, kToleranceMm));
+  EXPECT_EQ(reused.curve(), testing::fit_online(slow, kDefaultToleranceMm));
 }
 
 }  // namespace

@@ -6,12 +6,11 @@
 #include <cmath>
 #include <limits>
 
+#include "felt/base/constants.h"
 #include "felt/stroke/stroke.h"
 
 namespace felt {
 namespace {
-
-constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
 InkSample at_ms(double time_ms, double pressure) {
   return {.position = {}, .pressure = pressure, .time_ns = std::llround(time_ms * 1e6)};

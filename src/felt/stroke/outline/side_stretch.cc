@@ -35,7 +35,7 @@ class EdgeFit {
 /// Rounds of moving the parameters of the points along the fitted curve and fitting again.
 constexpr int kRounds = 4;
 /// A curve that is that many tolerances off will not do after another round.
-constexpr double kHopeless = 8.0;
+constexpr double kHopelessStretch = 8.0;
 /// Between the points a cubic strays a little more than at them.
 constexpr double kShareAtPoints = 0.8;
 
@@ -98,7 +98,7 @@ bool EdgeFit::fit(Vec begin, Vec end, double tolerance_mm, Cubic& c) {
     if (!fit_handles(begin, -end, c)) return false;
     const double worst = move_parameters(c);
     if (worst <= limit * limit) return true;
-    if (!(worst <= kHopeless * kHopeless * tolerance_mm * tolerance_mm)) return false;
+    if (!(worst <= kHopelessStretch * kHopelessStretch * tolerance_mm * tolerance_mm)) return false;
   }
   return false;
 }

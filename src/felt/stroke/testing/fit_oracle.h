@@ -20,6 +20,15 @@ inline FittedCurve fit_online(std::span<const Point> ink, double tolerance_mm) {
   return fitter.curve();
 }
 
+/// The samples of some ink, as a fit keeps them.
+inline SampleWindow window_of(const std::vector<Point>& ink, double tolerance_mm) {
+  KeptSamples kept(tolerance_mm, 0.125 * tolerance_mm);
+  for (const Point p : ink) kept.add(p);
+  SampleWindow window(ink.size());
+  for (std::size_t i = 0; i < kept.size(); ++i) window.add(kept, i);
+  return window;
+}
+
 /// The curve at stroke parameter u.
 inline Point place_at(const FittedCurve& curve, double u) {
   const int i = std::clamp(static_cast<int>(u), 0, curve.segment_count() - 1);

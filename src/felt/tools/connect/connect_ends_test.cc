@@ -14,7 +14,7 @@ using testing::Desk;
 using testing::RandomStroke;
 using testing::straight_stroke;
 
-constexpr StrokeTip kStart = StrokeTip::kStart, kEnd = StrokeTip::kEnd;
+using enum StrokeTip;
 constexpr MeetingPlace kPlaces[] = {MeetingPlace::kAtTarget, MeetingPlace::kHalfWay};
 
 Stroke with_look(const Stroke& stroke, Rgba color, std::string material = "pencil") {

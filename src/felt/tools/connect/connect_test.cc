@@ -17,7 +17,7 @@ using testing::straight_stroke;
 using testing::way;
 using testing::operator+;
 
-constexpr StrokeTip kStart = StrokeTip::kStart, kEnd = StrokeTip::kEnd;
+using enum StrokeTip;
 
 struct Connect {
   Desk desk;

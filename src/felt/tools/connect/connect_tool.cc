@@ -11,13 +11,14 @@
 namespace felt {
 namespace {
 
-constexpr ToolInfo kInfo{.id = "connect",
-                         .label = "Connect",
-                         .help =
-                             "Joins ends of lines, or closes a line: drag an end onto another, "
-                             "or tap where two ends are near.",
-                         .shortcut = 'c',
-                         .options = kConnectOptions};
+constexpr ToolInfo kConnectInfo{
+    .id = "connect",
+    .label = "Connect",
+    .help =
+        "Joins ends of lines, or closes a line: drag an end onto another, "
+        "or tap where two ends are near.",
+    .shortcut = 'c',
+    .options = kConnectOptions};
 
 /// Radius of the ring around the end that would be taken.
 constexpr double kTipRingMm = 1.5;
@@ -37,7 +38,7 @@ ConnectTool::Drag::Drag(const Scene& scene, const TipHit& hit, const PenSample& 
       lead(*place.before(), hit.id.tip),
       at(hit.point) {}
 
-ConnectTool::ConnectTool() : GestureTool(kInfo) {
+ConnectTool::ConnectTool() : GestureTool(kConnectInfo) {
   take_options(options());
 }
 

@@ -11,10 +11,10 @@
 namespace felt {
 namespace {
 
-constexpr double kLengthAccuracy = 1e-3;
+constexpr double kBendAccuracy = 1e-3;
 
 /// A standing handle at a smooth joint gets this length (join.cc): its direction is its own then.
-constexpr double kStandingHandleMm = 1e-3;
+constexpr double kMinHandleMm = 1e-3;
 
 /// A part of the stroke that ends, seen from the tip, where the shift has faded away.
 struct Zone {
@@ -53,8 +53,8 @@ class TipBend {
     const Point at = point(3 * i);
     Point& out = point(3 * i + 1);
     const Vec away = tangent({{at, out, point(3 * i + 2), point(3 * i + 3)}}, 0.0);
-    if (out == at) out = at + kStandingHandleMm * away;
-    if (i > 0 && point(3 * i - 1) == at) point(3 * i - 1) = at - kStandingHandleMm * away;
+    if (out == at) out = at + kMinHandleMm * away;
+    if (i > 0 && point(3 * i - 1) == at) point(3 * i - 1) = at - kMinHandleMm * away;
   }
 
   void move_joint(int i, Vec by, Vec turn) {
@@ -98,13 +98,13 @@ std::optional<Zone> zone_of(const Stroke& stroke, StrokeTip tip, double reach, d
   zone.at_mm.push_back(0.0);
   for (int i = 0; i < n; ++i) {
     const Cubic c = stroke.segment(start ? i : n - 1 - i);
-    const double before = zone.at_mm.back(), length = arc_length(c, kLengthAccuracy);
+    const double before = zone.at_mm.back(), length = arc_length(c, kBendAccuracy);
     if (before + length < reach) {
       zone.at_mm.push_back(before + length);
       continue;
     }
     const double along = start ? reach - before : before + length - reach;
-    const double t = parameter_at_length(c, along, kLengthAccuracy);
+    const double t = parameter_at_length(c, along, kBendAccuracy);
     if (const auto parts = split(stroke, start ? i + t : n - 1 - i + t)) {
       zone.data = parts->first.data();
       append(zone.data, parts->second.data());

@@ -13,7 +13,7 @@
 namespace felt {
 namespace {
 
-constexpr double kLengthAccuracy = 1e-3;
+constexpr double kLeadAccuracy = 1e-3;
 constexpr double kRadians = std::numbers::pi / 180.0;
 
 /// A stroke is not prolonged by less: it bends instead.
@@ -33,7 +33,7 @@ int segments_at(const Stroke& stroke, StrokeTip tip) {
   for (int i = 0; i < n; ++i) {
     if (i >= kFewSegments / 2 && length > kEnoughMm) return i;
     const int segment = tip == StrokeTip::kStart ? i : n - 1 - i;
-    length += arc_length(stroke.segment(segment), kLengthAccuracy);
+    length += arc_length(stroke.segment(segment), kLeadAccuracy);
   }
   return n;
 }
@@ -41,7 +41,7 @@ int segments_at(const Stroke& stroke, StrokeTip tip) {
 double length_mm(const Stroke& stroke) {
   double length = 0.0;
   for (int i = 0; i < stroke.segment_count(); ++i) {
-    length += arc_length(stroke.segment(i), kLengthAccuracy);
+    length += arc_length(stroke.segment(i), kLeadAccuracy);
   }
   return length;
 }

@@ -14,7 +14,7 @@ namespace {
 using testing::RandomStroke;
 using testing::straight_stroke;
 
-constexpr StrokeTip kTips[] = {StrokeTip::kStart, StrokeTip::kEnd};
+constexpr StrokeTip kBothTips[] = {StrokeTip::kStart, StrokeTip::kEnd};
 
 /// A wave of many segments, about `length` mm long.
 Stroke long_stroke(int segments, double length) {
@@ -66,7 +66,7 @@ TEST(TipLead, PutsTheEndExactlyThereAndTheOtherEndStays) {
     StrokeData data = random.make();
     if (data.closed) continue;
     const Stroke stroke = Stroke::create(data).value();
-    for (const StrokeTip tip : kTips) {
+    for (const StrokeTip tip : kBothTips) {
       const double way = std::pow(10.0, random.uniform(-3, 2));
       const double a = random.uniform(0, 2 * std::numbers::pi);
       const Point target = tip_point(stroke, tip) + way * Vec{std::cos(a), std::sin(a)};
@@ -88,7 +88,7 @@ TEST(TipLead, PutsTheEndExactlyThereAndTheOtherEndStays) {
 
 TEST(TipLead, ComingBackGivesTheStrokeAgain) {
   const Stroke stroke = long_stroke(10, 100);
-  for (const StrokeTip tip : kTips) {
+  for (const StrokeTip tip : kBothTips) {
     const auto led = TipLead(stroke, tip).at(tip_point(stroke, tip));
     ASSERT_TRUE(led);
     EXPECT_EQ(*led, stroke);
@@ -117,7 +117,7 @@ TEST(TipLead, R45_TheEndGoesThereOnOneFairCurveWithoutCorners) {
   quarter.points = {{0, 0}, {h, 0}, {60, 60 - h}, {60, 60}};
   for (const Stroke& stroke :
        {straight_stroke({0, 0}, {80, 0}, 1, 2), Stroke::create(quarter).value()}) {
-    for (const StrokeTip tip : kTips) {
+    for (const StrokeTip tip : kBothTips) {
       const TipLead lead(stroke, tip);
       const Point from = tip_point(stroke, tip);
       const Vec ahead = tip_direction(stroke, tip);
@@ -160,7 +160,7 @@ TEST(TipLead, R45_ArrivesInTheDirectionOfTheTarget) {
 
 TEST(TipLead, OfALongStrokeOnlyTheEndChanges) {
   const Stroke stroke = long_stroke(500, 2500);
-  for (const StrokeTip tip : kTips) {
+  for (const StrokeTip tip : kBothTips) {
     const TipLead lead(stroke, tip);
     for (const double way : {0.1, 1.0, 20.0, 49.0, 300.0}) {
       const auto led = lead.at(tip_point(stroke, tip) + Vec{0, way});

@@ -12,7 +12,7 @@ namespace {
 /// A crossing at the very place that was touched is not on either side of it.
 constexpr double kHere = 1e-9;
 /// Neighbouring segments always meet at their joint: that far from it counts as the joint.
-constexpr double kJointMm = 0.01;
+constexpr double kSameCrossingMm = 0.01;
 
 }  // namespace
 
@@ -63,7 +63,8 @@ bool StrokeCrossings::is_at_shared_joint(const Candidate& with, double t, Point 
     return b == a + 1 || (stroke_->closed() && a == n - 1 && b == 0);
   };
   const auto is_near = [&](Point joint, double t0, double t1) {
-    return distance(at, joint) <= kJointMm && control_length(sub_segment(mine, t0, t1)) <= kJointMm;
+    return distance(at, joint) <= kSameCrossingMm &&
+           control_length(sub_segment(mine, t0, t1)) <= kSameCrossingMm;
   };
   return (is_next(i, with.segment) && is_near(mine.p[3], t, 1.0)) ||
          (is_next(with.segment, i) && is_near(mine.p[0], 0.0, t));

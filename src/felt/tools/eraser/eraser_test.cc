@@ -4,17 +4,20 @@
 #include <cmath>
 #include <numbers>
 
+#include "felt/base/constants.h"
 #include "felt/geometry/nearest.h"
 #include "felt/geometry/polyline.h"
 #include "felt/haptics/testing/feel_rig.h"
-#include "felt/tools/testing/desk.h"
+#include "felt/stroke/testing/stroke_probe.h"
 #include "felt/tools/eraser/eraser_force.h"
 #include "felt/tools/eraser/eraser_tool.h"
+#include "felt/tools/testing/desk.h"
 
 namespace felt {
 namespace {
 
 using testing::Desk;
+using testing::distance_to;
 using testing::Pen;
 using testing::random_stroke;
 using testing::straight_stroke;
@@ -45,14 +48,6 @@ struct Eraser {
     return o;
   }
 };
-
-double distance_to(const Stroke& s, Point p) {
-  double best = 1e300;
-  for (int i = 0; i < s.segment_count(); ++i) {
-    best = std::min(best, nearest(s.segment(i), p).distance_squared);
-  }
-  return std::sqrt(best);
-}
 
 TEST(Eraser, R40_AHoleInALineLeavesTwoInItsPlace) {
   Eraser e;
@@ -413,7 +408,6 @@ TEST(Eraser, WhatIsLeftIsShownWithinAFrameOfThePen) {
 Vec3 hand(int scenario, double time, double aim) {
   const double x = std::min(time / 0.4, 1.0), z = 1 + (aim - 1) * x * x * (3 - 2 * x);
   const double t = std::max(0.0, time - 0.7);
-  constexpr double kTau = 2.0 * std::numbers::pi;
   if (scenario == 0) return {0, 0, z};
   if (scenario == 1) return {20 * t, 5 * t, z};
   return {20 * std::sin(kTau * t), 8 * std::sin(1.5 * kTau * t), z};

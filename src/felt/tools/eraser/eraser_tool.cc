@@ -5,13 +5,13 @@
 namespace felt {
 namespace {
 
-constexpr ToolInfo kInfo{.id = "eraser",
-                         .label = "Eraser",
-                         .help =
-                             "Erases what it covers, lines up to their next crossings, or "
-                             "whole lines.",
-                         .shortcut = 'e',
-                         .options = kEraserOptions};
+constexpr ToolInfo kEraserInfo{.id = "eraser",
+                               .label = "Eraser",
+                               .help =
+                                   "Erases what it covers, lines up to their next crossings, or "
+                                   "whole lines.",
+                               .shortcut = 'e',
+                               .options = kEraserOptions};
 
 }  // namespace
 
@@ -19,7 +19,7 @@ std::unique_ptr<Tool> make_eraser() {
   return std::make_unique<EraserTool>();
 }
 
-EraserTool::EraserTool() : GestureTool(kInfo) {}
+EraserTool::EraserTool() : GestureTool(kEraserInfo) {}
 
 EraserMode EraserTool::mode_of(const PenSample& sample) const noexcept {
   if ((sample.buttons & kSecondModifier) != 0) return EraserMode::kStroke;

@@ -10,7 +10,7 @@
 namespace felt {
 namespace {
 
-constexpr int kMaxSteps = 1 << 24;
+constexpr int kMaxMarches = 1 << 24;
 
 /// Appends the breakpoints that follow the narrowed widths of places[first..last] to
 /// kWidthErrorMm and their tones to kToneError. Each takes the longest step from its predecessor
@@ -83,7 +83,7 @@ int InkClearance::steps_of(int segment) const noexcept {
   const double leg =
       std::max({distance(c.p[0], c.p[1]), distance(c.p[1], c.p[2]), distance(c.p[2], c.p[3])});
   const double steps = std::ceil(3.0 * leg / step_mm_);
-  return static_cast<int>(std::clamp(steps, 1.0, static_cast<double>(kMaxSteps)));
+  return static_cast<int>(std::clamp(steps, 1.0, static_cast<double>(kMaxMarches)));
 }
 
 bool InkClearance::add(int segment, const ParameterSet& covered, const Capsule& capsule) {

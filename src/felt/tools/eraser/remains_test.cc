@@ -7,35 +7,21 @@
 
 #include "felt/geometry/nearest.h"
 #include "felt/stroke/testing/random_stroke.h"
+#include "felt/stroke/testing/stroke_probe.h"
 
 namespace felt {
 namespace {
 
+using testing::distance_to;
+using testing::length_of;
 using testing::RandomStroke;
+using testing::share;
 using testing::straight_stroke;
-
-std::shared_ptr<const Stroke> share(Stroke s) {
-  return std::make_shared<const Stroke>(std::move(s));
-}
 
 ParameterSet set_of(std::initializer_list<ParameterSet::Interval> parts) {
   ParameterSet set;
   for (const auto& p : parts) set.add(p);
   return set;
-}
-
-double length_of(const Stroke& s) {
-  double length = 0.0;
-  for (int i = 0; i < s.segment_count(); ++i) length += arc_length(s.segment(i));
-  return length;
-}
-
-double distance_to(const Stroke& s, Point p) {
-  double best = 1e300;
-  for (int i = 0; i < s.segment_count(); ++i) {
-    best = std::min(best, nearest(s.segment(i), p).distance_squared);
-  }
-  return std::sqrt(best);
 }
 
 TEST(Remains, R40_OneHoleMakesTwoStrokesThatKeepTheWidthAtTheCuts) {

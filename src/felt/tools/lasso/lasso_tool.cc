@@ -8,12 +8,13 @@
 namespace felt {
 namespace {
 
-constexpr ToolInfo kInfo{.id = "lasso",
-                         .label = "Lasso",
-                         .help = "Selects what a line is drawn round; a short touch takes a line.",
-                         .shortcut = 'v',
-                         .options = kLassoOptions,
-                         .shows_selection = true};
+constexpr ToolInfo kLassoInfo{
+    .id = "lasso",
+    .label = "Lasso",
+    .help = "Selects what a line is drawn round; a short touch takes a line.",
+    .shortcut = 'v',
+    .options = kLassoOptions,
+    .shows_selection = true};
 
 LassoCombine combine_of(std::uint32_t buttons, LassoCombine option) {
   if (buttons & kFirstModifier) return LassoCombine::kAdd;
@@ -37,7 +38,7 @@ std::unique_ptr<Tool> make_lasso() {
   return std::make_unique<LassoTool>();
 }
 
-LassoTool::LassoTool() : GestureTool(kInfo) {}
+LassoTool::LassoTool() : GestureTool(kLassoInfo) {}
 
 ToolResult LassoTool::hover(const PenSample& sample, const Scene& scene) {
   pen_ = on_sheet(sample.position);

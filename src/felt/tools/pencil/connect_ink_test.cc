@@ -13,7 +13,7 @@ namespace {
 using testing::Desk;
 using testing::straight_stroke;
 
-constexpr StrokeTip kStart = StrokeTip::kStart, kEnd = StrokeTip::kEnd;
+using enum StrokeTip;
 
 void run(Desk& desk, const Stroke& ink, const InkConnections& connections) {
   const Edit edit = connect_ink(ink, connections, desk.scene());

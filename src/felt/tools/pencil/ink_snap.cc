@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "felt/base/constants.h"
 #include "felt/tools/connecting.h"
 #include "felt/tools/pencil/snap_rules.h"
 
@@ -40,8 +41,6 @@ constexpr double kLeaveMm = 1.0;
 /// In the air.
 constexpr double kAirReachMm = 1.4;
 constexpr std::size_t kMaxCandidates = 4;
-
-constexpr double kDegrees = 180.0 / std::numbers::pi;
 
 }  // namespace
 
@@ -150,7 +149,7 @@ bool InkSnap::is_heading_for(Point target, const Aim& aim) const noexcept {
   if (is_drawing_ && track_.passed_within_mm(target) <= aim.miss_mm) return true;
   if (!is_drawing_ && gap <= aim.miss_mm) return true;
   const auto heading = track_.heading(gap);
-  return heading && angle_between(*heading, way) * kDegrees <= aim.cone_deg;
+  return heading && angle_between(*heading, way) * kDegPerRad <= aim.cone_deg;
 }
 
 bool InkSnap::is_slow(double gap_mm) const noexcept {
@@ -252,7 +251,7 @@ bool InkSnap::may_begin_on(const TipId& end, const Scene& scene) const {
   const double gap = distance(at, track_.start());
   if (turns_back(*stroke, end.tip, -direction, gap)) return false;
   const Vec outward = -inward_direction(*stroke, end.tip);
-  if (angle_between(direction, outward) * kDegrees < kDashDeg &&
+  if (angle_between(direction, outward) * kDegPerRad < kDashDeg &&
       dot(track_.start() - at, outward) > kDashMm) {
     return false;
   }

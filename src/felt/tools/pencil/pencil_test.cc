@@ -5,8 +5,9 @@
 #include <cmath>
 #include <limits>
 
-#include "felt/tools/testing/desk.h"
+#include "felt/base/constants.h"
 #include "felt/tools/pencil/pencil_force.h"
+#include "felt/tools/testing/desk.h"
 
 namespace felt {
 namespace {
@@ -747,7 +748,6 @@ class Hostile {
   }
 
   void spoil(PenSample& s) {
-    constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
     switch (random_.pick(0, 5)) {
       case 0:
         s.position.x = kNan;

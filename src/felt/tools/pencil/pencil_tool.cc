@@ -9,14 +9,14 @@
 namespace felt {
 namespace {
 
-constexpr ToolInfo kInfo{.id = "pencil",
-                         .label = "Pencil",
-                         .help = "Draws lines; pressing harder draws them broader.",
-                         .shortcut = 'p',
-                         .options = kPencilOptions};
+constexpr ToolInfo kPencilInfo{.id = "pencil",
+                               .label = "Pencil",
+                               .help = "Draws lines; pressing harder draws them broader.",
+                               .shortcut = 'p',
+                               .options = kPencilOptions};
 
 /// True when the fitter could take it.
-bool is_usable(const PenSample& sample) {
+bool is_drawable(const PenSample& sample) {
   return is_finite(sample.position) && is_in_range(Point{sample.position.x, sample.position.y});
 }
 
@@ -31,11 +31,11 @@ PencilTool::PencilTool() : options_(kPencilOptions), settings_(pencil_settings(o
 }
 
 const ToolInfo& PencilTool::info() const noexcept {
-  return kInfo;
+  return kPencilInfo;
 }
 
 ToolResult PencilTool::sample(const PenSample& sample, const Scene& scene) {
-  if (!is_usable(sample)) return {};
+  if (!is_drawable(sample)) return {};
   pen_point_ = on_sheet(sample.position);
   const Contact::Change change = contact_.update(sample);
   if (change == Contact::Change::kNone && !contact_.is_down()) waiting_ = false;

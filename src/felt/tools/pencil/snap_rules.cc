@@ -5,12 +5,12 @@
 #include <cmath>
 #include <numbers>
 
+#include "felt/base/constants.h"
 #include "felt/geometry/intersect.h"
 
 namespace felt::snap_rules {
 namespace {
 
-constexpr double kDegrees = 180.0 / std::numbers::pi;
 /// Ends looked at around one; more are a crowd anyway.
 constexpr std::size_t kMaxNeighbours = 8;
 /// Meetings of one stroke this near are one, where two of its segments join.
@@ -67,7 +67,7 @@ Vec inward_direction(const Stroke& stroke, StrokeTip tip) noexcept {
 }
 
 bool turns_back(const Stroke& stroke, StrokeTip tip, Vec heading, double gap_mm) noexcept {
-  const double deg = angle_between(heading, inward_direction(stroke, tip)) * kDegrees;
+  const double deg = angle_between(heading, inward_direction(stroke, tip)) * kDegPerRad;
   return deg > kFoldDeg || (deg > kSharpDeg && gap_mm > kSharpRadiusMm);
 }
 
@@ -98,7 +98,7 @@ std::optional<RayHit> first_hit(const Scene& scene, Point from, Vec direction, d
                      const double away = distance(from, at);
                      if (first && away >= first->distance_mm) return;
                      const double deg =
-                         angle_between(direction, tangent(curve, crossing.t2)) * kDegrees;
+                         angle_between(direction, tangent(curve, crossing.t2)) * kDegPerRad;
                      first = RayHit{id, at, away, std::min(deg, 180.0 - deg)};
                    });
   if (first) first->hits = hits;

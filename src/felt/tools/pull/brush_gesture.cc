@@ -10,11 +10,7 @@
 namespace felt {
 namespace {
 
-constexpr const char* kLabel = "Pull";
-
-Point place_of(const PenSample& pen) noexcept {
-  return {pen.position.x, pen.position.y};
-}
+constexpr const char* kPullLabel = "Pull";
 
 class BrushGesture final : public PullGesture {
  public:
@@ -23,25 +19,26 @@ class BrushGesture final : public PullGesture {
       : stroke_(scene.document, hit.stroke),
         pull_(stroke_.before(), hit.u, options),
         radius_mm_(options.radius_mm),
-        start_(place_of(touch)),
+        start_(on_sheet(touch.position)),
         offset_(start_ - pull_.origin()),
         mode_(offset),
         shown_(stroke_.before()) {}
 
   std::optional<Edit> move(const PenSample& pen, const Scene& /*scene*/) override {
-    const Vec displacement = curve_displacement(place_of(pen) - start_, offset_, mode_);
+    const Vec displacement = curve_displacement(on_sheet(pen.position) - start_, offset_, mode_);
     if (displacement == displacement_) return std::nullopt;
     Result<Stroke> pulled = pull_.at(displacement);
     if (!pulled) return std::nullopt;  // the last good shape stays
     displacement_ = displacement;
     shown_ = is_home() ? stroke_.before() : std::make_shared<const Stroke>(*std::move(pulled));
-    return stroke_.with(shown_, kLabel);
+    return stroke_.with(shown_, kPullLabel);
   }
 
   Edit end(const Scene& /*scene*/) override {
     if (is_home()) return {};
     Result<Stroke> done = pull_.finished(displacement_);
-    return stroke_.with(done ? std::make_shared<const Stroke>(*std::move(done)) : shown_, kLabel);
+    return stroke_.with(done ? std::make_shared<const Stroke>(*std::move(done)) : shown_,
+                        kPullLabel);
   }
 
   [[nodiscard]] PullFeel feel() const override {

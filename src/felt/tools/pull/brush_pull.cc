@@ -11,7 +11,7 @@
 namespace felt {
 namespace {
 
-constexpr double kLengthAccuracy = 1e-7;
+constexpr double kPullAccuracy = 1e-7;
 /// A standing handle at a smooth joint gets a length of its own, so that its direction is its own
 /// too; shorter ones than the first have none (specification 5c). The curve moves by less than a
 /// micrometre.
@@ -45,7 +45,7 @@ BrushPull::BrushPull(StrokePtr snapshot, double u0, const BrushOptions& options)
   const double n = snapshot_->segment_count();
   u0 = u0 >= 0.0 ? std::min(u0, n) : 0.0;
   origin_ = snapshot_->position(u0);
-  const ArcMap map(*snapshot_, kLengthAccuracy);
+  const ArcMap map(*snapshot_, kPullAccuracy);
   const BrushReach reach = brush_reach(*snapshot_, map, u0, options);
   first_u_ = reach.first_u(map);
   last_u_ = reach.last_u(map);
@@ -118,7 +118,7 @@ void BrushPull::add_runs(int count, const BrushSide& side, double sign) {
   for (int k = 0; k < count; ++k) {
     const int i = wrapped(sign > 0.0 ? joints_.held_last + k : joints_.held_first - 1 - k);
     runs_.push_back({.segment = i, .sign = sign, .start_mm = way});
-    way += arc_length(segment(i), kLengthAccuracy);
+    way += arc_length(segment(i), kPullAccuracy);
   }
   // By the lengths that there are now, so that the influence ends where the last segment does.
   const double radius = side.radius_mm > side.way_mm ? side.radius_mm : way;
@@ -141,7 +141,7 @@ std::vector<double> BrushPull::crooked(double most_error) const {
   for (const Run& run : runs_) {
     const Cubic c = run.sign > 0.0 ? segment(run.segment) : reversed(segment(run.segment));
     for (const double t : {0.25, 0.5, 0.75}) {
-      const double way = run.start_mm + arc_length(c, 0.0, t, kLengthAccuracy);
+      const double way = run.start_mm + arc_length(c, 0.0, t, kPullAccuracy);
       const double error = influence(way / run.radius_mm) - bernstein(run.weights, t);
       if (std::fabs(error) > most_error) {
         middles.push_back(run.segment + 0.5);

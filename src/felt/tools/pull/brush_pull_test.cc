@@ -10,29 +10,20 @@
 #include <vector>
 
 #include "felt/geometry/nearest.h"
+#include "felt/stroke/edit/subdivide.h"
 #include "felt/stroke/fit/ink_fitter.h"
 #include "felt/stroke/testing/random_stroke.h"
-#include "felt/stroke/edit/subdivide.h"
+#include "felt/stroke/testing/stroke_probe.h"
 #include "felt/stroke/testing/test_ink.h"
 
 namespace felt {
 namespace {
 
+using testing::distance_to;
 using testing::random_stroke;
 using testing::RandomStroke;
+using testing::share;
 using testing::straight_stroke;
-
-StrokePtr share(Stroke s) {
-  return std::make_shared<const Stroke>(std::move(s));
-}
-
-double distance_to(const Stroke& s, Point p) {
-  double best = std::numeric_limits<double>::infinity();
-  for (int i = 0; i < s.segment_count(); ++i) {
-    best = std::min(best, nearest(s.segment(i), p).distance_squared);
-  }
-  return std::sqrt(best);
-}
 
 /// A line of the pencil; a smooth one is as a hand draws it, half a millimetre a sample.
 Stroke drawn(std::uint64_t seed, int samples,

@@ -13,7 +13,7 @@ constexpr double kFar = std::numeric_limits<double>::infinity();
 /// moves as a whole: there is no room to fall off.
 constexpr double kNoRoomMm = 0.1;
 /// Ends of both sides as near as this are one.
-constexpr double kMeetMm = 0.01;
+constexpr double kRingMeetMm = 0.01;
 /// A side ends at a joint in this last part of its radius.
 constexpr double kJointShare = 0.2;
 
@@ -139,7 +139,7 @@ double BrushReach::last_u(const ArcMap& map) const noexcept {
   if (is_whole) return map.u_at(map.length_mm());
   // Both sides of a ring meet: they end at one and the same place.
   const double reach = before.held_mm + before.way_mm + after.held_mm + after.way_mm;
-  if (is_ring && reach >= map.length_mm() - kMeetMm) return first_u(map);
+  if (is_ring && reach >= map.length_mm() - kRingMeetMm) return first_u(map);
   return map.u_at(grab_mm + after.held_mm + after.way_mm);
 }
 

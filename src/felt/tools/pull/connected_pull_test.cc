@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "felt/document/edit_builder.h"
-#include "felt/tools/testing/desk.h"
 #include "felt/tools/pull/pull_tool.h"
+#include "felt/tools/testing/desk.h"
 
 namespace felt {
 namespace {
@@ -20,7 +20,7 @@ using testing::Pen;
 using testing::straight_stroke;
 using testing::way;
 
-struct Pull {
+struct ConnectedPull {
   Desk desk;
   PullTool tool;
   Pen pen{tool, desk};
@@ -33,13 +33,13 @@ struct Pull {
   [[nodiscard]] const Stroke& at(StrokeId id) const { return *desk.document.find(id); }
 };
 
-constexpr Rgba kRed{200, 0, 0, 255};
+constexpr Rgba kPullRed{200, 0, 0, 255};
 
 TEST(ConnectedPull, R33_PullingASharedEndTakesTheOtherLineAlong) {
   for (const char* mode : {"brush", "sweep"}) {
-    Pull p;
+    ConnectedPull p;
     ASSERT_TRUE(p.tool.set_option("mode", std::string(mode)));
-    const StrokeId line = p.add({0, 0}, {80, 0}), red = p.add({80, 0}, {80, 90}, kRed);
+    const StrokeId line = p.add({0, 0}, {80, 0}), red = p.add({80, 0}, {80, 90}, kPullRed);
     const Document before = p.desk.document;
     p.pen.line(way({80, 0}, {100, -9}));
     EXPECT_EQ(p.pen.commits, 1) << mode;
@@ -54,8 +54,8 @@ TEST(ConnectedPull, R33_PullingASharedEndTakesTheOtherLineAlong) {
 }
 
 TEST(ConnectedPull, R33_PullingElsewhereLeavesTheSharedEndWhereItIs) {
-  Pull p;
-  const StrokeId line = p.add({0, 0}, {80, 0}), red = p.add({80, 0}, {80, 90}, kRed);
+  ConnectedPull p;
+  const StrokeId line = p.add({0, 0}, {80, 0}), red = p.add({80, 0}, {80, 90}, kPullRed);
   const Stroke before = p.at(red);
   p.pen.line(way({40, 0}, {40, 15}));
   EXPECT_EQ(p.at(red), before);
@@ -63,9 +63,9 @@ TEST(ConnectedPull, R33_PullingElsewhereLeavesTheSharedEndWhereItIs) {
 }
 
 TEST(ConnectedPull, R33_AnEndInTheMiddleStaysOnTheLineThatIsPulled) {
-  Pull p;
-  const StrokeId line = p.add({0, 0}, {80, 0}), post = p.add({40, 70}, {40, 0}, kRed);
-  const StrokeId far = p.add({5, 70}, {5, 0}, kRed);
+  ConnectedPull p;
+  const StrokeId line = p.add({0, 0}, {80, 0}), post = p.add({40, 70}, {40, 0}, kPullRed);
+  const StrokeId far = p.add({5, 70}, {5, 0}, kPullRed);
   const Stroke unmoved = p.at(far);
   p.pen.line(way({42, 0}, {42, -15}));
   const Stroke& end = p.at(post);
@@ -80,8 +80,8 @@ TEST(ConnectedPull, R33_AnEndInTheMiddleStaysOnTheLineThatIsPulled) {
 }
 
 TEST(ConnectedPull, R33_TheLineThatAPulledEndStandsOnFollows) {
-  Pull p;
-  const StrokeId base = p.add({0, 0}, {80, 0}, kRed), post = p.add({40, 70}, {40, 0});
+  ConnectedPull p;
+  const StrokeId base = p.add({0, 0}, {80, 0}, kPullRed), post = p.add({40, 70}, {40, 0});
   p.pen.line(way({40, 0.5}, {40, -14.5}));
   const Stroke& moved = p.at(post);
   const Point tip = moved.position(moved.segment_count());
@@ -93,11 +93,11 @@ TEST(ConnectedPull, R33_TheLineThatAPulledEndStandsOnFollows) {
 }
 
 TEST(ConnectedPull, R33_AnEndOnALockedLineIsHeld) {
-  Pull p;
+  ConnectedPull p;
   p.desk.apply({"Layer", {}, {{{2}, std::nullopt, LayerState{"Other"}, 0, 1}}});
   const StrokeId line = p.add({0, 0}, {80, 0});
   p.desk.layer = LayerId{2};
-  const StrokeId red = p.add({80, 0}, {80, 90}, kRed);
+  const StrokeId red = p.add({80, 0}, {80, 90}, kPullRed);
   p.desk.apply({"State", {}, {{{2}, LayerState{"Other"}, LayerState{"Other", true, true}, 1, 1}}});
   p.desk.layer = LayerId{1};
   const Stroke before = p.at(red);
@@ -171,7 +171,7 @@ TEST(ConnectedPull, ASampleMakesOneMapOfTheLineHoweverManyStandOnIt) {
   for (int k = 1; k <= kSamples; ++k) {
     EditBuilder edit(desk.document);
     edit.replace(line, std::make_shared<const Stroke>(pull.at({0, -0.5 * k}).value()));
-    Edit whole = std::move(edit).build("Pull");
+    Edit whole = std::move(edit).build("ConnectedPull");
     connected.complete(whole, desk.scene());
     EXPECT_EQ(whole.changes.size(), 41u);
   }
@@ -192,9 +192,9 @@ TEST(ConnectedPull, WhatDoesNotChangeIsNotMadeAgain) {
 }
 
 TEST(ConnectedPull, ThePreviewShowsTheFollowersToo) {
-  Pull p;
+  ConnectedPull p;
   p.add({0, 0}, {80, 0});
-  p.add({80, 0}, {80, 90}, kRed);
+  p.add({80, 0}, {80, 90}, kPullRed);
   p.pen.up({80, 0});
   p.pen.down({80, 0});
   const ToolResult result = p.pen.at({90, 0, -1});

@@ -9,23 +9,19 @@
 namespace felt {
 namespace {
 
-Point place_of(const PenSample& pen) noexcept {
-  return {pen.position.x, pen.position.y};
-}
-
 class GrabGesture final : public PullGesture {
  public:
   GrabGesture(const PenSample& touch, const Scene& scene, const StrokeHit& hit,
               const GrabOptions& options, TouchOffset offset)
       : stroke_(scene.document, hit.stroke),
         pull_(stroke_.before(), hit.u, options),
-        start_(place_of(touch)),
+        start_(on_sheet(touch.position)),
         offset_(start_ - pull_.origin()),
         mode_(offset),
         shown_(stroke_.before()) {}
 
   std::optional<Edit> move(const PenSample& pen, const Scene& /*scene*/) override {
-    const Vec displacement = curve_displacement(place_of(pen) - start_, offset_, mode_);
+    const Vec displacement = curve_displacement(on_sheet(pen.position) - start_, offset_, mode_);
     if (displacement == displacement_) return std::nullopt;
     Result<Stroke> bent = pull_.at(displacement);
     if (!bent) return std::nullopt;  // the last good shape stays

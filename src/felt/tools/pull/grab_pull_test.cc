@@ -10,16 +10,15 @@
 
 #include "felt/geometry/nearest.h"
 #include "felt/stroke/testing/random_stroke.h"
+#include "felt/stroke/testing/stroke_probe.h"
 
 namespace felt {
 namespace {
 
+using testing::length_of;
 using testing::random_stroke;
 using testing::RandomStroke;
-
-StrokePtr shared(Stroke stroke) {
-  return std::make_shared<const Stroke>(std::move(stroke));
-}
+using testing::share;
 
 std::vector<double> places_of_r21() {
   std::vector<double> t{0.0, 1e-9};
@@ -28,7 +27,7 @@ std::vector<double> places_of_r21() {
 }
 
 /// A circle of n segments, smooth all round.
-StrokePtr ring(int n, double radius = 10.0) {
+StrokePtr circle_of(int n, double radius = 10.0) {
   StrokeData d;
   d.closed = true;
   const double step = 2.0 * std::numbers::pi / n;
@@ -46,16 +45,16 @@ StrokePtr ring(int n, double radius = 10.0) {
     d.joints.push_back(JointKind::kSmooth);
   }
   d.widths = {{0.0, 1.0}, {static_cast<double>(n), 2.0}};
-  return shared(Stroke::create(d).value());
+  return share(Stroke::create(d).value());
 }
 
 /// A closed stroke of one segment, a drop.
 StrokePtr drop() {
-  return shared(Stroke::create({.points = {{10, 10}, {30, 10}, {10, 30}, {10, 10}},
-                                .joints = {JointKind::kCorner},
-                                .closed = true,
-                                .widths = {{0.0, 1.0}, {1.0, 2.0}}})
-                    .value());
+  return share(Stroke::create({.points = {{10, 10}, {30, 10}, {10, 30}, {10, 10}},
+                               .joints = {JointKind::kCorner},
+                               .closed = true,
+                               .widths = {{0.0, 1.0}, {1.0, 2.0}}})
+                   .value());
 }
 
 /// An open wave of n smooth segments.
@@ -70,7 +69,7 @@ StrokePtr wave(int n, double length_mm = 12.0) {
     if (k > 0) d.joints.push_back(JointKind::kSmooth);
   }
   d.widths = {{0.0, 1.0}, {static_cast<double>(n), 1.0}};
-  return shared(Stroke::create(d).value());
+  return share(Stroke::create(d).value());
 }
 
 const WeightKind kExact[] = {WeightKind::kSoft, WeightKind::kPaper};
@@ -79,7 +78,7 @@ TEST(GrabPull, R21_TheStrokePassesThroughThePen) {
   RandomStroke random(21);
   for (std::uint64_t seed = 0; seed < 60; ++seed) {
     SCOPED_TRACE(seed);
-    const StrokePtr stroke = shared(random_stroke(seed));
+    const StrokePtr stroke = share(random_stroke(seed));
     const int segment = random.pick(0, stroke->segment_count() - 1);
     for (const double t : places_of_r21()) {
       for (const WeightKind kind : kExact) {
@@ -99,7 +98,7 @@ TEST(GrabPull, R21_TheStrokePassesThroughThePen) {
 
 TEST(GrabPull, R23_TheWayDoesNotMatter) {
   for (std::uint64_t seed = 0; seed < 100; ++seed) {
-    const StrokePtr stroke = shared(random_stroke(seed));
+    const StrokePtr stroke = share(random_stroke(seed));
     RandomStroke random(seed + 500);
     const GrabPull pull(stroke, random.uniform(0.0, stroke->segment_count()), {});
     const Vec v{random.uniform(-20, 20), random.uniform(-20, 20)};
@@ -116,7 +115,7 @@ TEST(GrabPull, R23_TheWayDoesNotMatter) {
 
 TEST(GrabPull, R24_TenThousandTicksKeepG1) {
   RandomStroke random(24);
-  for (const StrokePtr& stroke : {wave(8), ring(5)}) {
+  for (const StrokePtr& stroke : {wave(8), circle_of(5)}) {
     for (int gesture = 0; gesture < 10; ++gesture) {
       const GrabPull pull(stroke, random.uniform(0.0, stroke->segment_count()), {});
       for (int tick = 0; tick < 500; ++tick) {
@@ -139,12 +138,6 @@ double nearest_u(const Stroke& stroke, Point p) {
   return u;
 }
 
-double length_of(const Stroke& stroke) {
-  double length = 0.0;
-  for (int i = 0; i < stroke.segment_count(); ++i) length += arc_length(stroke.segment(i), 1e-3);
-  return length;
-}
-
 TEST(GrabPull, R24_TwoThousandCommittedPullsDoNotBlowUp) {
   // Whoever pulls a line about for an hour: each pull takes what is near to a place near where the
   // line once was.
@@ -158,7 +151,7 @@ TEST(GrabPull, R24_TwoThousandCommittedPullsDoNotBlowUp) {
     const Point to = home + Vec{random.uniform(-1, 1), random.uniform(-1, 1)};
     const Result<Stroke> done = GrabPull(stroke, u, {}).finished(to - stroke->position(u));
     ASSERT_TRUE(done) << k << ": " << done.error().message;
-    stroke = shared(*done);
+    stroke = share(*done);
     most = std::max(most, static_cast<std::size_t>(stroke->segment_count()));
   }
   EXPECT_LE(most, 40U);                                    // measured: 30
@@ -215,7 +208,7 @@ TEST(GrabPull, Eq7AsPrintedMovesByItsOwnNumbers) {
 }
 
 TEST(GrabPull, R26_EndsAndCornersStayUnlessTakenHoldOf) {
-  const StrokePtr stroke = shared(testing::straight_stroke({0, 0}, {12, 0}, 1.0, 1.0));
+  const StrokePtr stroke = share(testing::straight_stroke({0, 0}, {12, 0}, 1.0, 1.0));
   const Vec v{1.0, 5.0};
   for (const double t : {0.25, 0.5, 0.75}) {
     const Stroke held = *GrabPull(stroke, t, {}).at(v);
@@ -230,12 +223,12 @@ TEST(GrabPull, R26_EndsAndCornersStayUnlessTakenHoldOf) {
 }
 
 TEST(GrabPull, R26_CornersStayCornersAndMoveAsAWhole) {
-  const StrokePtr stroke = shared(
-      Stroke::create({.points = {{0, 0}, {4, 0}, {8, 0}, {12, 0}, {12, 4}, {12, 8}, {12, 12}},
-                      .joints = {JointKind::kCorner},
-                      .closed = false,
-                      .widths = {{0.0, 1.0}, {2.0, 1.0}}})
-          .value());
+  const StrokePtr stroke =
+      share(Stroke::create({.points = {{0, 0}, {4, 0}, {8, 0}, {12, 0}, {12, 4}, {12, 8}, {12, 12}},
+                            .joints = {JointKind::kCorner},
+                            .closed = false,
+                            .widths = {{0.0, 1.0}, {2.0, 1.0}}})
+                .value());
   const Vec v{3.0, -2.0};
   for (const double u : {1.0, std::nextafter(1.0, 0.0)}) {
     const Stroke bent = *GrabPull(stroke, u, {}).at(v);
@@ -251,7 +244,7 @@ TEST(GrabPull, R26_CornersStayCornersAndMoveAsAWhole) {
 
 TEST(GrabPull, R26_ClosedStrokesOfOneAndTwoAndMoreSegments) {
   RandomStroke random(26);
-  for (const StrokePtr& stroke : {drop(), ring(2), ring(3), ring(6)}) {
+  for (const StrokePtr& stroke : {drop(), circle_of(2), circle_of(3), circle_of(6)}) {
     const int n = stroke->segment_count();
     for (int k = 0; k < 300; ++k) {
       const double u = k == 0 ? 0.0 : (k == 1 ? n : random.uniform(0.0, n));
@@ -270,7 +263,7 @@ TEST(GrabPull, R26_ClosedStrokesOfOneAndTwoAndMoreSegments) {
 
 TEST(GrabPull, R26_OnlyTheSegmentAndItsNeighboursChange) {
   for (const bool closed : {false, true}) {
-    const StrokePtr stroke = closed ? ring(8) : wave(8);
+    const StrokePtr stroke = closed ? circle_of(8) : wave(8);
     for (int segment = 0; segment < 8; ++segment) {
       const GrabPull pull(stroke, segment + 0.4, {});
       for (const bool finished : {false, true}) {
@@ -289,7 +282,7 @@ TEST(GrabPull, R26_OnlyTheSegmentAndItsNeighboursChange) {
 }
 
 TEST(GrabPull, DividedAtTheGrabLittleChanges) {
-  const StrokePtr stroke = shared(testing::straight_stroke({0, 0}, {200, 0}, 1.0, 2.0));
+  const StrokePtr stroke = share(testing::straight_stroke({0, 0}, {200, 0}, 1.0, 2.0));
   const GrabPull pull(stroke, 0.5, {.affected_mm = 30.0});
   const Result<Stroke> bent = pull.at({0.0, 6.0});
   ASSERT_TRUE(bent);

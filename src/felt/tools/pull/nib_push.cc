@@ -16,7 +16,7 @@ namespace {
 constexpr double kLongestHandle = 1.5;
 
 /// R27: the stroke is no nearer than the radius less this, mm.
-constexpr double kClearMm = 1e-6;
+constexpr double kTouchMm = 1e-6;
 
 /// What a correction beyond the usual number adds to the radius, mm.
 constexpr double kRoomMm = 1e-3;
@@ -293,7 +293,7 @@ Result<Stroke> NibPush::finished(Point pen) const {
   // The refit may have moved the stroke towards the nib by kRefitToleranceMm: once more.
   NibPush again(std::make_shared<const Stroke>(*std::move(refitted)), radius_mm_);
   again.move(pen, pen);
-  if (again.nearest_to(pen, radius_mm_ - kClearMm) && !nearest_to(pen, radius_mm_ - kClearMm)) {
+  if (again.nearest_to(pen, radius_mm_ - kTouchMm) && !nearest_to(pen, radius_mm_ - kTouchMm)) {
     return strand_.stroke();
   }
   return *again.stroke();

@@ -10,18 +10,17 @@
 
 #include "felt/geometry/nearest.h"
 #include "felt/stroke/testing/random_stroke.h"
+#include "felt/stroke/testing/stroke_probe.h"
 
 namespace felt {
 namespace {
 
+using testing::length_of;
 using testing::random_stroke;
 using testing::RandomStroke;
+using testing::share;
 
 constexpr double kRadius = 3.0;
-
-StrokePtr shared(Stroke stroke) {
-  return std::make_shared<const Stroke>(std::move(stroke));
-}
 
 /// A smooth line of n segments along x with waves that high.
 StrokePtr line(int n, double segment_mm, double wave_mm = 0.0) {
@@ -35,7 +34,7 @@ StrokePtr line(int n, double segment_mm, double wave_mm = 0.0) {
     if (k > 0) d.joints.push_back(JointKind::kSmooth);
   }
   d.widths = {{0.0, 1.0}, {static_cast<double>(n), 1.0}};
-  return shared(Stroke::create(d).value());
+  return share(Stroke::create(d).value());
 }
 
 struct Near {
@@ -43,7 +42,7 @@ struct Near {
   Point point;
 };
 
-Near nearest_on(const Stroke& stroke, Point p) {
+Near nearest_place(const Stroke& stroke, Point p) {
   Near best;
   for (int i = 0; i < stroke.segment_count(); ++i) {
     const Nearest near = nearest(stroke.segment(i), p);
@@ -51,12 +50,6 @@ Near nearest_on(const Stroke& stroke, Point p) {
     if (d < best.distance_mm) best = {d, near.point};
   }
   return best;
-}
-
-double length_of(const Stroke& stroke) {
-  double length = 0.0;
-  for (int i = 0; i < stroke.segment_count(); ++i) length += arc_length(stroke.segment(i), 1e-3);
-  return length;
 }
 
 /// Goes along a polyline in samples `step_mm` apart and calls `check` after each.
@@ -70,7 +63,7 @@ void go(NibPush& push, const std::vector<Point>& way, double step_mm, Check chec
         std::max(1, static_cast<int>(std::ceil(distance(way[k - 1], way[k]) / step_mm)));
     for (int i = 1; i <= steps; ++i) {
       const Point next = lerp(way[k - 1], way[k], static_cast<double>(i) / steps);
-      const double before = nearest_on(*push.stroke(), next).distance_mm;
+      const double before = nearest_place(*push.stroke(), next).distance_mm;
       const StrokePtr old = push.stroke();
       const bool moved = push.move(last, next);
       // No motion without contact, on the way or at its end.
@@ -92,10 +85,10 @@ TEST(NibPush, R27_ACrossingPartsTheLineAndNeverFlipsIt) {
       for (const double wave : {0.0, 4.0}) {
         NibPush push(line(10, 12.0, wave), kRadius);
         go(push, {{x, -20}, {x, 25}}, 1e-3 * speed, [&](Point pen, bool) {
-          const Near near = nearest_on(*push.stroke(), pen);
+          const Near near = nearest_place(*push.stroke(), pen);
           ASSERT_GE(near.distance_mm, kRadius - 1e-6) << speed << ", " << x << ", " << pen.y;
           // The line is ahead of the pen: above it in y right over the pen.
-          const Near ahead = nearest_on(*push.stroke(), pen + Vec{0.0, kRadius});
+          const Near ahead = nearest_place(*push.stroke(), pen + Vec{0.0, kRadius});
           if (pen.y > -3.0) {
             ASSERT_GT(ahead.point.y, pen.y);
           }
@@ -112,12 +105,12 @@ TEST(NibPush, R27_ACrossingPartsTheLineAndNeverFlipsIt) {
 TEST(NibPush, R27_StrokesOfEveryShapeKeepClearOfTheNib) {
   for (std::uint64_t seed = 0; seed < 400; ++seed) {
     SCOPED_TRACE(seed);
-    const StrokePtr stroke = shared(random_stroke(seed));
+    const StrokePtr stroke = share(random_stroke(seed));
     RandomStroke random(seed + 27);
     const auto place = [&] { return Point{random.uniform(-5, 25), random.uniform(-5, 25)}; };
     NibPush push(stroke, kRadius);
     go(push, {place(), place(), place()}, 0.4, [&](Point pen, bool) {
-      ASSERT_GE(nearest_on(*push.stroke(), pen).distance_mm, kRadius - 1e-6);
+      ASSERT_GE(nearest_place(*push.stroke(), pen).distance_mm, kRadius - 1e-6);
     });
   }
 }
@@ -126,7 +119,7 @@ TEST(NibPush, R27_NeverPulls) {
   NibPush push(line(10, 12.0), kRadius);
   go(push, {{60, -20}, {60, 5}}, 0.5, [](Point, bool) {});
   const StrokePtr parted = push.stroke();
-  EXPECT_NEAR(nearest_on(*parted, {60, 20}).point.y, 8.0, 1e-6);
+  EXPECT_NEAR(nearest_place(*parted, {60, 20}).point.y, 8.0, 1e-6);
   // Away again, on any way through the dale: nothing moves.
   go(push, {{60, 5}, {60, -20}, {90, -20}}, 0.5, [&](Point, bool moved) { ASSERT_FALSE(moved); });
   EXPECT_EQ(push.stroke(), parted);
@@ -138,8 +131,8 @@ TEST(NibPush, R27_StridesJumpOverNothing) {
     NibPush push(line(10, 12.0), kRadius);
     push.move({x, -450}, {x, -450});
     EXPECT_TRUE(push.move({x, -450}, {x, 50}));
-    EXPECT_GE(nearest_on(*push.stroke(), {x, 50}).distance_mm, kRadius - 1e-6);
-    EXPECT_GT(nearest_on(*push.stroke(), {x, 80}).point.y, 52.9);
+    EXPECT_GE(nearest_place(*push.stroke(), {x, 50}).distance_mm, kRadius - 1e-6);
+    EXPECT_GT(nearest_place(*push.stroke(), {x, 80}).point.y, 52.9);
   }
   EXPECT_TRUE(nib_meets(line(1, 120.0)->segment(0), {60, -450}, {60, 50}, kRadius));
   EXPECT_FALSE(nib_meets(line(1, 120.0)->segment(0), {60, -450}, {60, -50}, kRadius));
@@ -149,11 +142,11 @@ TEST(NibPush, R27_LandingOnALinePartsItToTheSideAwayFromThePen) {
   for (const double side : {-1.0, 1.0}) {
     NibPush push(line(10, 12.0), kRadius);
     ASSERT_TRUE(push.move({50, 0}, {50, 0}, {0.0, side}));  // it came from that side
-    EXPECT_NEAR(nearest_on(*push.stroke(), {50, -5.0 * side}).point.y, -kRadius * side, 1e-2);
+    EXPECT_NEAR(nearest_place(*push.stroke(), {50, -5.0 * side}).point.y, -kRadius * side, 1e-2);
   }
   NibPush push(line(10, 12.0), kRadius);  // from nowhere: to one of them
   ASSERT_TRUE(push.move({50, 0}, {50, 0}));
-  EXPECT_GE(nearest_on(*push.stroke(), {50, 0}).distance_mm, kRadius - 1e-6);
+  EXPECT_GE(nearest_place(*push.stroke(), {50, 0}).distance_mm, kRadius - 1e-6);
 }
 
 TEST(NibPush, WhatIsFarFromTheNibStaysBitForBit) {
@@ -173,14 +166,14 @@ TEST(NibPush, WhatIsFarFromTheNibStaysBitForBit) {
 
 TEST(NibPush, R27_ARimThatShutsTheNibInIsWidened) {
   // A drop of ink round the pen, smaller than the nib.
-  const StrokePtr drop = shared(Stroke::create({.points = {{10, 10}, {13, 10}, {10, 13}, {10, 10}},
-                                                .joints = {JointKind::kCorner},
-                                                .closed = true,
-                                                .widths = {{0.0, 0.5}, {1.0, 0.5}}})
-                                    .value());
+  const StrokePtr drop = share(Stroke::create({.points = {{10, 10}, {13, 10}, {10, 13}, {10, 10}},
+                                               .joints = {JointKind::kCorner},
+                                               .closed = true,
+                                               .widths = {{0.0, 0.5}, {1.0, 0.5}}})
+                                   .value());
   NibPush push(drop, kRadius);
   push.move({10.8, 10.8}, {10.8, 10.8});
-  EXPECT_GE(nearest_on(*push.stroke(), {10.8, 10.8}).distance_mm, kRadius - 1e-6);
+  EXPECT_GE(nearest_place(*push.stroke(), {10.8, 10.8}).distance_mm, kRadius - 1e-6);
 }
 
 }  // namespace

@@ -5,15 +5,17 @@
 #include <limits>
 
 #include "felt/geometry/nearest.h"
-#include "felt/tools/testing/desk.h"
+#include "felt/stroke/testing/stroke_probe.h"
 #include "felt/tools/pull/grab_gesture.h"
 #include "felt/tools/pull/push_gesture.h"
 #include "felt/tools/pull/sweep_gesture.h"
+#include "felt/tools/testing/desk.h"
 
 namespace felt {
 namespace {
 
 using testing::Desk;
+using testing::distance_to;
 using testing::straight_stroke;
 
 PenSample pen_at(Point p, int ms = 0) {
@@ -21,14 +23,6 @@ PenSample pen_at(Point p, int ms = 0) {
   pen.time_ns = 1'000'000LL * ms;
   pen.position = {p.x, p.y, -1.0};
   return pen;
-}
-
-double distance_to(const Stroke& stroke, Point p) {
-  double near = std::numeric_limits<double>::infinity();
-  for (int i = 0; i < stroke.segment_count(); ++i) {
-    near = std::min(near, nearest(stroke.segment(i), p).distance_squared);
-  }
-  return std::sqrt(near);
 }
 
 StrokePtr after(const Edit& edit, StrokeId id) {

@@ -7,18 +7,17 @@
 #include <limits>
 #include <numbers>
 
+#include "felt/base/constants.h"
 #include "felt/geometry/nearest.h"
 #include "felt/haptics/testing/feel_rig.h"
-#include "felt/tools/testing/desk.h"
 #include "felt/tools/pull/pull_tool.h"
+#include "felt/tools/testing/desk.h"
 
 namespace felt {
 namespace {
 
 using testing::Desk;
 using testing::straight_stroke;
-
-constexpr double kTau = 2.0 * std::numbers::pi;
 
 /// A pull tool in the loop of a device: it gets every sample, and publishes what is felt each 4 ms.
 struct Loop {

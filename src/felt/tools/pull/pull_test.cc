@@ -5,22 +5,23 @@
 #include <limits>
 #include <numbers>
 
+#include "felt/base/constants.h"
 #include "felt/geometry/nearest.h"
 #include "felt/haptics/testing/feel_rig.h"
-#include "felt/tools/testing/desk.h"
+#include "felt/stroke/testing/stroke_probe.h"
 #include "felt/tools/pull/pull_force.h"
 #include "felt/tools/pull/pull_tool.h"
+#include "felt/tools/testing/desk.h"
 
 namespace felt {
 namespace {
 
 using testing::Desk;
+using testing::distance_to;
 using testing::Pen;
 using testing::straight_stroke;
 using testing::way;
 using testing::operator+;
-
-constexpr double kTau = 2.0 * std::numbers::pi;
 
 struct Pull {
   Desk desk;
@@ -46,14 +47,6 @@ struct Pull {
     return tool.force(desk.scene())(rig::pen_at({p.x, p.y, -1}), memory);
   }
 };
-
-double distance_to(const Stroke& s, Point p) {
-  double best = std::numeric_limits<double>::infinity();
-  for (int i = 0; i < s.segment_count(); ++i) {
-    best = std::min(best, nearest(s.segment(i), p).distance_squared);
-  }
-  return std::sqrt(best);
-}
 
 TEST(Pull, OneGestureIsOneUndoStepThatRestoresTheBytes) {
   Pull p;

@@ -13,7 +13,7 @@
 namespace felt {
 namespace {
 
-constexpr ToolInfo kInfo{
+constexpr ToolInfo kPullInfo{
     .id = "pull",
     .label = "Pull",
     .help = "Corrects lines: take hold of one and pull it into shape, or push it from outside.",
@@ -21,13 +21,9 @@ constexpr ToolInfo kInfo{
     .options = kPullOptions,
 };
 
-Point place_of(const PenSample& pen) noexcept {
-  return {pen.position.x, pen.position.y};
-}
-
 }  // namespace
 
-PullTool::PullTool() : GestureTool(kInfo) {}
+PullTool::PullTool() : GestureTool(kPullInfo) {}
 
 void PullTool::take_options(const OptionValues& options) {
   settings_ = pull_settings(options);
@@ -41,7 +37,7 @@ BrushOptions PullTool::brush_for(const PenSample& sample) const {
 
 ToolResult PullTool::hover(const PenSample& sample, const Scene& scene) {
   hovers_ = true;
-  pen_ = place_of(sample);
+  pen_ = on_sheet(sample.position);
   const auto hit = settings_.mode == PullMode::kPush
                        ? std::nullopt
                        : scene.index.nearest(pen_, settings_.grab_radius_mm);
@@ -62,7 +58,7 @@ ToolResult PullTool::begin(const PenSample& sample, const Scene& scene) {
     gesture_ = make_push(sample, scene, settings_.push);
     return move(sample, scene);
   }
-  const auto hit = scene.index.nearest(place_of(sample), settings_.grab_radius_mm);
+  const auto hit = scene.index.nearest(on_sheet(sample.position), settings_.grab_radius_mm);
   if (!hit) return {};
   const BrushOptions brush = brush_for(sample);
   switch (settings_.mode) {

@@ -10,13 +10,9 @@
 namespace felt {
 namespace {
 
-constexpr const char* kLabel = "Push";
+constexpr const char* kPushLabel = "Push";
 /// A line farther from the nib than this is not felt: the law falls to zero within 1 N/Kcap.
 constexpr double kFeltMm = 4.0;
-
-Point place_of(const PenSample& pen) noexcept {
-  return {pen.position.x, pen.position.y};
-}
 
 /// A stroke that the nib has met.
 struct Pushed {
@@ -27,10 +23,10 @@ struct Pushed {
 class PushGesture final : public PullGesture {
  public:
   PushGesture(const PenSample& touch, const PushOptions& options)
-      : radius_mm_(options.radius_mm), last_(place_of(touch)) {}
+      : radius_mm_(options.radius_mm), last_(on_sheet(touch.position)) {}
 
   std::optional<Edit> move(const PenSample& pen, const Scene& scene) override {
-    const Point now = place_of(pen);
+    const Point now = on_sheet(pen.position);
     // A pen that lands exactly on a line came from where it was before.
     const Vec came_from = -normalized({pen.velocity.x, pen.velocity.y});
     meet(scene, last_, now);
@@ -40,13 +36,13 @@ class PushGesture final : public PullGesture {
     }
     last_ = now;
     if (!moved) return std::nullopt;
-    Edit edit{.label = kLabel, .changes = {}};
+    Edit edit{.label = kPushLabel, .changes = {}};
     for (const auto& [id, pushed] : pushed_) add(pushed, pushed.push.stroke(), edit);
     return edit;
   }
 
   Edit end(const Scene& /*scene*/) override {
-    Edit edit{.label = kLabel, .changes = {}};
+    Edit edit{.label = kPushLabel, .changes = {}};
     for (const auto& [id, pushed] : pushed_) {
       if (pushed.push.stroke() == pushed.place.before()) continue;
       Result<Stroke> done = pushed.push.finished(last_);
@@ -121,7 +117,7 @@ class PushGesture final : public PullGesture {
 
   static void add(const Pushed& pushed, StrokePtr after, Edit& edit) {
     if (after == pushed.place.before()) return;
-    Edit one = pushed.place.with(std::move(after), kLabel);
+    Edit one = pushed.place.with(std::move(after), kPushLabel);
     edit.changes.push_back(std::move(one.changes.front()));
   }
 

@@ -7,6 +7,7 @@
 
 #include "felt/geometry/nearest.h"
 #include "felt/stroke/testing/random_stroke.h"
+#include "felt/stroke/testing/stroke_probe.h"
 #include "felt/tools/pull/refit.h"
 
 namespace felt {
@@ -14,15 +15,12 @@ namespace {
 
 using testing::random_stroke;
 using testing::RandomStroke;
-
-StrokePtr shared(Stroke stroke) {
-  return std::make_shared<const Stroke>(std::move(stroke));
-}
+using testing::share;
 
 TEST(Strand, UntouchedItIsTheSnapshot) {
   for (std::uint64_t seed = 0; seed < 200; ++seed) {
     SCOPED_TRACE(seed);
-    const StrokePtr stroke = shared(random_stroke(seed));
+    const StrokePtr stroke = share(random_stroke(seed));
     if (stroke->closed() && stroke->segment_count() == 1) continue;
     const Strand strand(stroke);
     EXPECT_EQ(strand.stroke().value(), *stroke);
@@ -33,7 +31,7 @@ TEST(Strand, UntouchedItIsTheSnapshot) {
 TEST(Strand, DividedItIsTheSameInk) {
   for (std::uint64_t seed = 0; seed < 300; ++seed) {
     SCOPED_TRACE(seed);
-    const StrokePtr stroke = shared(random_stroke(seed));
+    const StrokePtr stroke = share(random_stroke(seed));
     Strand strand(stroke);
     RandomStroke random(seed + 1000);
     for (int k = 0; k < 5; ++k) {
@@ -53,7 +51,7 @@ TEST(Strand, DividedItIsTheSameInk) {
 }
 
 TEST(Strand, SliversAreNotMade) {
-  Strand strand(shared(testing::straight_stroke({0, 0}, {1, 0}, 1.0, 1.0)));
+  Strand strand(share(testing::straight_stroke({0, 0}, {1, 0}, 1.0, 1.0)));
   EXPECT_FALSE(strand.divide(0, 0.01));
   EXPECT_FALSE(strand.divide(0, 0.96));
   EXPECT_TRUE(strand.divide(0, 0.1));
@@ -65,7 +63,7 @@ TEST(Strand, SliversAreNotMade) {
 TEST(Strand, WidthAndToneGoWithTheirPlace) {
   for (std::uint64_t seed = 1; seed <= 200; ++seed) {
     SCOPED_TRACE(seed);
-    const StrokePtr was = shared(testing::random_stroke(seed));
+    const StrokePtr was = share(testing::random_stroke(seed));
     Strand strand(was);
     strand.divide_evenly(0, 1e-9, 4);
     const Result<Stroke> now = strand.stroke();
@@ -84,20 +82,20 @@ TEST(Strand, WidthAndToneGoWithTheirPlace) {
 /// Handles that stand, at joints that are smooth: R28.
 TEST(Strand, R28_StandingHandlesKeepJointsSmooth) {
   // Handles that stand on both sides of two smooth joints.
-  const StrokePtr valid = shared(Stroke::create({.points = {{0, 0},
-                                                            {3, 0},
-                                                            {10, 0},
-                                                            {10, 0},
-                                                            {10, 0},
-                                                            {20, 0},
-                                                            {20, 0},
-                                                            {20, 0},
-                                                            {28, 0},
-                                                            {28, 4}},
-                                                 .joints = {JointKind::kSmooth, JointKind::kSmooth},
-                                                 .closed = false,
-                                                 .widths = {{0.0, 1.0}, {3.0, 1.0}}})
-                                     .value());
+  const StrokePtr valid = share(Stroke::create({.points = {{0, 0},
+                                                           {3, 0},
+                                                           {10, 0},
+                                                           {10, 0},
+                                                           {10, 0},
+                                                           {20, 0},
+                                                           {20, 0},
+                                                           {20, 0},
+                                                           {28, 0},
+                                                           {28, 4}},
+                                                .joints = {JointKind::kSmooth, JointKind::kSmooth},
+                                                .closed = false,
+                                                .widths = {{0.0, 1.0}, {3.0, 1.0}}})
+                                    .value());
   RandomStroke random(7);
   for (int round = 0; round < 500; ++round) {
     SCOPED_TRACE(round);
@@ -117,11 +115,11 @@ TEST(Strand, R28_StandingHandlesKeepJointsSmooth) {
 TEST(Strand, R28_AHandleThatIsPulledToNothing) {
   // The pull takes the left handle of the second segment to its joint exactly, or nearly.
   const StrokePtr stroke =
-      shared(Stroke::create({.points = {{0, 0}, {3, 0}, {7, 0}, {10, 0}, {13, 0}, {17, 5}, {20, 5}},
-                             .joints = {JointKind::kSmooth},
-                             .closed = false,
-                             .widths = {{0.0, 1.0}, {2.0, 1.0}}})
-                 .value());
+      share(Stroke::create({.points = {{0, 0}, {3, 0}, {7, 0}, {10, 0}, {13, 0}, {17, 5}, {20, 5}},
+                            .joints = {JointKind::kSmooth},
+                            .closed = false,
+                            .widths = {{0.0, 1.0}, {2.0, 1.0}}})
+                .value());
   for (const double t : {0.2, 0.5, 0.7}) {
     const EditWeights w = soft_weights(t);
     for (const double off : {0.0, 1e-9, 1e-7, 1e-5}) {
@@ -138,7 +136,7 @@ TEST(Strand, R28_AHandleThatIsPulledToNothing) {
 }
 
 TEST(Strand, WhatWouldFoldToNothingIsLeft) {
-  Strand strand(shared(testing::straight_stroke({0, 0}, {1, 0}, 1.0, 1.0)));
+  Strand strand(share(testing::straight_stroke({0, 0}, {1, 0}, 1.0, 1.0)));
   const Cubic before = strand.segment(0);
   EXPECT_FALSE(strand.bend(0, 0.5, {{0, 0, 0, 1}}, {std::nan(""), 0.0}));
   EXPECT_FALSE(strand.bend(0, 0.5, {{0, 1.0 / 3, 2.0 / 3, 1}}, {-1.0, 0.0}));
@@ -149,7 +147,7 @@ TEST(Strand, WhatWouldFoldToNothingIsLeft) {
 TEST(Refit, IllShapedSegmentsAreMended) {
   for (std::uint64_t seed = 0; seed < 200; ++seed) {
     SCOPED_TRACE(seed);
-    const StrokePtr stroke = shared(random_stroke(seed));
+    const StrokePtr stroke = share(random_stroke(seed));
     Strand strand(stroke);
     RandomStroke random(seed);
     const int i = random.pick(0, strand.count() - 1);

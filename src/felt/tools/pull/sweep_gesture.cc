@@ -10,16 +10,12 @@
 namespace felt {
 namespace {
 
-constexpr const char* kLabel = "Redraw";
+constexpr const char* kRedrawLabel = "Redraw";
 
 /// The pen's way is walked in steps of this, so that the rate of samples means nothing.
 constexpr double kStepNs = 1e6;
 /// Steps that one sample takes at most; after a longer pause they are longer.
-constexpr double kMaxSteps = 50.0;
-
-Point place_of(const PenSample& pen) noexcept {
-  return {pen.position.x, pen.position.y};
-}
+constexpr double kMaxSweepSteps = 50.0;
 
 class SweepGesture final : public PullGesture {
  public:
@@ -29,13 +25,13 @@ class SweepGesture final : public PullGesture {
         sweep_(stroke_.before(), hit.u),
         shown_(stroke_.before()),
         time_constant_ns_(1e9 * options.time_constant_s),
-        last_(place_of(touch)),
+        last_(on_sheet(touch.position)),
         last_ns_(touch.time_ns),
         stepped_(last_),
         stepped_ns_(touch.time_ns) {}
 
   std::optional<Edit> move(const PenSample& pen, const Scene& /*scene*/) override {
-    const Point now = place_of(pen);
+    const Point now = on_sheet(pen.position);
     // In double: the difference of two hostile times does not fit into 64 bits.
     const double passed = static_cast<double>(pen.time_ns) - static_cast<double>(last_ns_);
     const SweepPull before = sweep_;
@@ -49,14 +45,14 @@ class SweepGesture final : public PullGesture {
       return std::nullopt;
     }
     shown_ = std::make_shared<const Stroke>(*std::move(stroke));
-    return stroke_.with(shown_, kLabel);
+    return stroke_.with(shown_, kRedrawLabel);
   }
 
   Edit end(const Scene& /*scene*/) override {
     if (shown_ == stroke_.before()) return {};
     Result<Stroke> done = sweep_.finished();
     if (done) shown_ = std::make_shared<const Stroke>(*std::move(done));
-    return stroke_.with(shown_, kLabel);
+    return stroke_.with(shown_, kRedrawLabel);
   }
 
   [[nodiscard]] PullFeel feel() const override {
@@ -79,7 +75,7 @@ class SweepGesture final : public PullGesture {
  private:
   /// The way from the last sample to this one, in steps on a grid of time that began at the touch.
   bool walk(Point now, double passed_ns) {
-    const double step = std::max(kStepNs, passed_ns / kMaxSteps);
+    const double step = std::max(kStepNs, passed_ns / kMaxSweepSteps);
     const double part = 1.0 - std::exp(-step / time_constant_ns_);
     bool moved = false;
     double at = next_ns_;  // from the last sample on

@@ -8,8 +8,9 @@
 
 #include "felt/geometry/nearest.h"
 #include "felt/stroke/testing/random_stroke.h"
-#include "felt/tools/testing/desk.h"
+#include "felt/stroke/testing/stroke_probe.h"
 #include "felt/tools/pull/sweep_gesture.h"
+#include "felt/tools/testing/desk.h"
 
 namespace felt {
 namespace {
@@ -17,13 +18,10 @@ namespace {
 using testing::Desk;
 using testing::random_stroke;
 using testing::RandomStroke;
+using testing::share;
 using testing::straight_stroke;
 
 const double kPart = 1.0 - std::exp(-1.0 / 50.0);  // of a step of 1 ms
-
-StrokePtr shared(Stroke stroke) {
-  return std::make_shared<const Stroke>(std::move(stroke));
-}
 
 double farthest(const Stroke& a, const Stroke& b) {
   double far = 0.0;
@@ -41,8 +39,8 @@ double farthest(const Stroke& a, const Stroke& b) {
 TEST(SweepPull, R24_TenThousandTicks) {
   for (std::uint64_t seed = 0; seed < 6; ++seed) {
     SCOPED_TRACE(seed);
-    const StrokePtr stroke = seed < 3 ? shared(straight_stroke({0, 0}, {120, 0}, 1.0, 1.0))
-                                      : shared(random_stroke(seed));
+    const StrokePtr stroke =
+        seed < 3 ? share(straight_stroke({0, 0}, {120, 0}, 1.0, 1.0)) : share(random_stroke(seed));
     RandomStroke random(seed);
     SweepPull sweep(stroke, random.uniform(0.0, stroke->segment_count()));
     Point pen = sweep.point();
@@ -72,7 +70,7 @@ TEST(SweepPull, R24_TenThousandTicks) {
 }
 
 TEST(SweepPull, ThePenDrawsTheLineOverAgain) {
-  SweepPull sweep(shared(straight_stroke({0, 0}, {120, 0}, 1.0, 1.0)), 0.3);
+  SweepPull sweep(share(straight_stroke({0, 0}, {120, 0}, 1.0, 1.0)), 0.3);
   // 60 mm/s along a wave that leaves the line and comes back.
   const auto pen = [](double x) { return Point{x, 4.0 * std::sin(0.15 * (x - 36.0))}; };
   for (double x = 36.0; x < 36.0 + 2.0 * 3.14159 / 0.15; x += 0.06) sweep.step(pen(x), kPart);

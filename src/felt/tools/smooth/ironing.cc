@@ -6,15 +6,11 @@
 #include <numbers>
 
 #include "felt/stroke/edit/subdivide.h"
+#include "felt/tools/brush_bump.h"
 #include "felt/tools/smooth/ironed_stroke.h"
 
 namespace felt {
 namespace {
-
-/// The bump of all brushes: S(x) = 1 - 3x^2 + 2x^3.
-double bump(double x) noexcept {
-  return x < 1.0 ? 1.0 - x * x * (3.0 - 2.0 * x) : 0.0;
-}
 
 constexpr std::size_t kBlock = IronedBlocks::kPlaces;
 

@@ -42,7 +42,7 @@ Stroke arcs(Point center, double radius) {
   return Stroke::create(d).value();
 }
 
-double length_of(const Stroke& stroke) {
+double exact_length(const Stroke& stroke) {
   return ArcMap(stroke, 1e-5).length_mm();
 }
 
@@ -138,7 +138,7 @@ TEST(Ironing, JitterGoesTheShapeStaysAndSegmentsAreFewer) {
         EXPECT_LT(rms_from(after, way, 0.05, 0.95),
                   ink.share_left * rms_from(before, way, 0.05, 0.95));
         EXPECT_LT(after.segment_count(), before.segment_count());
-        EXPECT_NEAR(length_of(after), length_of(clean), 0.03 * length_of(clean));
+        EXPECT_NEAR(exact_length(after), exact_length(clean), 0.03 * exact_length(clean));
         EXPECT_EQ(after.data().points.front(), before.data().points.front());
         EXPECT_EQ(after.data().points.back(), before.data().points.back());
       }

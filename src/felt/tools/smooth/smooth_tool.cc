@@ -12,12 +12,12 @@
 namespace felt {
 namespace {
 
-constexpr ToolInfo kInfo{.id = "smooth",
-                         .label = "Smooth",
-                         .help = "Irons the jitter out of lines and leaves their shape.",
-                         .shortcut = 's',
-                         .options = kSmoothOptions};
-constexpr const char* kLabel = "Smooth";
+constexpr ToolInfo kSmoothInfo{.id = "smooth",
+                               .label = "Smooth",
+                               .help = "Irons the jitter out of lines and leaves their shape.",
+                               .shortcut = 's',
+                               .options = kSmoothOptions};
+constexpr const char* kSmoothLabel = "Smooth";
 /// The iron stands at most this far apart along the line between two samples.
 constexpr double kIronStepMm = 1.0;
 constexpr double kMostIronSteps = 100.0;
@@ -25,12 +25,6 @@ constexpr double kMostIronSteps = 100.0;
 constexpr double kLongestLineMm = 20'000.0;
 /// Roughness comes and goes in the hand with this time constant.
 constexpr double kFeelSeconds = 0.040;
-
-double seconds_between(std::int64_t from_ns, std::int64_t to_ns) {
-  // In double: the difference of two hostile times does not fit into 64 bits.
-  const double ns = static_cast<double>(to_ns) - static_cast<double>(from_ns);
-  return std::clamp(1e-9 * ns, 0.0, SmoothTool::kLongestStepS);
-}
 
 double seconds_off(std::int64_t a_ns, std::int64_t b_ns) {
   return 1e-9 * std::fabs(static_cast<double>(a_ns) - static_cast<double>(b_ns));
@@ -42,7 +36,7 @@ std::unique_ptr<Tool> make_smooth() {
   return std::make_unique<SmoothTool>();
 }
 
-SmoothTool::SmoothTool() : GestureTool(kInfo), settings_(smooth_settings(options())) {}
+SmoothTool::SmoothTool() : GestureTool(kSmoothInfo), settings_(smooth_settings(options())) {}
 
 void SmoothTool::take_options(const OptionValues& options) {
   settings_ = smooth_settings(options);
@@ -78,8 +72,8 @@ ToolResult SmoothTool::move(const PenSample& sample, const Scene& scene) {
   if (std::exchange(is_caught_up_, false)) {
     std::optional<Stroke> ironed = ironing_->shown();
     if (!ironed) return {.same_preview = true};
-    return {.preview =
-                replacement_->with(std::make_shared<const Stroke>(*std::move(ironed)), kLabel)};
+    return {.preview = replacement_->with(std::make_shared<const Stroke>(*std::move(ironed)),
+                                          kSmoothLabel)};
   }
   const double unshown = seconds_off(preview_ns_, sample.time_ns);
   const double unfelt = seconds_off(felt_ns_, sample.time_ns);
@@ -96,7 +90,7 @@ ToolResult SmoothTool::move(const PenSample& sample, const Scene& scene) {
 }
 
 void SmoothTool::iron(const PenSample& sample, const Scene& scene, bool is_near) {
-  const double seconds = seconds_between(last_ns_, sample.time_ns);
+  const double seconds = seconds_between(last_ns_, sample.time_ns, kLongestStepS);
   last_ns_ = sample.time_ns;
   const double pressure = Pressing(scene.surface, scene.device).of(sample).value_or(kMousePressure);
   const double rate = is_near ? kDoseRate * settings_.amount * (0.2 + 1.6 * pressure) : 0.0;
@@ -123,7 +117,8 @@ ToolResult SmoothTool::end(const Scene&) {
   ToolResult result;
   if (ironing_) {
     if (std::optional<Stroke> done = ironing_->finished()) {
-      result.commit = replacement_->with(std::make_shared<const Stroke>(*std::move(done)), kLabel);
+      result.commit =
+          replacement_->with(std::make_shared<const Stroke>(*std::move(done)), kSmoothLabel);
     }
   }
   stop();

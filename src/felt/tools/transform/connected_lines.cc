@@ -80,10 +80,6 @@ std::optional<MovedLine> line_of(const Document& document, StrokeId id, Demand d
   return line;
 }
 
-bool is_whole(const Selection::Marks& marks) {
-  return std::find(marks.begin(), marks.end(), 0) == marks.end();
-}
-
 /// An end that lies on a locked stroke stays, and its handle with it.
 void hold_end(MovedLine& line, double u) {
   const auto end = end_at(*line.stroke, u);
@@ -105,7 +101,7 @@ std::vector<MovedLine> connected_lines(const Document& document, const StrokeInd
       MovedLine& line = lines[done];
       const auto junctions = junctions_of(document, index, line.id, *line.stroke);
       // What moves as a whole keeps its shape, also if it leaves a locked line.
-      if (!is_whole(line.marks)) {
+      if (!all_marked(line.marks)) {
         for (const Junction& j : junctions) {
           if (!j.editable) hold_end(line, j.u);
         }

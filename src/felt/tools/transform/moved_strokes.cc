@@ -13,17 +13,13 @@
 namespace felt {
 namespace {
 
-bool is_whole(const Selection::Marks& marks) {
-  return std::find(marks.begin(), marks.end(), 0) == marks.end();
-}
-
 bool goes_whole(const Selection::Marks& marks, std::size_t segment) {
   return marks[3 * segment] && marks[3 * segment + 3];
 }
 
 /// The runs of segments of which both joints are selected, as strokes.
 std::vector<StrokePtr> selected_runs(const StrokePtr& stroke, const Selection::Marks& marks) {
-  if (is_whole(marks)) return {stroke};
+  if (all_marked(marks)) return {stroke};
   std::vector<StrokePtr> runs;
   const std::size_t n = marks.size() / 3;
   std::size_t first = 0;
@@ -120,7 +116,7 @@ void MovedStrokes::prepare_copies(const Document& document, const Selection& sel
 }
 
 void MovedStrokes::add(MovedLine line) {
-  const bool is_small = line.stroke->segment_count() == 1 && is_whole(line.marks);
+  const bool is_small = line.stroke->segment_count() == 1 && all_marked(line.marks);
   if (!is_small) {
     // A little more, for rounding.
     const double least =

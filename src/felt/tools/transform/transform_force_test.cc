@@ -19,7 +19,7 @@ constexpr TransformKind kKinds[] = {TransformKind::kMove,     TransformKind::kRo
                                     TransformKind::kScale,    TransformKind::kStretch,
                                     TransformKind::kStretchX, TransformKind::kStretchY};
 
-std::vector<Point> ring(int count, double radius) {
+std::vector<Point> points_around(int count, double radius) {
   std::vector<Point> points;
   for (int i = 0; i < count; ++i) {
     points.push_back({radius * std::cos(0.3 + 2.4 * i), radius * std::sin(0.3 + 2.4 * i)});
@@ -73,7 +73,7 @@ TEST(TransformForce, R35_GrowsWithTheLinesThatHold) {
   for (const double d : {3.4, 10.0, 40.0}) {
     double last = 0.0;
     for (int n = 1; n <= 64; ++n) {
-      Hold hold(TransformKind::kMove, {0, 0}, ring(n, 30));
+      Hold hold(TransformKind::kMove, {0, 0}, points_around(n, 30));
       const Vec force = hold.at({0.6 * d, 0.8 * d});
       EXPECT_GT(norm(force), last) << n << " anchors at " << d << " mm";
       EXPECT_LE(norm(force), 1.0);
@@ -86,13 +86,13 @@ TEST(TransformForce, R35_GrowsWithTheLinesThatHold) {
 TEST(TransformForce, R35_NothingBeforeAnyMotion) {
   for (const TransformKind kind : kKinds) {
     for (const int n : {1, 4, 64}) {
-      EXPECT_EQ(norm(Hold(kind, {20, 15}, ring(n, 30)).at({20, 15})), 0.0);
+      EXPECT_EQ(norm(Hold(kind, {20, 15}, points_around(n, 30)).at({20, 15})), 0.0);
     }
   }
 }
 
 TEST(TransformForce, R36_RotationIsAcrossTheArmAndGrowsOverTwoTurns) {
-  Hold hold(TransformKind::kRotate, {20, 0}, ring(3, 25));
+  Hold hold(TransformKind::kRotate, {20, 0}, points_around(3, 25));
   ForceMemory memory;
   double last = -1.0;
   for (double turn = 0.0; turn <= 4.0 * std::numbers::pi; turn += 0.02) {
@@ -103,12 +103,12 @@ TEST(TransformForce, R36_RotationIsAcrossTheArmAndGrowsOverTwoTurns) {
     ASSERT_GT(norm(force), last);
     last = norm(force);
   }
-  EXPECT_EQ(Hold(TransformKind::kRotate, {20, 0}, ring(3, 25)).at({0, 0}), Vec{});
+  EXPECT_EQ(Hold(TransformKind::kRotate, {20, 0}, points_around(3, 25)).at({0, 0}), Vec{});
 }
 
 TEST(TransformForce, R37_ScalesAndStretchesAreTheSameBothWays) {
   for (const TransformKind kind : {TransformKind::kScale, TransformKind::kStretchX}) {
-    Hold hold(kind, {50, 0}, ring(3, 30));
+    Hold hold(kind, {50, 0}, points_around(3, 30));
     for (double s = 1.05; s < 9.0; s *= 1.3) {
       const Vec up = hold.at({50 * s, 0}), down = hold.at({50 / s, 0});
       EXPECT_NEAR(norm(up), norm(down), 1e-12) << s;
@@ -121,12 +121,12 @@ TEST(TransformForce, R37_ScalesAndStretchesAreTheSameBothWays) {
 }
 
 TEST(TransformForce, R37_AStretchPullsAlongItsAxesOnly) {
-  Hold x(TransformKind::kStretchX, {30, 20}, ring(4, 30));
+  Hold x(TransformKind::kStretchX, {30, 20}, points_around(4, 30));
   EXPECT_EQ(x.at({30, 90}), Vec{});
   EXPECT_LT(x.at({45, 90}).x, 0.0);
   EXPECT_EQ(x.at({45, 90}).y, 0.0);
   EXPECT_EQ(x.at({-10, 20}), Vec{}) << "through the centre the factor stands still";
-  Hold both(TransformKind::kStretch, {30, 20}, ring(4, 30));
+  Hold both(TransformKind::kStretch, {30, 20}, points_around(4, 30));
   const Vec force = both.at({45, 10});
   EXPECT_LT(force.x, 0.0);
   EXPECT_GT(force.y, 0.0);
@@ -139,7 +139,7 @@ TEST(TransformForce, R38_IsContinuousAndNeverStifferThan300) {
        {TransformKind::kMove, TransformKind::kStretch, TransformKind::kStretchX}) {
     for (const int n : {1, 4, 16, 64}) {
       for (const Point grab : {Point{2, 1.5}, Point{12, 3}, Point{40, 60}}) {
-        Hold hold(kind, grab, ring(n, 25));
+        Hold hold(kind, grab, points_around(n, 25));
         EXPECT_LE(hold.model().slopes().lateral_n_per_m, 300.0);
         double steepest = 0.0;
         for (int i = 0; i < 1500; ++i) {
@@ -158,16 +158,16 @@ TEST(TransformForce, R38_IsContinuousAndNeverStifferThan300) {
 TEST(TransformForce, StrengthScalesItAndZeroLeavesTheSheet) {
   for (const TransformKind kind : kKinds) {
     const Point grab{20, 15}, pen{35, 28};
-    const Vec full = Hold(kind, grab, ring(5, 30)).at(pen);
-    const Vec half = Hold(kind, grab, ring(5, 30), 0.5).at(pen);
+    const Vec full = Hold(kind, grab, points_around(5, 30)).at(pen);
+    const Vec half = Hold(kind, grab, points_around(5, 30), 0.5).at(pen);
     EXPECT_GT(norm(full), 0.1);
     EXPECT_NEAR(norm(half), 0.5 * norm(full), 1e-12);
-    EXPECT_EQ(norm(Hold(kind, grab, ring(5, 30), 0.0).at(pen)), 0.0);
+    EXPECT_EQ(norm(Hold(kind, grab, points_around(5, 30), 0.0).at(pen)), 0.0);
   }
 }
 
 TEST(TransformForce, TheSameFeelKeepsItsFadeId) {
-  const std::vector<Point> anchors = ring(3, 20);
+  const std::vector<Point> anchors = points_around(3, 20);
   const Hold a(TransformKind::kScale, {20, 15}, anchors),
       b(TransformKind::kScale, {20, 15}, anchors);
   EXPECT_EQ(a.model().fade_id(), b.model().fade_id());
@@ -178,7 +178,7 @@ TEST(TransformForce, R30_TheStretchIsCalmOnEveryGrip) {
   double worst = 0.0;
   for (const int delay : {0, 1}) {
     rig::for_each_grip(0.001, delay, [&](const rig::Setup& setup) {
-      const std::vector<Point> anchors = ring(16, 25);
+      const std::vector<Point> anchors = points_around(16, 25);
       Desk desk;
       desk.device = setup.capabilities();
       const TransformHold hold{TransformKind::kStretch, {0, 0}, {25, 20}, anchors, 1};

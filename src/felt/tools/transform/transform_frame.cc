@@ -7,7 +7,7 @@ namespace felt {
 TransformFrame::TransformFrame(const Rect& ink, const Rect& box,
                                std::optional<Point> centre) noexcept
     : frame_(ink.inflated(kMarginMm)),
-      centre_(centre.value_or(lerp({box.x0, box.y0}, {box.x1, box.y1}, 0.5))),
+      centre_(centre.value_or(lerp(Point{box.x0, box.y0}, Point{box.x1, box.y1}, 0.5))),
       has_centre_(centre.has_value()) {}
 
 std::array<Point, 4> TransformFrame::corners() const noexcept {

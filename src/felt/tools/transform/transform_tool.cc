@@ -9,7 +9,7 @@
 namespace felt {
 namespace {
 
-constexpr ToolInfo kInfo{
+constexpr ToolInfo kTransformInfo{
     .id = "transform",
     .label = "Transform",
     .help =
@@ -44,7 +44,7 @@ std::unique_ptr<Tool> make_transform() {
   return std::make_unique<TransformTool>();
 }
 
-TransformTool::TransformTool() : GestureTool(kInfo) {}
+TransformTool::TransformTool() : GestureTool(kTransformInfo) {}
 
 TransformFrame::Grip TransformTool::grip_at(Point p) const {
   using Part = TransformFrame::Part;

@@ -25,9 +25,4 @@ std::vector<WidthKnot> thinned(std::span<const ProfileKnot> knots, double tolera
 /// that was broader already keeps that as its limit.
 std::vector<WidthKnot> scaled(std::span<const WidthKnot> knots, double factor, double max_width_mm);
 
-/// The bump of all brushes: S(x) = 1 - 3x^2 + 2x^3 for 0 <= x < 1, else 0.
-constexpr double bump(double x) noexcept {
-  return x < 1.0 ? 1.0 - x * x * (3.0 - 2.0 * x) : 0.0;
-}
-
 }  // namespace felt

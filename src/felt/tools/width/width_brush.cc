@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "felt/stroke/width_profile.h"
+#include "felt/tools/brush_bump.h"
 
 namespace felt {
 namespace {

@@ -5,11 +5,12 @@
 #include <limits>
 
 #include "felt/stroke/width_profile.h"
+#include "felt/tools/brush_bump.h"
 
 namespace felt {
 namespace {
 
-constexpr double kSamePlace = 1e-9;
+constexpr double kSameParameter = 1e-9;
 
 }  // namespace
 
@@ -136,7 +137,7 @@ std::vector<WidthKnot> WidthRetrace::profile() const {
   std::size_t j = 0;
   const auto push_drawn_up_to = [&](double u) {
     for (; j < drawn.size() && drawn[j].knot.u < u; ++j) {
-      if (knots.empty() || drawn[j].knot.u - knots.back().knot.u > kSamePlace) {
+      if (knots.empty() || drawn[j].knot.u - knots.back().knot.u > kSameParameter) {
         knots.push_back(drawn[j]);
       }
     }
@@ -145,13 +146,13 @@ std::vector<WidthKnot> WidthRetrace::profile() const {
     const double u = base[i].u, length = base_lengths_[i];
     const double share = share_at(length);
     const bool is_end = i == 0 || i + 1 == base.size();
-    push_drawn_up_to(u - kSamePlace);
+    push_drawn_up_to(u - kSameParameter);
     if (share >= 1.0 && !is_end) continue;
     const double drawn_mm = share > 0.0 ? drawn_between(length) : base[i].width_mm;
     const double width = base[i].width_mm + share * (drawn_mm - base[i].width_mm);
     const double shown = share > 0.0 ? std::max(width, kMinWidthMm) : base[i].width_mm;
     knots.push_back({{u, shown, base[i].tone}, !(share > 0.0)});
-    while (j < drawn.size() && drawn[j].knot.u < u + kSamePlace) ++j;
+    while (j < drawn.size() && drawn[j].knot.u < u + kSameParameter) ++j;
   }
   return thinned(knots, kToleranceMm);
 }

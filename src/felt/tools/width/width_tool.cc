@@ -6,15 +6,18 @@
 #include <cstdio>
 #include <utility>
 
+#include "felt/tools/brush_bump.h"
+
 namespace felt {
 namespace {
 
-constexpr ToolInfo kInfo{.id = "width",
-                         .label = "Width",
-                         .help = "Makes lines broader and thinner, here and there or as a whole.",
-                         .shortcut = 'w',
-                         .options = kWidthOptions};
-constexpr std::string_view kLabel = "Width";
+constexpr ToolInfo kWidthInfo{
+    .id = "width",
+    .label = "Width",
+    .help = "Makes lines broader and thinner, here and there or as a whole.",
+    .shortcut = 'w',
+    .options = kWidthOptions};
+constexpr std::string_view kWidthLabel = "Width";
 /// The brush works at most this far apart along the line between two samples.
 constexpr double kBrushStepMm = 1.0;
 constexpr double kMostBrushSteps = 200.0;  // no hand goes that far in a sample
@@ -22,12 +25,6 @@ constexpr double kMostBrushSteps = 200.0;  // no hand goes that far in a sample
 constexpr double kStopSeconds = 0.030;
 /// Lines marked at most while several are scaled.
 constexpr std::size_t kMostMarked = 64;
-
-double seconds_between(std::int64_t from_ns, std::int64_t to_ns) {
-  // In double: the difference of two hostile times does not fit into 64 bits.
-  const double ns = static_cast<double>(to_ns) - static_cast<double>(from_ns);
-  return std::clamp(1e-9 * ns, 0.0, WidthTool::kLongestStepS);
-}
 
 std::string text_of(const char* format, double value) {
   std::array<char, 32> text{};
@@ -47,7 +44,7 @@ std::unique_ptr<Tool> make_width() {
   return std::make_unique<WidthTool>();
 }
 
-WidthTool::WidthTool() : GestureTool(kInfo), settings_(width_settings(options())) {}
+WidthTool::WidthTool() : GestureTool(kWidthInfo), settings_(width_settings(options())) {}
 
 void WidthTool::take_options(const OptionValues& options) {
   settings_ = width_settings(options);
@@ -97,7 +94,7 @@ void WidthTool::find_lines(const Scene& scene) {
       points += marks.size();
     }
   }
-  edit_ = std::move(builder).build(std::string(kLabel));
+  edit_ = std::move(builder).build(std::string(kWidthLabel));
   // The rest keeps its order.
   const auto held = std::find_if(edit_.changes.begin(), edit_.changes.end(),
                                  [&](const StrokeChange& c) { return c.id == hold_.id(); });
@@ -120,7 +117,7 @@ ToolResult WidthTool::move(const PenSample& sample, const Scene& scene) {
 }
 
 void WidthTool::apply(const PenSample& sample, const Scene& scene, bool is_near) {
-  const double seconds = seconds_between(last_ns_, sample.time_ns);
+  const double seconds = seconds_between(last_ns_, sample.time_ns, kLongestStepS);
   last_ns_ = sample.time_ns;
   direction_ = (sample.buttons & kFirstModifier) != 0    ? WidthDirection::kThinner
                : (sample.buttons & kSecondModifier) != 0 ? WidthDirection::kThicker

@@ -5,6 +5,7 @@
 #include <cerrno>
 #include <cmath>
 
+#include "felt/base/constants.h"
 #include "felt/devices/simulated/simulated_stylus.h"
 #include "felt/haptics/cue_law.h"
 #include "tests/devices/drivers/cue/cue_desk.h"
@@ -12,7 +13,6 @@
 namespace felt {
 namespace {
 
-constexpr std::int64_t kMs = 1'000'000;
 TEST(CueDriver, FindsAllOfThemWithoutOpeningAny) {
   CueDesk desk;
   for (int i = 0; i < 8; ++i) desk.system.forbid("/dev/hidraw" + std::to_string(i));

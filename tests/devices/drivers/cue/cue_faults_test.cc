@@ -10,12 +10,12 @@
 #include <random>
 #include <set>
 
+#include "felt/base/constants.h"
 #include "tests/devices/drivers/cue/cue_desk.h"
 
 namespace felt {
 namespace {
 
-constexpr std::int64_t kMs = 1'000'000;
 constexpr int kSeeds = 1000;
 constexpr std::array<const char*, 5> kDevices{kPenId, kMouseId, kReceiverId, kPadId, kControllerId};
 

@@ -1,5 +1,6 @@
 // What the haptic thread and the worker of a stick do at the same time.
 #include "felt/devices/evdev/effect_keeper.h"
+#include "felt/base/constants.h"
 
 #include <gtest/gtest.h>
 
@@ -16,8 +17,6 @@
 
 namespace felt {
 namespace {
-
-constexpr std::int64_t kMs = 1'000'000;
 
 /// A device whose transfers take as long as a test wants; it does at each what the test says.
 class SlowPort final : public EvdevPort {

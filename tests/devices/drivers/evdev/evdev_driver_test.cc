@@ -7,6 +7,7 @@
 #include <cmath>
 #include <thread>
 
+#include "felt/base/constants.h"
 #include "felt/devices/evdev/evdev_driver.h"
 #include "felt/devices/evdev/known_sticks.h"
 #include "felt/devices/evdev/stick_axes.h"
@@ -16,8 +17,6 @@
 
 namespace felt {
 namespace {
-
-constexpr std::int64_t kMs = 1'000'000;
 
 /// A stick, its driver and a clock.
 struct Desk {

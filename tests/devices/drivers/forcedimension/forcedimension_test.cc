@@ -8,6 +8,7 @@
 #include <limits>
 #include <thread>
 
+#include "felt/base/constants.h"
 #include "felt/devices/forcedimension/forcedimension.h"
 #include "felt/driver/device_models.h"
 #include "felt/rt/realtime_thread.h"
@@ -21,7 +22,6 @@ using fake_dhd::State;
 using ::testing::HasSubstr;
 
 constexpr std::int64_t kTick = 250'000;
-constexpr std::int64_t kMs = 1'000'000;
 
 /// Ticks with one force; what the last write said.
 tl::expected<void, DeviceFault> run(ForceDimensionBench& bench, std::int64_t from_ns,

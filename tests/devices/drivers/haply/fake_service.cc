@@ -9,6 +9,7 @@
 #include <optional>
 #include <span>
 
+#include "felt/base/constants.h"
 #include "felt/devices/haply/web_socket_key.h"
 #include "felt/haptics/safety/safety_stages.h"
 
@@ -18,8 +19,6 @@ namespace {
 using Json = nlohmann::json;
 
 constexpr std::uint16_t kControlPort = 10001, kEventsPort = 10020;
-constexpr double kMmPerM = 1000.0;
-constexpr double kDegPerRad = 57.295779513082320877;
 constexpr std::string_view kGripId = "61548";
 
 // The state is written at every tick of every test, so its text is put together by hand.

@@ -1,5 +1,6 @@
 // The driver of Haply's devices before a fake of Haply's service: what only that service does.
 #include "felt/devices/haply/haply_driver.h"
+#include "felt/base/constants.h"
 
 #include <arpa/inet.h>
 #include <gmock/gmock.h>
@@ -31,8 +32,6 @@ namespace felt::haply {
 namespace {
 
 using ::testing::HasSubstr;
-
-constexpr std::int64_t kMs = 1'000'000;
 
 // The service's axes are x right, y away, z up; the sheet lies on the desk, in the middle.
 PlaneCalibration desk() {

@@ -8,6 +8,7 @@
 #include <memory>
 #include <thread>
 
+#include "felt/base/constants.h"
 #include "felt/devices/openhaptics/hd_abi.h"
 #include "felt/devices/openhaptics/openhaptics_driver.h"
 #include "felt/devices/simulated/simulated_stylus.h"
@@ -26,8 +27,6 @@ namespace felt {
 namespace {
 
 using testing::HasSubstr;
-
-constexpr std::int64_t kMs = 1'000'000;
 
 class OpenHaptics : public testing::Test {
  protected:

@@ -5,10 +5,10 @@
 #include <cmath>
 #include <limits>
 
+#include "felt/base/constants.h"
+
 namespace felt::pantograph {
 namespace {
-
-constexpr double kDegPerRad = 57.29577951308232;
 
 float get_float(std::span<const std::byte> bytes) {
   std::uint32_t bits = 0;

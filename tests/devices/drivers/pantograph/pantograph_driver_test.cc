@@ -1,5 +1,6 @@
 // The driver of the 2DIY before a fake of its board: what only that board does.
 #include "felt/devices/pantograph/pantograph_driver.h"
+#include "felt/base/constants.h"
 
 #include <fcntl.h>
 #include <gmock/gmock.h>
@@ -25,7 +26,6 @@ namespace {
 
 using ::testing::HasSubstr;
 
-constexpr std::int64_t kMs = 1'000'000;
 constexpr const char* kPath = "/dev/ttyACM0";
 
 // Sheet and device with the same frame.

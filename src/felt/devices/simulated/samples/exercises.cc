@@ -1,12 +1,12 @@
 #include <cmath>
 #include <numbers>
 
+#include "felt/base/constants.h"
 #include "felt/devices/simulated/samples/drawings.h"
 
 namespace felt {
 namespace {
 
-constexpr double kTau = 2.0 * std::numbers::pi;
 constexpr int kPointsPerTurn = 10;
 
 Vec on_circle(double angle_rad) {

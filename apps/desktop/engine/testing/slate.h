@@ -1,0 +1,16 @@
+#pragma once
+
+#include "felt/material/materials.h"
+
+/// For tests: a user-defined surface.
+namespace felt::desktop {
+
+inline SurfaceMaterial slate(double friction) {
+  SurfaceMaterial surface = *find_surface("blackboard");
+  surface.id = "slate";
+  surface.label = "Slate";
+  surface.friction = friction;
+  return surface;
+}
+
+}  // namespace felt::desktop
