@@ -152,7 +152,7 @@ Result<void> play_act(const DemoScript& act, const DemoArguments& args, DemoReco
                       ReplayMachine& machine, ReplayRun& run) {
   ActPictures pictures(act.name);
   recorder.act = &pictures;
-  const std::string name = "share/demo/" + std::string(act.name) + ".ndjson";
+  const std::string name = "act " + std::string(act.name);
   Result<void> done = run.script(name, "", read_text(act.text));
   if (done) done = run.play();
   recorder.act = nullptr;

@@ -1,4 +1,5 @@
-// Writes the acts of the demonstration as scripts: make_demo FOLDER (share/demo).
+// Writes the acts of the demonstration as scripts into the tools' folders: make_demo
+// src/felt/tools.
 
 #include <cmath>
 #include <cstdio>
@@ -237,7 +238,8 @@ int main(int argc, char** argv) {
     return 2;
   }
   for (const felt::Act& act : felt::kActs) {
-    const std::string path = std::string(argv[1]) + "/" + act.name + ".ndjson";
+    const std::string name = act.name, tool = name.substr(name.find('-') + 1);
+    const std::string path = std::string(argv[1]) + "/" + tool + "/" + name + ".ndjson";
     std::ofstream out(path, std::ios::binary);
     out << act.script();
     if (out.flush()) continue;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <memory>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include "commands.h"
@@ -13,6 +14,7 @@
 #include "felt/io/picture/png.h"
 #include "felt/replay/replay_drawing.h"
 #include "felt/replay/replay_run.h"
+#include "felt/session/session_medium.h"
 #include "felt/store/felt_recording.h"
 #include "felt/stroke/color_text.h"
 #include "force_plot.h"
@@ -226,13 +228,9 @@ Result<ReplayOutputs> open_outputs(const ReplayCommandArguments& args,
   return outputs;
 }
 
-/// The medium, as a hand takes it up: with its own widths and its usual colour.
-std::vector<std::pair<std::string, std::string>> medium_options(const Medium& medium) {
-  return {{"pencil.material", medium.id},
-          {"pencil.min_width_mm", fmt::format("{}", medium.line.min_mm)},
-          {"pencil.max_width_mm", fmt::format("{}", medium.line.max_mm)},
-          {"pencil.gamma", fmt::format("{}", medium.line.gamma)},
-          {"sheet.color", color_to_text(usual_color(medium.color_rgb))}};
+std::string text_of(const OptionValue& value) {
+  const double* number = std::get_if<double>(&value);
+  return number ? fmt::format("{}", *number) : std::get<std::string>(value);
 }
 
 /// What the drawing of --on says, then what the command line does.
@@ -246,10 +244,13 @@ void set_options(const ReplayCommandArguments& args, const StoredDrawing& start,
   for (const auto& [id, value] : options_of(start, known)) set("--on", id, value);
   if (!args.sheet.empty()) set("--sheet", "sheet.material", args.sheet);
   if (!args.medium.empty()) {
-    set("--medium", "pencil.material", args.medium);  // says what there is where it is none
-    for (const auto& [id, value] : medium_options(*known.find_medium(args.medium))) {
-      set("--medium", id, value);
+    // Says what there is if there is none of that name.
+    set("--medium", drawing_option(machine.session(), "material"), args.medium);
+    const Medium& medium = *known.find_medium(args.medium);
+    for (const SetOption& option : options_for_medium(machine.session(), medium)) {
+      set("--medium", option.id, text_of(option.value));
     }
+    set("--medium", "sheet.color", color_to_text(usual_color(medium.color_rgb)));
   }
   for (const std::string& option : args.options) {
     const std::size_t equals = option.find('=');

@@ -150,10 +150,12 @@ void tool_rows(Sheet& sheet, Session& session, const std::string& id, std::int64
       stroke = session.document().find(ids[static_cast<std::size_t>(k)]);
     }
     Point start = stroke->position(sheet.uniform(0, stroke->segment_count()));
-    if (id == "transform" && has_tool(session, "lasso")) {
+    const Tool* selects = session.first_tool(ToolKind::kSelects);
+    if (session.tool().info().kind == ToolKind::kTransforms && selects) {
       // Something to transform: a ring of 15 mm around the place.
-      choose(session, "lasso");
-      (void)session.apply({0, SetOption{"lasso.take", std::string("points")}});
+      const std::string lasso(selects->info().id);
+      choose(session, lasso);
+      (void)session.apply({0, SetOption{lasso + ".take", std::string("points")}});
       Hand other(session, now_ns);
       other.gesture(start + Vec{0, -15}, 0.0, 0.1 / 15.0, 940);
       choose(session, id);

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# docs/guide/make.sh [FELTLINE]: makes the pictures of the tour again, from share/demo alone.
+# docs/guide/make.sh [FELTLINE]: makes the pictures of the tour again, from the acts in the tools' folders.
 # FELTLINE is the program, by default that of `./dev build --preset release`.
 set -euo pipefail
 here=$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")
@@ -9,6 +9,6 @@ scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 
 "$feltline" demo -o "$scratch" --size 1200
-for act in "$here"/../../share/demo/*.ndjson; do
+for act in "$here"/../../src/felt/tools/*/[0-9]-*.ndjson; do
   cp "$scratch/$(basename "$act" .ndjson).png" "$here/"
 done

@@ -1,5 +1,5 @@
 # The demonstration: all its files, the same each time, and a cat with every stroke.
-acts=$(cd "$(dirname "$0")/../../share/demo" && pwd)
+tools=$(cd "$(dirname "$0")/../../src/felt/tools" && pwd)
 . "$(dirname "$0")/helpers.sh"
 
 run 0 "$feltline" demo -o one
@@ -22,7 +22,7 @@ fi
 
 # A picture an act: before, in work, after; and a row of the table.
 run 0 "$feltline" demo -o one
-for act in "$acts"/*.ndjson; do
+for act in "$tools"/*/[0-9]-*.ndjson; do
   name=$(basename "$act" .ndjson)
   [ -s "one/$name.png" ] || fail "no picture of $name"
   same "one/$name.png" "three/$name.png"
@@ -30,12 +30,12 @@ for act in "$acts"/*.ndjson; do
 done
 
 # Its scripts are ordinary ones: played on what the first one drew, each does what it is there for.
-run 0 "$feltline" replay "$acts/1-pencil.ndjson" -o cat.ndjson
-lines cat.ndjson "$(grep -c '"points"' "$acts/1-pencil.ndjson")"
+run 0 "$feltline" replay "$tools/pencil/1-pencil.ndjson" -o cat.ndjson
+lines cat.ndjson "$(grep -c '"points"' "$tools/pencil/1-pencil.ndjson")"
 run 0 "$feltline" info cat.ndjson
 has out "closed          2"  # the ball of wool, and the cat's nose
 changes() { # ACT WHAT: what --stats says of it
-  run 0 "$feltline" replay "$acts/$1.ndjson" --on cat.ndjson --stats json
+  run 0 "$feltline" replay "$tools/${1#*-}/$1.ndjson" --on cat.ndjson --stats json
   has out "$2"
   has out '"hard_faults":0,'
 }

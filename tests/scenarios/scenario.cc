@@ -7,7 +7,6 @@
 #include <iterator>
 #include <limits>
 #include <map>
-#include <set>
 #include <sstream>
 
 #include "felt/base/hash.h"
@@ -219,13 +218,19 @@ bool Scenario::has_hand() const {
 }
 
 Result<std::vector<Scenario>> read_scenarios() {
-  std::set<fs::path> scripts;
-  for (const auto& entry : fs::directory_iterator("tests/scenarios")) {
-    if (entry.path().extension() == ".ndjson") scripts.insert(entry.path());
-  }
+  std::map<std::string, fs::path> scripts;
+  const auto find = [&scripts](const fs::path& folder) {
+    if (!fs::is_directory(folder)) return;
+    for (const auto& entry : fs::directory_iterator(folder)) {
+      const fs::path& path = entry.path();
+      if (path.extension() == ".ndjson") scripts.emplace(path.stem().string(), path);
+    }
+  };
+  find("tests/scenarios");
+  for (const auto& tool : fs::directory_iterator("src/felt/tools")) find(tool.path() / "scenarios");
   std::vector<Scenario> all;
-  for (const fs::path& path : scripts) {
-    Scenario scenario{path.stem().string(), {}, {}};
+  for (const auto& [name, path] : scripts) {
+    Scenario scenario{name, {}, {}};
     const std::string text = content_of(path);
     Result<std::vector<Event>> events = read_events(path.string(), read_text(text));
     if (!events) return tl::unexpected(events.error());

@@ -56,7 +56,8 @@ struct Scenario {
 
   [[nodiscard]] bool has_hand() const;
 };
-/// All of tests/scenarios, in the order of their names. Error: a file that cannot be read.
+/// Reads those of this folder and of the tools' folders, in the order of their names. Fails if a
+/// file cannot be read.
 Result<std::vector<Scenario>> read_scenarios();
 
 /// Empty when this expectation is met, else what is wrong.

@@ -9,6 +9,7 @@
 #include "desktop/canvas/settings_keys.h"
 #include "desktop/engine/settings.h"
 #include "felt/haptics/bricks/drawing_feel.h"
+#include "felt/session/session_medium.h"
 
 namespace felt::desktop {
 namespace {
@@ -210,10 +211,8 @@ void Canvas::take_grain() {
   const Session& session = studio_.session();
   const Grain grain =
       on ? Grain(surface_grain(session.sheet().material()), session.materials()) : Grain();
-  const Result<OptionValue> value = session.option("pencil.material");
-  const std::string* material = value ? std::get_if<std::string>(&*value) : nullptr;
   ink_.set_grain(grain);
-  shown_->wet.set_grain(grain, material ? *material : "pencil");
+  shown_->wet.set_grain(grain, drawing_medium(session));
   update();
 }
 

@@ -1,3 +1,5 @@
+#include <QCoreApplication>
+#include <QKeySequence>
 #include <QLocale>
 #include <algorithm>
 #include <cmath>
@@ -7,8 +9,8 @@
 #include "desktop/canvas/canvas.h"
 #include "desktop/canvas/canvas_shown.h"
 #include "desktop/canvas/settings_keys.h"
-#include "desktop/canvas/tool_hints.h"
 #include "desktop/engine/settings.h"
+#include "desktop/engine/tool_texts.h"
 
 namespace felt::desktop {
 namespace {
@@ -16,26 +18,18 @@ namespace {
 constexpr double kFeltN = 0.02;   // a force that is meant to be felt
 constexpr double kShrink = 0.35;  // of the nib, where something attracts it with a newton
 
-double number(const Session& session, const char* option) {
-  const Result<OptionValue> value = session.option(option);
-  const double* found = value ? std::get_if<double>(&*value) : nullptr;
-  return found ? *found : 0.0;
+/// Returns the width of the line that a mouse would draw, or 0 if the current tool draws none.
+double drawn_width_mm(const Session& session) {
+  if (session.tool().info().kind != ToolKind::kDraws) return 0.0;
+  const std::optional<ToolSize> size = session.tool().size();
+  return size ? size->mm : 0.0;
 }
 
-/// The choice of its option "mode"; "" if it has none.
-std::string mode_of(const Session& session) {
-  const auto mode = session.option(std::string(session.tool().info().id) + ".mode");
-  const auto* word = mode ? std::get_if<std::string>(&*mode) : nullptr;
-  return word ? *word : std::string();
-}
-
-/// The width of the line that a mouse would draw.
-double mouse_width_mm(const Session& session) {
-  const double least = number(session, "pencil.min_width_mm");
-  const double most = std::max(least, number(session, "pencil.max_width_mm"));
-  const double pressure = number(session, "pencil.mouse_pressure");
-  const double gamma = std::max(0.1, number(session, "pencil.gamma"));
-  return least + (most - least) * std::pow(pressure, gamma);
+/// "Shift", as this system calls the key.
+QString key_name(Qt::KeyboardModifier modifier) {
+  QString name = QKeySequence(static_cast<int>(modifier)).toString(QKeySequence::NativeText);
+  while (name.endsWith(QLatin1Char('+'))) name.chop(1);
+  return name;
 }
 
 }  // namespace
@@ -86,13 +80,13 @@ PenMark Canvas::pen_mark(const PenState& pen) {
   return mark;
 }
 
-/// Of the dot that the pencil would make; smaller where something attracts it. None while ink
-/// flows, which shows it itself, and with tools that show what they reach.
+/// Returns the radius of the dot that the tool would draw, smaller if something attracts it; 0
+/// while ink flows, and for tools that do not draw: these show by themselves what they reach.
 double Canvas::nib_radius_px(double pull_n) const {
   const Session& session = studio_.session();
   const Shown& s = *shown_;
-  if (session.tool().info().id != "pencil" || !s.wet.is_empty()) return 0.0;
-  const double width = mouse_width_mm(session);
+  const double width = drawn_width_mm(session);
+  if (width <= 0.0 || !s.wet.is_empty()) return 0.0;
   const bool attracts = std::any_of(s.overlay.rings.begin(), s.overlay.rings.end(),
                                     [](const auto& r) { return r.role == Overlay::Role::kSnap; });
   const double shrunk = attracts ? 1.0 - kShrink * std::min(1.0, pull_n) : 1.0;
@@ -103,18 +97,17 @@ double Canvas::nib_radius_px(double pull_n) const {
 void Canvas::show_size(const QString& option_id) {
   const bool is_size = option_id.endsWith(QLatin1String("_width_mm")) ||
                        option_id.endsWith(QLatin1String("radius_mm"));
-  if (!is_size || !isVisible() || studio_.session().tool().info().id != "pencil") return;
+  if (!is_size || !isVisible() || drawn_width_mm(studio_.session()) <= 0.0) return;
   shown_->size_ring.start();
   refresh_soon();
 }
 
-/// Around the pointer; in the middle while the pointer is elsewhere. Tools other than the pencil
-/// show what they reach by themselves.
+/// Around the pointer; in the middle while the pointer is elsewhere.
 void Canvas::add_size_ring() {
   const PenState& pen = studio_.pen();
   const Point at =
       pen_visible_ && pen.is_known ? pen.hand : view_.to_mm({0.5 * width(), 0.5 * height()});
-  const double width_mm = mouse_width_mm(studio_.session());
+  const double width_mm = drawn_width_mm(studio_.session());
   shown_->overlay.rings.push_back({at, 0.5 * width_mm, Overlay::Role::kHandle});
   shown_->overlay.labels.push_back(
       {at, tr("%1 mm").arg(QLocale().toString(width_mm, 'g', 2)).toStdString()});
@@ -123,8 +116,16 @@ void Canvas::add_size_ring() {
 // --- Texts
 
 QString Canvas::hint() const {
-  const ToolInfo& info = studio_.session().tool().info();
-  const QString hint = tool_hint(info.id, info.help, mode_of(studio_.session()));
+  const ToolUse use = studio_.session().tool().use();
+  QString hint = translated(use.hint);
+  const auto add = [&hint](Qt::KeyboardModifier modifier, std::string_view what) {
+    if (what.empty()) return;
+    //: a key that is held, and what it does: "Shift: thinner"
+    const QString words = QCoreApplication::translate("ToolHint", "%1: %2");
+    hint += QStringLiteral("   ") + words.arg(key_name(modifier), translated(what));
+  };
+  add(Qt::ShiftModifier, use.first_modifier);
+  add(Qt::ControlModifier, use.second_modifier);
   if (right_button_.isEmpty()) return hint;
   return hint + QStringLiteral("   ") + tr("Right button: %1").arg(right_button_);
 }
@@ -162,11 +163,8 @@ void Canvas::take_status() {
     status = pressure_seen_ ? tr("Pressure is seen.")
                             : tr("No pressure seen yet: a mouse draws lines of even width.");
   }
-  char pull_key = 'a';
-  for (const auto& tool : studio_.session().tools()) {
-    if (tool->info().id == "pull" && tool->info().shortcut) pull_key = tool->info().shortcut;
-  }
-  s.first_minute.set_text(pull_key, status);
+  const Tool* edits = studio_.session().first_tool(ToolKind::kEdits);
+  s.first_minute.set_text(edits ? edits->info().shortcut : 'a', status);
   setAccessibleDescription(s.shows_first_minute ? s.first_minute.spoken()
                                                 : tr("The sheet to draw on"));
   update(s.first_minute.area(size(), font()));

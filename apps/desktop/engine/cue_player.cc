@@ -6,7 +6,7 @@
 #include "desktop/engine/settings.h"
 #include "desktop/engine/text_of.h"
 #include "felt/devices/drivers.h"
-#include "felt/material/materials.h"
+#include "felt/session/session_medium.h"
 
 namespace felt::desktop {
 namespace {
@@ -41,17 +41,6 @@ std::pair<Driver*, DeviceDescriptor> find_cue_device(const std::string& id) {
     }
   }
   return {};
-}
-
-/// What the tool in hand rubs with: the pencil its material, the eraser rubber, all others lead.
-const Medium& material_of(const Session& session) {
-  const std::string_view tool = session.tool().info().id;
-  const Materials& known = session.materials();
-  if (tool == "eraser") return *known.find_medium("eraser");
-  const auto option = session.option(std::string(tool) + ".material");
-  const auto* id = option ? std::get_if<std::string>(&*option) : nullptr;
-  const Medium* material = id ? known.find_medium(*id) : nullptr;
-  return material ? *material : known.media().front();
 }
 
 }  // namespace
@@ -175,7 +164,7 @@ void CuePlayer::fall_silent() {
 
 CueFeel CuePlayer::feel() const {
   const Session& session = studio_.session();
-  return cue_feel_of(material_of(session), session.sheet().material());
+  return cue_feel_of(medium_in_hand(session), session.sheet().material());
 }
 
 void CuePlayer::take(const TickReport& tick) {

@@ -1,17 +1,11 @@
 #include "desktop/engine/cue_watch.h"
 
 #include <algorithm>
-#include <array>
 #include <limits>
-#include <string_view>
 #include <utility>
 
 namespace felt::desktop {
 namespace {
-
-/// Tools that do nothing where there is nothing: a person is told. Rubbing on bare paper with the
-/// eraser is no mistake, nor is a tap with the lasso.
-constexpr std::array<std::string_view, 4> kTaking{"pull", "connect", "smooth", "width"};
 
 double nearest_handle(const Overlay& overlay, Point pen) {
   double nearest = std::numeric_limits<double>::infinity();
@@ -36,8 +30,8 @@ std::optional<CueEvent> CueWatch::look(const Session& session, const PenSample& 
   session.draw(overlay_);
   const bool is_down = session.gesture_in_work();
   const bool was_down = std::exchange(is_down_, is_down);
-  const std::string_view tool = session.tool().info().id;
-  const bool takes = std::find(kTaking.begin(), kTaking.end(), tool) != kTaking.end();
+  // Erasing on empty paper is no mistake, nor is a tap with a tool that selects.
+  const bool takes = session.tool().info().kind == ToolKind::kEdits;
 
   const bool snapped = is_in_snap_ring(overlay_, at, snaps_ ? kLetGo : 1.0) && is_down;
   const bool is_new_snap = snapped && !std::exchange(snaps_, snapped);

@@ -4,17 +4,17 @@
 #include <string_view>
 
 #include "felt/material/materials.h"
-#include "felt/tools/tool_options.h"
+#include "felt/tools/tool.h"
 
 namespace felt::desktop {
 
 /// What is drawn with at first: smooth and exact with a mouse, which presses evenly.
 inline constexpr std::string_view kFirstMedium = "ink-pen";
 
-/// The row of a tool's option as this program has it: with what the option is at first as its
-/// fallback. All are the library's but the pencil's medium and its widths.
-[[nodiscard]] inline OptionSpec as_at_first(std::string_view tool, OptionSpec spec) {
-  const Medium* medium = tool == "pencil" ? find_medium(kFirstMedium) : nullptr;
+/// Returns the row of an option with the default of this program: the library's, except for the
+/// medium and the widths of a tool that draws.
+[[nodiscard]] inline OptionSpec as_at_first(ToolKind kind, OptionSpec spec) {
+  const Medium* medium = kind == ToolKind::kDraws ? find_medium(kFirstMedium) : nullptr;
   if (!medium) return spec;
   if (spec.id == "material") {
     const auto at = std::find(spec.choices.begin(), spec.choices.end(), kFirstMedium);

@@ -20,11 +20,6 @@ QString option_key(const std::string& id) {
   return QLatin1String(kOptionPrefix) + QString::fromStdString(id);
 }
 
-/// Choices for the next few gestures: the next start does not begin with them.
-bool is_of_the_moment(std::string_view id) {
-  return id == "transform.constrain" || id == "transform.duplicate" || id == "lasso.combine";
-}
-
 /// Nothing if the stored value is of another kind or out of range: of another version, or edited.
 std::optional<OptionValue> value_of(const QVariant& stored, const OptionSpec& spec,
                                     const Materials& known) {
@@ -60,8 +55,8 @@ void KeptOptions::restore() {
     const std::string owner(tool->info().id);
     for (const OptionSpec& row : tool->info().options) {
       const std::string id = owner + "." + std::string(row.id);
-      if (is_of_the_moment(id)) continue;
-      const auto value = value_of(settings.value(option_key(id)), row, studio_.materials());
+      if (row.is_momentary) continue;
+      const auto value = value_of(settings.value(key_of(id)), row, studio_.materials());
       if (value && studio_.session().option(id) != *value) studio_.apply(SetOption{id, *value});
     }
   }
@@ -71,7 +66,6 @@ void KeptOptions::restore() {
 
 void KeptOptions::store(const QString& id) {
   const std::string name = id.toStdString();
-  if (is_of_the_moment(name)) return;
   const Result<OptionValue> now = studio_.session().option(name);
   if (!now) return;
   Settings& settings = Settings::the();
@@ -80,8 +74,10 @@ void KeptOptions::store(const QString& id) {
     const std::string owner(tool->info().id);
     for (const OptionSpec& row : tool->info().options) {
       if (owner + "." + std::string(row.id) != name) continue;
-      if (*now == default_value(as_at_first(owner, row))) return settings.reset(option_key(name));
-      return settings.set(option_key(name), stored_as(*now));
+      if (row.is_momentary) return;
+      if (*now == default_value(as_at_first(tool->info().kind, row)))
+        return settings.reset(key_of(name));
+      return settings.set(key_of(name), stored_as(*now));
     }
   }
 }

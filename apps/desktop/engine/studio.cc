@@ -92,7 +92,7 @@ void Studio::take_first_options(std::int64_t now_ns) {
   for (const auto& tool : session_->tools()) {
     const std::string owner(tool->info().id);
     for (const OptionSpec& row : tool->info().options) {
-      const OptionValue first = default_value(as_at_first(owner, row));
+      const OptionValue first = default_value(as_at_first(tool->info().kind, row));
       if (first == default_value(row)) continue;
       const std::string id = owner + "." + std::string(row.id);
       static_cast<void>(session_->apply({now_ns, SetOption{id, first}}));
@@ -288,7 +288,8 @@ std::int64_t Studio::event_time_ns() {
 /// colour chosen for the next line does not change those. As an event: a recording has it.
 void Studio::deselect_for_drawing(const PenSample& sample) {
   const bool begins = !std::exchange(was_in_contact_, in_contact(sample)) && in_contact(sample);
-  if (!begins || session_->selection().empty() || session_->tool().info().id != "pencil") return;
+  if (!begins || session_->selection().empty() || session_->tool().info().kind != ToolKind::kDraws)
+    return;
   static_cast<void>(session_->apply({sample.time_ns, SelectStrokes{SelectStrokes::What::kNone}}));
 }
 

@@ -22,6 +22,7 @@
 #include "desktop/files/settings_keys.h"
 #include "felt/document/visible_strokes.h"
 #include "felt/formats/own_materials.h"
+#include "felt/session/session_medium.h"
 
 namespace felt::desktop {
 namespace {
@@ -59,9 +60,7 @@ bool is_own_file(const OpenedDrawing& opened, const QString& path) {
 /// What a file of it brings along: the pencil's medium too, for a crash may come in its first
 /// stroke.
 std::vector<std::string> own_materials(const Session& session, const Drawing& drawing) {
-  std::vector<std::string> also;
-  const Result<OptionValue> pencil = session.option("pencil.material");
-  if (const auto* id = pencil ? std::get_if<std::string>(&*pencil) : nullptr) also.push_back(*id);
+  const std::vector<std::string> also{drawing_medium(session)};
   return texts_of_used(drawing.document, drawing.page.surface, session.materials(), also);
 }
 

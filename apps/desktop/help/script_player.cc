@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <string>
 
+#include "felt/session/session_medium.h"
 #include "felt/replay/script_feed.h"
 
 namespace felt::desktop {
@@ -16,10 +17,8 @@ HandScriptOptions hand_of(Studio& studio) {
   HandScriptOptions options = studio.device().hand_options();
   const SurfaceMaterial& sheet = studio.session().sheet().material();
   const Capabilities& device = studio.session().device();
-  const Result<OptionValue> id = studio.session().option("pencil.material");
-  const auto* name = id ? std::get_if<std::string>(&*id) : nullptr;
-  const Medium* tool = name ? studio.session().materials().find_medium(*name) : nullptr;
-  set_surface(options, sheet, device, tool);
+  const Medium* medium = studio.session().materials().find_medium(drawing_medium(studio.session()));
+  set_surface(options, sheet, device, medium);
   return options;
 }
 

@@ -1,11 +1,15 @@
 #include "desktop/help/tour_window.h"
 
 #include <QBoxLayout>
-#include <QCoreApplication>
+#include <QDir>
 #include <QFile>
 #include <QKeyEvent>
 #include <algorithm>
-#include <array>
+#include <memory>
+#include <vector>
+
+#include "desktop/engine/tool_texts.h"
+#include "felt/tools/tool.h"
 
 namespace felt::desktop {
 namespace {
@@ -16,49 +20,28 @@ constexpr qint64 kHurryMs = 10;               // of a frame, where an act is ski
 constexpr std::int64_t kHurryStepNs = 4'000'000;
 constexpr double kSheetWidthMm = 124.0, kSheetHeightMm = 140.0;
 
+/// One act: the script of a tool's folder, and what the tool says of it.
 struct Act {
-  const char* script;
-  const char* title;
-  const char* caption;
-  double seconds;  // what it takes at most, on screen
+  QString script;  // a resource
+  ToolAct words;
 };
 
-constexpr std::array kActs{
-    Act{"1-pencil", QT_TRANSLATE_NOOP("Tour", "Draw"),
-        QT_TRANSLATE_NOOP(
-            "Tour",
-            "Lines become smooth curves while you draw; press harder for a broader one. "
-            "Near its start, an outline snaps shut."),
-        36.0},
-    Act{"2-pull", QT_TRANSLATE_NOOP("Tour", "Pull and push"),
-        QT_TRANSLATE_NOOP("Tour",
-                          "A line is not quite right? Take hold of it and pull. It resists like a "
-                          "wire, the more the further you go."),
-        16.0},
-    Act{"3-smooth", QT_TRANSLATE_NOOP("Tour", "Smooth"),
-        QT_TRANSLATE_NOOP("Tour", "Rub along a shaky line: the jitter goes, the shape stays."),
-        16.0},
-    Act{"4-width", QT_TRANSLATE_NOOP("Tour", "Width"),
-        QT_TRANSLATE_NOOP("Tour", "Press on a line to make it broader, after it was drawn."), 14.0},
-    Act{"5-eraser", QT_TRANSLATE_NOOP("Tour", "Erase"),
-        QT_TRANSLATE_NOOP(
-            "Tour", "Rub away what is covered, a line up to its next crossing, or all of it."),
-        14.0},
-    Act{"6-lasso", QT_TRANSLATE_NOOP("Tour", "Select"),
-        QT_TRANSLATE_NOOP("Tour", "Draw a loop around lines to select them; touch one to take it."),
-        10.0},
-    Act{"7-transform", QT_TRANSLATE_NOOP("Tour", "Move and turn"),
-        QT_TRANSLATE_NOOP("Tour",
-                          "Drag what is selected. Lines that lead out of it hold it back, and you "
-                          "feel how much."),
-        18.0},
-    Act{"8-connect", QT_TRANSLATE_NOOP("Tour", "Connect"),
-        QT_TRANSLATE_NOOP("Tour", "Drag one end onto another: they snap, and become one line."),
-        16.0},
-};
-
-QString tour_text(const char* text) {
-  return QCoreApplication::translate("Tour", text);
+/// The acts in the order of their scripts: 1-pencil, 2-pull, ...
+const std::vector<Act>& acts() {
+  static const std::vector<Act> kActs = [] {
+    const std::vector<std::unique_ptr<Tool>> tools = make_tools();
+    std::vector<Act> all;
+    for (const QString& name : QDir(QStringLiteral(":/tour")).entryList(QDir::Files, QDir::Name)) {
+      const std::string id =
+          name.section(QLatin1Char('-'), 1).section(QLatin1Char('.'), 0, 0).toStdString();
+      const auto tool = std::find_if(tools.begin(), tools.end(),
+                                     [&](const auto& t) { return t->info().id == id; });
+      if (tool != tools.end())
+        all.push_back({QStringLiteral(":/tour/") + name, (*tool)->info().act});
+    }
+    return all;
+  }();
+  return kActs;
 }
 
 }  // namespace
@@ -85,7 +68,7 @@ TourWindow::TourWindow(QWidget* parent)
 }
 
 int TourWindow::act_count() const noexcept {
-  return int(kActs.size());
+  return int(acts().size());
 }
 
 void TourWindow::make_controls() {
@@ -137,13 +120,13 @@ void TourWindow::make_controls() {
 
 void TourWindow::start_act() {
   if (act_ < act_count()) {
-    const Act& act = kActs[std::size_t(act_)];
-    QFile file(QStringLiteral(":/tour/%1.ndjson").arg(QLatin1String(act.script)));
+    const Act& act = acts()[std::size_t(act_)];
+    QFile file(act.script);
     const QByteArray text = file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
     const Result<void> loaded =
         player_.load(file.fileName(), {text.data(), std::size_t(text.size())});
     if (!loaded) caption_->setText(QString::fromStdString(loaded.error().message));
-    speed_ = std::max(1.0, 1e-9 * double(player_.length_ns()) / act.seconds);
+    speed_ = std::max(1.0, 1e-9 * double(player_.length_ns()) / act.words.seconds);
   }
   show_state();
 }
@@ -199,9 +182,9 @@ void TourWindow::show_state() {
                           ? 0.0
                           : double(player_.played_ns()) / double(player_.length_ns());
   progress_->setValue(int(1000.0 * (act_ + here) / act_count()));
-  const Act* act = is_end ? nullptr : &kActs[std::size_t(act_)];
-  title_->setText(act ? tour_text(act->title) : tr("Try it yourself"));
-  caption_->setText(act ? tour_text(act->caption)
+  const Act* act = is_end ? nullptr : &acts()[std::size_t(act_)];
+  title_->setText(act ? translated(act->words.title) : tr("Try it yourself"));
+  caption_->setText(act ? translated(act->words.caption)
                         : tr("Draw with a pen or with the mouse. Press ? for the keys. "
                              "Nothing can go wrong: Ctrl+Z takes everything back."));
   step_->setText(act ? tr("%1 of %2").arg(act_ + 1).arg(act_count()) : QString());

@@ -4,14 +4,15 @@
 #include <memory>
 #include <utility>
 
+#include "desktop/engine/tool_texts.h"
 #include "desktop/feel/feel_actions.h"
 #include "desktop/materials/media_picker.h"
-#include "desktop/panels/tool_texts.h"
 #include "felt/base/atomic_file.h"
 #include "felt/io/picture/png.h"
 #include "felt/material/material_fields.h"
 #include "felt/material/material_library.h"
 #include "felt/material/own_relief.h"
+#include "felt/session/session_medium.h"
 
 namespace felt::desktop {
 namespace {
@@ -126,7 +127,7 @@ MaterialDesk::MaterialDesk(Studio& studio, OwnMaterials& own, QObject* parent)
 
 void MaterialDesk::tell_now() {
   tell_.stop();
-  const Medium* before = studio_.materials().find_medium(medium_in_hand(studio_));
+  const Medium* before = studio_.materials().find_medium(drawing_medium(studio_.session()));
   const Medium medium = before ? *before : Medium{};
   Materials known = Materials::built_in();
   is_withheld_ = false;
@@ -144,7 +145,7 @@ void MaterialDesk::tell_now() {
   studio_.know(known);
   // The pencil took over the widths of its medium when that was taken in hand, and the ink its
   // colour; so they do now.
-  const Medium* after = studio_.materials().find_medium(medium_in_hand(studio_));
+  const Medium* after = studio_.materials().find_medium(drawing_medium(studio_.session()));
   if (!before || !after) return;
   const std::uint32_t color = after->color_rgb;
   if (after->line != medium.line) take_medium(studio_, after->id);
@@ -231,7 +232,7 @@ void MaterialDesk::take_in_hand() {
   if (!find_in(studio_.materials(), key_)) tell_now();
   if (key_.is_sheet) {
     choose_material(studio_, QString::fromStdString(key_.id));
-  } else if (medium_in_hand(studio_) != key_.id) {
+  } else if (drawing_medium(studio_.session()) != key_.id) {
     take_medium(studio_, key_.id);
   }
 }

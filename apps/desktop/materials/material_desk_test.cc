@@ -17,6 +17,7 @@
 #include "felt/material/material_fields.h"
 #include "felt/material/material_library.h"
 #include "felt/material/relief.h"
+#include "felt/session/session_medium.h"
 
 namespace felt::desktop {
 namespace {
@@ -427,7 +428,7 @@ TEST(MaterialDesk, FilesComeInAndGoOut) {
 TEST(MaterialDesk, TheLineOfAMediumReachesThePencil) {
   Bench bench;
   bench.desk.select({false, "crayon"});
-  EXPECT_EQ(medium_in_hand(bench.studio), "crayon");
+  EXPECT_EQ(drawing_medium(bench.studio.session()), "crayon");
   bench.desk.set("line.max_mm", 9.5);
   bench.desk.tell_now();
   const auto width = [&] {

@@ -11,6 +11,7 @@
 #include "desktop/materials/media_picker.h"
 #include "desktop/materials/settings_keys.h"
 #include "desktop/panels/tool_icons.h"
+#include "felt/session/session_medium.h"
 
 namespace felt::desktop {
 namespace {
@@ -268,7 +269,7 @@ void MaterialEditor::tell_slots() {
 FeltWish MaterialEditor::wish() const {
   FeltWish wish;
   wish.sheet = studio_.session().sheet().material();
-  const Medium* in_hand = studio_.materials().find_medium(medium_in_hand(studio_));
+  const Medium* in_hand = studio_.materials().find_medium(drawing_medium(studio_.session()));
   wish.medium = in_hand ? *in_hand : media().front();
   const AnyMaterial now = desk_.now();
   if (const auto* sheet = std::get_if<SurfaceMaterial>(&now)) wish.sheet = *sheet;

@@ -10,8 +10,8 @@
 #include <random>
 #include <type_traits>
 
+#include "desktop/engine/tool_texts.h"
 #include "desktop/panels/tool_icons.h"
-#include "desktop/panels/tool_texts.h"
 
 namespace felt::desktop {
 namespace {

@@ -10,6 +10,7 @@
 #include "desktop/engine/usual_color.h"
 #include "desktop/feel/feel_icons.h"
 #include "desktop/feel/material_words.h"
+#include "felt/session/session_medium.h"
 #include "felt/stroke/color_text.h"
 
 namespace felt::desktop {
@@ -18,7 +19,6 @@ namespace {
 constexpr int kRoomPx = 8;  // around picture and words
 constexpr int kGapPx = 3;
 constexpr int kLeastColumns = 2;
-constexpr auto kMaterial = "pencil.material";
 constexpr auto kColor = "sheet.color";
 
 std::vector<Medium> drawing_media(const Materials& materials) {
@@ -34,19 +34,15 @@ std::vector<Medium> drawing_media(const Materials& materials) {
 bool take_medium(Studio& studio, const std::string& id) {
   const Medium* known = studio.materials().find_medium(id);
   if (!known || !known->draws) return false;
-  const MediumLine line = known->line;
+  const std::vector<SetOption> wanted = options_for_medium(studio.session(), *known);
   const std::uint32_t color = known->color_rgb;
-  const std::string last_id = medium_in_hand(studio);
+  const std::string last_id = drawing_medium(studio.session());
   const Medium* last = studio.materials().find_medium(last_id);
   const auto last_color = last ? std::optional(last->color_rgb) : std::nullopt;
-  const std::pair<const char*, OptionValue> wanted[] = {{kMaterial, OptionValue(id)},
-                                                        {"pencil.min_width_mm", line.min_mm},
-                                                        {"pencil.max_width_mm", line.max_mm},
-                                                        {"pencil.gamma", line.gamma}};
-  for (const auto& [option, value] : wanted) {
-    const Result<OptionValue> now = studio.session().option(option);
-    if (now && *now == value) continue;
-    if (!studio.apply(SetOption{option, value})) return false;
+  for (const SetOption& option : wanted) {
+    const Result<OptionValue> now = studio.session().option(option.id);
+    if (now && *now == option.value) continue;
+    if (!studio.apply(option)) return false;
   }
   return id == last_id || take_usual_color(studio, last_color, color);
 }
@@ -73,12 +69,6 @@ bool take_usual_color(Studio& studio, std::optional<std::uint32_t> before, std::
   return wanted == ink || studio.apply(SetOption{kColor, color_to_text(wanted)});
 }
 
-std::string medium_in_hand(const Studio& studio) {
-  const Result<OptionValue> value = studio.session().option(kMaterial);
-  const auto* id = value ? std::get_if<std::string>(&*value) : nullptr;
-  return id ? *id : std::string();
-}
-
 MediaPicker::MediaPicker(Studio& studio, const MediaPictures& pictures, QWidget* parent)
     : QWidget(parent), studio_(studio), pictures_(pictures), group_(new QButtonGroup(this)) {
   setObjectName(QStringLiteral("media"));
@@ -89,7 +79,7 @@ MediaPicker::MediaPicker(Studio& studio, const MediaPictures& pictures, QWidget*
     follow_choice();  // refused: the one in hand is the one that is shown
   });
   connect(&studio_, &Studio::option_changed, this, [this](const QString& id) {
-    if (id == QLatin1String(kMaterial)) follow_choice();
+    if (id.toStdString() == drawing_option(studio_.session(), "material")) follow_choice();
   });
   connect(&pictures_, &MediaPictures::changed, this, &MediaPicker::show_pictures);
   connect(&studio_, &Studio::materials_changed, this, &MediaPicker::make_buttons);
@@ -141,7 +131,7 @@ void MediaPicker::make_buttons() {
 void MediaPicker::follow_choice() {
   // A medium that is not here (the eraser, a drawing's own that went): none is chosen.
   group_->setExclusive(false);
-  const std::string chosen = medium_in_hand(studio_);
+  const std::string chosen = drawing_medium(studio_.session());
   for (std::size_t i = 0; i < ids_.size(); ++i) buttons_[i]->setChecked(ids_[i] == chosen);
   group_->setExclusive(true);
 }

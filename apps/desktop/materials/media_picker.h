@@ -12,9 +12,9 @@
 
 namespace felt::desktop {
 
-/// Takes a medium in hand: pencil.material and, as events of their own, so that a recording replays
-/// alike, the widths and the pressure curve that it comes with, and take_usual_color() where it is
-/// another one. False: `refused` said why.
+/// Sets the medium that new lines are drawn in and, as events of their own, so that a recording
+/// replays alike, the widths and the pressure curve that it comes with, and take_usual_color()
+/// where it is another one. False: `refused` said why.
 bool take_medium(Studio& studio, const std::string& id);
 /// The same for a click: the lines that are selected become of it, too, and a sentence says if the
 /// colour of new ink is another one now.
@@ -24,9 +24,6 @@ bool choose_medium(Studio& studio, const std::string& id);
 /// that of the medium `before`, or black as in a new drawing; another one is a person's own, and
 /// stays. False: `refused` said why.
 bool take_usual_color(Studio& studio, std::optional<std::uint32_t> before, std::uint32_t now);
-
-/// The medium in hand, by id.
-std::string medium_in_hand(const Studio& studio);
 
 /// What can be drawn with, as pictures: a stroke of each from light to hard on the sheet that is
 /// chosen, rendered with its grain; a click, or the arrow keys, take one. As many side by side as

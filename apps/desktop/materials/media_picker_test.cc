@@ -9,6 +9,7 @@
 
 #include "desktop/materials/medium_picture.h"
 #include "desktop/testing/accessible_names.h"
+#include "felt/session/session_medium.h"
 #include "felt/stroke/testing/random_stroke.h"
 
 namespace felt::desktop {
@@ -50,7 +51,7 @@ TEST(MediaPicker, AClickTakesAMediumWithItsOwnWidthsAsEvents) {
     if (!medium.draws) continue;
     desk.studio.apply(SetOption{"pencil.gamma", OptionValue(4.0)});
     desk.picker.button(medium.id)->click();
-    EXPECT_EQ(medium_in_hand(desk.studio), medium.id);
+    EXPECT_EQ(drawing_medium(desk.studio.session()), medium.id);
     EXPECT_EQ(number(desk.studio, "pencil.min_width_mm"), medium.line.min_mm) << medium.id;
     EXPECT_EQ(number(desk.studio, "pencil.max_width_mm"), medium.line.max_mm) << medium.id;
     EXPECT_EQ(number(desk.studio, "pencil.gamma"), medium.line.gamma) << medium.id;
@@ -109,7 +110,7 @@ TEST(MediaPicker, KeysTakeAMedium) {
   first->setFocus();
   QTest::keyClick(first, Qt::Key_Right);
   QTest::keyClick(QApplication::focusWidget(), Qt::Key_Space);
-  EXPECT_NE(medium_in_hand(desk.studio), "pencil");
+  EXPECT_NE(drawing_medium(desk.studio.session()), "pencil");
 }
 
 TEST(MediaPicker, PicturesComeByThemselvesAndAreOthersOnAnotherSheet) {

@@ -2,8 +2,8 @@
 
 #include <QCoreApplication>
 
+#include "desktop/engine/tool_texts.h"
 #include "desktop/panels/tool_icons.h"
-#include "desktop/panels/tool_texts.h"
 
 namespace felt::desktop {
 namespace {

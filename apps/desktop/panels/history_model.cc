@@ -3,7 +3,7 @@
 #include <QFont>
 #include <algorithm>
 
-#include "desktop/panels/tool_texts.h"
+#include "desktop/engine/tool_texts.h"
 
 namespace felt::desktop {
 

@@ -7,8 +7,6 @@
 
 #include "desktop/engine/studio.h"
 #include "desktop/panels/tool_icons.h"
-#include "desktop/panels/tool_texts.h"
-#include "felt/material/material_fields.h"
 
 namespace felt::desktop {
 namespace {
@@ -69,47 +67,6 @@ TEST(Icons, AreOtherwiseWhereDisabledOrSelected) {
   };
   EXPECT_NE(look(QIcon::Normal), look(QIcon::Disabled));
   EXPECT_NE(look(QIcon::Normal), look(QIcon::Selected));
-}
-
-TEST(ToolTexts, HoldEveryTextOfTheTables) {
-  std::set<std::string> known, wanted;
-  for (const char* text : tool_texts()) known.insert(text);
-  const auto want = [&wanted](std::string_view text) {
-    if (!text.empty()) wanted.insert(std::string(text));
-  };
-  const auto want_table = [&want](std::span<const OptionSpec> table) {
-    for (const OptionSpec& row : table) {
-      want(row.label);
-      want(row.help);
-      for (const std::string_view choice : row.choices) want(choice);
-    }
-  };
-  const Studio studio({.live = false});
-  for (const auto& tool : studio.session().tools()) {
-    want(tool->info().label);
-    want(tool->info().help);
-    want_table(tool->info().options);
-  }
-  want_table(SheetOptions::table());
-  const auto want_fields = [&want](const auto& fields) {
-    for (const auto& field : fields) {
-      want(field.label);
-      want(field.help);
-      for (const std::string_view choice : field.choices) want(choice);
-    }
-  };
-  want_fields(sheet_fields());
-  want_fields(medium_fields());
-  for (const SurfaceMaterial& material : surface_materials()) want(material.label);
-  std::string missing, surplus;
-  for (const std::string& text : wanted) {
-    if (!known.contains(text)) missing += "QT_TRANSLATE_NOOP(\"tools\", \"" + text + "\"),\n";
-  }
-  for (const std::string& text : known) {
-    if (!wanted.contains(text)) surplus += text + "\n";
-  }
-  EXPECT_EQ(missing, "") << "these lines belong in tool_texts_table.cc";
-  EXPECT_EQ(surplus, "") << "no table has these any more";
 }
 
 }  // namespace

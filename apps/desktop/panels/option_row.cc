@@ -11,8 +11,8 @@
 #include <QStyle>
 #include <algorithm>
 
+#include "desktop/engine/tool_texts.h"
 #include "desktop/panels/tool_icons.h"
-#include "desktop/panels/tool_texts.h"
 
 namespace felt::desktop {
 namespace {

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "desktop/panels/tool_texts.h"
+#include "desktop/engine/tool_texts.h"
 
 namespace felt::desktop {
 namespace {

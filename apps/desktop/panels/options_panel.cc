@@ -3,43 +3,26 @@
 #include <QEvent>
 #include <QStyle>
 #include <algorithm>
-#include <array>
 #include <string_view>
 #include <utility>
 
 #include "desktop/engine/first_options.h"
 #include "desktop/engine/settings.h"
+#include "desktop/engine/tool_texts.h"
 #include "desktop/panels/tool_icons.h"
-#include "desktop/panels/tool_texts.h"
 
 namespace felt::desktop {
 namespace {
-
-using namespace std::string_view_literals;
 
 constexpr int kMarginPx = 10;
 constexpr int kRowGapPx = 9;
 constexpr int kPicturePx = 22;
 constexpr std::string_view kStrength = "strength";  // the row of strength_option()
 
-/// What few people set: folded behind "More".
-constexpr std::array kFolded = {
-    "min_width_mm"sv,   "max_width_mm"sv,    "gamma"sv,          "mouse_pressure"sv,
-    "lean_deg"sv,       "tolerance_mm"sv,    "refine"sv,         "reach_mm"sv,
-    "snap_radius_mm"sv, "attraction_n"sv,    "keep_separate"sv,  "stabiliser_mass_g"sv,
-    "weights"sv,        "sweep_time_s"sv,    "extend"sv,         "stabiliser_length_mm"sv,
-    "rate_mm_per_s"sv,  "click_radius_mm"sv, "grab_radius_mm"sv, "keep_offset"sv};
 constexpr auto kMoreKey = "panels/more_options";
 
-bool is_folded(std::string_view tool, const OptionSpec& spec) {
-  // Of these tools it is the one size that they have.
-  const bool is_size =
-      (tool == "width" && spec.id == "reach_mm") || (tool == "pull" && spec.id == "grab_radius_mm");
-  return !is_size && std::find(kFolded.begin(), kFolded.end(), spec.id) != kFolded.end();
-}
-
-std::string id_of(const std::string& tool, const OptionSpec& spec) {
-  return tool + "." + std::string(spec.id);
+std::string id_of(const ToolInfo& tool, const OptionSpec& spec) {
+  return std::string(tool.id) + "." + std::string(spec.id);
 }
 
 QLabel* heading(const QString& text, QWidget* parent) {
@@ -142,8 +125,7 @@ void OptionsPanel::show_tool() {
 OptionsPanel::Page& OptionsPanel::page_of(const ToolInfo& info) {
   const auto known = pages_.find(info.id);
   if (known != pages_.end()) return known->second;
-  const std::string tool(info.id);
-  Page& page = pages_[tool];
+  Page& page = pages_[std::string(info.id)];
   page.widget = new QWidget(scroll_->widget());
   auto* lines = new QVBoxLayout(page.widget);
   lines->setContentsMargins(0, 0, 0, 0);
@@ -153,20 +135,20 @@ OptionsPanel::Page& OptionsPanel::page_of(const ToolInfo& info) {
   for (const OptionSpec& spec : info.options) {
     if (spec.id == kStrength) {
       strength = &spec;
-    } else if (is_folded(tool, spec)) {
+    } else if (spec.is_seldom) {
       folded.push_back(&spec);
-    } else if (!add_picker(page, lines, tool, spec)) {
-      add_row(page, lines, tool, spec);
+    } else if (!add_picker(page, lines, info, spec)) {
+      add_row(page, lines, info, spec);
     }
   }
   if (strength) {
     lines->addSpacing(kRowGapPx / 2);
     lines->addWidget(heading(tr("Feel"), page.widget));
-    add_row(page, lines, tool, *strength);
+    add_row(page, lines, info, *strength);
   }
   if (!folded.empty()) {
     QVBoxLayout* more = add_more(page, lines);
-    for (const OptionSpec* spec : folded) add_row(page, more, tool, *spec);
+    for (const OptionSpec* spec : folded) add_row(page, more, info, *spec);
   }
   int widest = 0;
   for (const OptionRow* row : page.rows) widest = std::max(widest, row->number_width());
@@ -176,7 +158,7 @@ OptionsPanel::Page& OptionsPanel::page_of(const ToolInfo& info) {
   return page;
 }
 
-bool OptionsPanel::add_picker(Page& page, QVBoxLayout* lines, const std::string& tool,
+bool OptionsPanel::add_picker(Page& page, QVBoxLayout* lines, const ToolInfo& tool,
                               const OptionSpec& spec) {
   const auto picker = pickers_.find(id_of(tool, spec));
   if (picker == pickers_.end()) return false;
@@ -219,17 +201,17 @@ QVBoxLayout* OptionsPanel::add_more(Page& page, QVBoxLayout* lines) {
   return rows;
 }
 
-void OptionsPanel::add_row(Page& page, QVBoxLayout* lines, const std::string& tool,
+void OptionsPanel::add_row(Page& page, QVBoxLayout* lines, const ToolInfo& tool,
                            const OptionSpec& spec) {
-  auto* row = new OptionRow(as_at_first(tool, spec), page.widget);
+  auto* row = new OptionRow(as_at_first(tool.kind, spec), page.widget);
   lines->addWidget(row);
   page.rows.push_back(row);
-  connect(row, &OptionRow::chosen, this, [this, row, tool](const OptionValue& value) {
-    const std::string id = id_of(tool, row->spec());
-    const Result<OptionValue> now = studio_.session().option(id);
-    if (now && *now == value) return;
-    studio_.apply(SetOption{id, value});
-  });
+  connect(row, &OptionRow::chosen, this,
+          [this, row, id = id_of(tool, spec)](const OptionValue& value) {
+            const Result<OptionValue> now = studio_.session().option(id);
+            if (now && *now == value) return;
+            studio_.apply(SetOption{id, value});
+          });
 }
 
 void OptionsPanel::follow(const QString& id) {
@@ -240,18 +222,17 @@ void OptionsPanel::follow(const QString& id) {
   const Result<OptionValue> value = studio_.session().option(text);
   if (!value) return;
   for (OptionRow* row : page->second.rows) {
-    if (id_of(tool, row->spec()) == text) row->show_value(*value);
+    if (text.substr(tool.size() + 1) == row->spec().id) row->show_value(*value);
   }
   if (std::holds_alternative<std::string>(*value)) show_matters(tool, page->second);
 }
 
 void OptionsPanel::show_values(const ToolInfo& info, Page& page) {
-  const std::string tool(info.id);
   for (OptionRow* row : page.rows) {
-    const Result<OptionValue> value = studio_.session().option(id_of(tool, row->spec()));
+    const Result<OptionValue> value = studio_.session().option(id_of(info, row->spec()));
     if (value) row->show_value(*value);
   }
-  show_matters(tool, page);
+  show_matters(std::string(info.id), page);
 }
 
 void OptionsPanel::show_matters(const std::string& tool, Page& page) {
@@ -273,10 +254,9 @@ void OptionsPanel::changeEvent(QEvent* event) {
 
 void OptionsPanel::reset_tool() {
   const ToolInfo& info = studio_.session().tool().info();
-  const std::string tool(info.id);
   for (const OptionSpec& row : info.options) {
-    const OptionSpec spec = as_at_first(tool, row);
-    const std::string id = id_of(tool, spec);
+    const OptionSpec spec = as_at_first(info.kind, row);
+    const std::string id = id_of(info, spec);
     const Result<OptionValue> now = studio_.session().option(id);
     if (now && *now != default_value(spec)) studio_.apply(SetOption{id, default_value(spec)});
   }

@@ -45,9 +45,9 @@ class OptionsPanel : public QWidget {
   void show_tool();
   void hold_width();
   Page& page_of(const ToolInfo& info);
-  bool add_picker(Page& page, QVBoxLayout* lines, const std::string& tool, const OptionSpec& spec);
+  bool add_picker(Page& page, QVBoxLayout* lines, const ToolInfo& tool, const OptionSpec& spec);
   QVBoxLayout* add_more(Page& page, QVBoxLayout* lines);
-  void add_row(Page& page, QVBoxLayout* lines, const std::string& tool, const OptionSpec& spec);
+  void add_row(Page& page, QVBoxLayout* lines, const ToolInfo& tool, const OptionSpec& spec);
   /// Shows the value of an option, and the rows that it decides about.
   void follow(const QString& id);
   void show_values(const ToolInfo& info, Page& page);

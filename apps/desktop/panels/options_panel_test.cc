@@ -12,8 +12,8 @@
 #include <cmath>
 
 #include "desktop/engine/settings.h"
+#include "desktop/engine/tool_texts.h"
 #include "desktop/panels/testing/panels_fixture.h"
-#include "desktop/panels/tool_texts.h"
 
 namespace felt::desktop {
 namespace {
@@ -175,7 +175,7 @@ TEST(OptionsPanel, ResetsTheWholeToolAndNoOther) {
   studio.apply(SetOption{"pencil.snap", std::string("off")});
   QTest::mouseClick(panel.findChild<QToolButton*>(QStringLiteral("reset_tool")), Qt::LeftButton);
   for (const OptionSpec& row : studio.session().tool().info().options) {
-    const OptionSpec spec = as_at_first("pencil", row);
+    const OptionSpec spec = as_at_first(ToolKind::kDraws, row);
     EXPECT_EQ(value_of(studio, spec), default_value(spec)) << spec.id;
   }
   EXPECT_EQ(studio.session().option("eraser.radius_mm").value(), OptionValue(7.0));

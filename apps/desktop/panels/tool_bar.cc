@@ -7,29 +7,14 @@
 #include <cmath>
 #include <string>
 
+#include "desktop/engine/tool_texts.h"
 #include "desktop/panels/tool_icons.h"
 #include "desktop/panels/tool_size.h"
-#include "desktop/panels/tool_texts.h"
 
 namespace felt::desktop {
 namespace {
 
-/// What "size" means to a tool; `mode` is the value of its option "mode" for which it does, or "".
-struct SizeRow {
-  std::string_view tool;
-  std::string_view mode;
-  std::string_view option;
-};
-constexpr SizeRow kSizes[] = {
-    {"pencil", "", "max_width_mm"},     {"pull", "push", "nib_radius_mm"},
-    {"pull", "grab", "grab_radius_mm"}, {"pull", "sweep", "grab_radius_mm"},
-    {"pull", "", "radius_mm"},          {"smooth", "", "radius_mm"},
-    {"width", "", "reach_mm"},          {"eraser", "", "radius_mm"},
-    {"lasso", "", "click_radius_mm"},   {"transform", "", "grab_radius_mm"},
-    {"connect", "", "grab_radius_mm"},
-};
-
-QString tool_text(const char* english) {
+QString text(const char* english) {
   return QCoreApplication::translate("ToolActions", english);
 }
 
@@ -104,18 +89,6 @@ void add_strengths(Actions& actions, Studio& studio) {
 }
 
 }  // namespace
-
-QString size_option(const Session& session) {
-  const std::string tool(session.tool().info().id);
-  const Result<OptionValue> mode = session.option(tool + ".mode");
-  const auto* word = mode ? std::get_if<std::string>(&*mode) : nullptr;
-  for (const SizeRow& row : kSizes) {
-    if (row.tool == tool && (row.mode.empty() || (word && *word == row.mode))) {
-      return qstring(row.option);
-    }
-  }
-  return {};
-}
 
 void add_tool_actions(Actions& actions, Studio& studio) {
   auto* group = new QActionGroup(&actions);

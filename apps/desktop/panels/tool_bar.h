@@ -13,10 +13,6 @@ namespace felt::desktop {
 /// Both must live as long as the actions.
 void add_tool_actions(Actions& actions, Studio& studio);
 
-/// The option that the size keys change while this tool is in hand as it is set: "radius_mm"; ""
-/// for a tool without a size.
-QString size_option(const Session& session);
-
 /// The tools in a bar: picture, name, shortcut; the one in hand is pressed. While a tool is
 /// borrowed the bar says so, and which one comes back. Made from the actions of add_tool_actions().
 class ToolBar : public QToolBar {

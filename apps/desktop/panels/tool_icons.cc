@@ -14,6 +14,7 @@
 // must happen outside every namespace.
 static void need_icons() {
   Q_INIT_RESOURCE(icons);
+  Q_INIT_RESOURCE(tool_icons);
 }
 
 namespace felt::desktop {

@@ -17,14 +17,15 @@ std::uint32_t bit_of(ButtonRole role) {
   return 1U << static_cast<unsigned>(role);
 }
 
-const char* tool_of(ButtonRole role) {
+/// Returns the tool that a button borrows, or null.
+const Tool* tool_of(ButtonRole role, const Session& session) {
   switch (role) {
     case ButtonRole::kEraser:
-      return "eraser";
+      return session.first_tool(ToolKind::kErases);
     case ButtonRole::kPull:
-      return "pull";
+      return session.first_tool(ToolKind::kEdits);
     case ButtonRole::kLasso:
-      return "lasso";
+      return session.first_tool(ToolKind::kSelects);
     default:
       return nullptr;
   }
@@ -96,11 +97,12 @@ void PenHand::press(ButtonRole role) {
     return send_buttons(before);
   }
   if (role == ButtonRole::kUndo) studio_.apply(UndoEvent{});
-  const char* tool = tool_of(role);
+  const Tool* tool = tool_of(role, studio_.session());
   if (!tool || (borrowing_ & bit_of(role))) return;
   give_back(true);
   borrowing_ |= bit_of(role);
-  studio_.borrow_tool(QString::fromLatin1(tool));
+  const std::string_view id = tool->info().id;
+  studio_.borrow_tool(QString::fromUtf8(id.data(), qsizetype(id.size())));
 }
 
 void PenHand::release(ButtonRole role) {

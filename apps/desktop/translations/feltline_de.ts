@@ -1214,85 +1214,9 @@
 <context>
     <name>ToolHint</name>
     <message>
-        <source>Draw; press harder for a broader line. End on a line’s end to join it.</source>
-        <translation>Zeichnen; fester drücken für eine breitere Linie. An einem Linienende enden verbindet.</translation>
-    </message>
-    <message>
-        <source>Drag a line to bend it; it goes back as you go back.</source>
-        <translation>Linie ziehen, um sie zu biegen; sie geht zurück, wie Sie zurückgehen.</translation>
-    </message>
-    <message>
-        <source>Rub along a line to iron the tremor out; press to iron harder.</source>
-        <translation>Eine Linie entlangreiben glättet Zittern; fester drücken glättet mehr.</translation>
-    </message>
-    <message>
-        <source>Rub a line to make it broader or thinner.</source>
-        <translation>Linie reiben, um sie breiter oder dünner zu machen.</translation>
-    </message>
-    <message>
-        <source>thinner</source>
-        <translation>dünner</translation>
-    </message>
-    <message>
-        <source>thicker</source>
-        <translation>dicker</translation>
-    </message>
-    <message>
-        <source>Rub out what the ring touches.</source>
-        <translation>Wegradieren, was der Ring berührt.</translation>
-    </message>
-    <message>
-        <source>up to the crossings</source>
-        <translation>bis zu den Kreuzungen</translation>
-    </message>
-    <message>
-        <source>whole lines</source>
-        <translation>ganze Linien</translation>
-    </message>
-    <message>
-        <source>Draw round what you mean, or click a line.</source>
-        <translation>Umfahren Sie, was gemeint ist, oder klicken Sie eine Linie an.</translation>
-    </message>
-    <message>
-        <source>adds</source>
-        <translation>fügt hinzu</translation>
-    </message>
-    <message>
-        <source>takes away</source>
-        <translation>nimmt weg</translation>
-    </message>
-    <message>
-        <source>Drag inside to move, a corner to scale, outside it to turn.</source>
-        <translation>Innen ziehen verschiebt, an der Ecke skaliert, außen dreht.</translation>
-    </message>
-    <message>
-        <source>along one axis, in steps of 15°</source>
-        <translation>entlang einer Achse, in Schritten von 15°</translation>
-    </message>
-    <message>
-        <source>a copy</source>
-        <translation>eine Kopie</translation>
-    </message>
-    <message>
-        <source>Drag the end of a line to another end.</source>
-        <translation>Ein Linienende zu einem anderen Ende ziehen.</translation>
-    </message>
-    <message>
-        <source>the end stays where you let it go</source>
-        <translation>das Ende bleibt, wo Sie loslassen</translation>
-    </message>
-    <message>
         <source>%1: %2</source>
         <extracomment>a key that is held, and what it does: &quot;Shift: thinner&quot;</extracomment>
         <translation>%1: %2</translation>
-    </message>
-    <message>
-        <source>ends and corners go along, or stay</source>
-        <translation>Enden und Ecken gehen mit oder bleiben</translation>
-    </message>
-    <message>
-        <source>Push lines away from the side of the pen.</source>
-        <translation>Linien mit der Seite des Stifts wegschieben.</translation>
     </message>
 </context>
 <context>
@@ -1304,73 +1228,6 @@
     <message>
         <source>%1 mm is the smallest size.</source>
         <translation>%1 mm ist die kleinste Größe.</translation>
-    </message>
-</context>
-<context>
-    <name>Tour</name>
-    <message>
-        <source>Draw</source>
-        <translation>Zeichnen</translation>
-    </message>
-    <message>
-        <source>Lines become smooth curves while you draw; press harder for a broader one. Near its start, an outline snaps shut.</source>
-        <translation>Linien werden beim Zeichnen zu glatten Kurven; fester drücken macht sie breiter. Nahe am Anfang rastet ein Umriss ein.</translation>
-    </message>
-    <message>
-        <source>Pull and push</source>
-        <translation>Ziehen und schieben</translation>
-    </message>
-    <message>
-        <source>A line is not quite right? Take hold of it and pull. It resists like a wire, the more the further you go.</source>
-        <translation>Eine Linie stimmt nicht ganz? Fassen Sie sie und ziehen Sie. Sie widersteht wie ein Draht, je weiter, desto mehr.</translation>
-    </message>
-    <message>
-        <source>Smooth</source>
-        <translation>Glätten</translation>
-    </message>
-    <message>
-        <source>Rub along a shaky line: the jitter goes, the shape stays.</source>
-        <translation>Reiben Sie eine zittrige Linie entlang: das Zittern geht, die Form bleibt.</translation>
-    </message>
-    <message>
-        <source>Width</source>
-        <translation>Breite</translation>
-    </message>
-    <message>
-        <source>Press on a line to make it broader, after it was drawn.</source>
-        <translation>Drücken Sie auf eine Linie, um sie nachträglich breiter zu machen.</translation>
-    </message>
-    <message>
-        <source>Erase</source>
-        <translation>Radieren</translation>
-    </message>
-    <message>
-        <source>Rub away what is covered, a line up to its next crossing, or all of it.</source>
-        <translation>Wegreiben, was bedeckt ist, eine Linie bis zur nächsten Kreuzung oder ganz.</translation>
-    </message>
-    <message>
-        <source>Select</source>
-        <translation>Auswählen</translation>
-    </message>
-    <message>
-        <source>Draw a loop around lines to select them; touch one to take it.</source>
-        <translation>Linien umfahren wählt sie aus; eine berühren nimmt sie.</translation>
-    </message>
-    <message>
-        <source>Move and turn</source>
-        <translation>Verschieben und drehen</translation>
-    </message>
-    <message>
-        <source>Drag what is selected. Lines that lead out of it hold it back, and you feel how much.</source>
-        <translation>Ziehen Sie, was ausgewählt ist. Linien, die hinausführen, halten es zurück, und Sie fühlen, wie sehr.</translation>
-    </message>
-    <message>
-        <source>Connect</source>
-        <translation>Verbinden</translation>
-    </message>
-    <message>
-        <source>Drag one end onto another: they snap, and become one line.</source>
-        <translation>Ziehen Sie ein Ende auf ein anderes: sie rasten ein und werden eine Linie.</translation>
     </message>
 </context>
 <context>
@@ -5589,6 +5446,122 @@ Doppelklick benennt um, Ziehen verschiebt</translation>
     <message>
         <source>Medium</source>
         <translation>Zeichenmittel</translation>
+    </message>
+    <message>
+        <source>Draw; press harder for a broader line. End on a line’s end to join it.</source>
+        <translation>Zeichnen; fester drücken für eine breitere Linie. An einem Linienende enden verbindet.</translation>
+    </message>
+    <message>
+        <source>Drag a line to bend it; it goes back as you go back.</source>
+        <translation>Linie ziehen, um sie zu biegen; sie geht zurück, wie Sie zurückgehen.</translation>
+    </message>
+    <message>
+        <source>Rub along a line to iron the tremor out; press to iron harder.</source>
+        <translation>Eine Linie entlangreiben glättet Zittern; fester drücken glättet mehr.</translation>
+    </message>
+    <message>
+        <source>Rub a line to make it broader or thinner.</source>
+        <translation>Linie reiben, um sie breiter oder dünner zu machen.</translation>
+    </message>
+    <message>
+        <source>Rub out what the ring touches.</source>
+        <translation>Wegradieren, was der Ring berührt.</translation>
+    </message>
+    <message>
+        <source>up to the crossings</source>
+        <translation>bis zu den Kreuzungen</translation>
+    </message>
+    <message>
+        <source>whole lines</source>
+        <translation>ganze Linien</translation>
+    </message>
+    <message>
+        <source>Draw round what you mean, or click a line.</source>
+        <translation>Umfahren Sie, was gemeint ist, oder klicken Sie eine Linie an.</translation>
+    </message>
+    <message>
+        <source>adds</source>
+        <translation>fügt hinzu</translation>
+    </message>
+    <message>
+        <source>takes away</source>
+        <translation>nimmt weg</translation>
+    </message>
+    <message>
+        <source>Drag inside to move, a corner to scale, outside it to turn.</source>
+        <translation>Innen ziehen verschiebt, an der Ecke skaliert, außen dreht.</translation>
+    </message>
+    <message>
+        <source>along one axis, in steps of 15°</source>
+        <translation>entlang einer Achse, in Schritten von 15°</translation>
+    </message>
+    <message>
+        <source>a copy</source>
+        <translation>eine Kopie</translation>
+    </message>
+    <message>
+        <source>Drag the end of a line to another end.</source>
+        <translation>Ein Linienende zu einem anderen Ende ziehen.</translation>
+    </message>
+    <message>
+        <source>the end stays where you let it go</source>
+        <translation>das Ende bleibt, wo Sie loslassen</translation>
+    </message>
+    <message>
+        <source>ends and corners go along, or stay</source>
+        <translation>Enden und Ecken gehen mit oder bleiben</translation>
+    </message>
+    <message>
+        <source>Push lines away from the side of the pen.</source>
+        <translation>Linien mit der Seite des Stifts wegschieben.</translation>
+    </message>
+    <message>
+        <source>Draw</source>
+        <translation>Zeichnen</translation>
+    </message>
+    <message>
+        <source>Lines become smooth curves while you draw; press harder for a broader one. Near its start, an outline snaps shut.</source>
+        <translation>Linien werden beim Zeichnen zu glatten Kurven; fester drücken macht sie breiter. Nahe am Anfang rastet ein Umriss ein.</translation>
+    </message>
+    <message>
+        <source>Pull and push</source>
+        <translation>Ziehen und schieben</translation>
+    </message>
+    <message>
+        <source>A line is not quite right? Take hold of it and pull. It resists like a wire, the more the further you go.</source>
+        <translation>Eine Linie stimmt nicht ganz? Fassen Sie sie und ziehen Sie. Sie widersteht wie ein Draht, je weiter, desto mehr.</translation>
+    </message>
+    <message>
+        <source>Rub along a shaky line: the jitter goes, the shape stays.</source>
+        <translation>Reiben Sie eine zittrige Linie entlang: das Zittern geht, die Form bleibt.</translation>
+    </message>
+    <message>
+        <source>Press on a line to make it broader, after it was drawn.</source>
+        <translation>Drücken Sie auf eine Linie, um sie nachträglich breiter zu machen.</translation>
+    </message>
+    <message>
+        <source>Erase</source>
+        <translation>Radieren</translation>
+    </message>
+    <message>
+        <source>Rub away what is covered, a line up to its next crossing, or all of it.</source>
+        <translation>Wegreiben, was bedeckt ist, eine Linie bis zur nächsten Kreuzung oder ganz.</translation>
+    </message>
+    <message>
+        <source>Draw a loop around lines to select them; touch one to take it.</source>
+        <translation>Linien umfahren wählt sie aus; eine berühren nimmt sie.</translation>
+    </message>
+    <message>
+        <source>Move and turn</source>
+        <translation>Verschieben und drehen</translation>
+    </message>
+    <message>
+        <source>Drag what is selected. Lines that lead out of it hold it back, and you feel how much.</source>
+        <translation>Ziehen Sie, was ausgewählt ist. Linien, die hinausführen, halten es zurück, und Sie fühlen, wie sehr.</translation>
+    </message>
+    <message>
+        <source>Drag one end onto another: they snap, and become one line.</source>
+        <translation>Ziehen Sie ein Ende auf ein anderes: sie rasten ein und werden eine Linie.</translation>
     </message>
 </context>
 </TS>

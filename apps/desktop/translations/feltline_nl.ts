@@ -1214,85 +1214,9 @@
 <context>
     <name>ToolHint</name>
     <message>
-        <source>Draw; press harder for a broader line. End on a line’s end to join it.</source>
-        <translation>Teken; druk harder voor een bredere lijn. Eindig op een lijneinde om te verbinden.</translation>
-    </message>
-    <message>
-        <source>Drag a line to bend it; it goes back as you go back.</source>
-        <translation>Sleep een lijn om hem te buigen; hij gaat terug als jij teruggaat.</translation>
-    </message>
-    <message>
-        <source>Rub along a line to iron the tremor out; press to iron harder.</source>
-        <translation>Wrijf langs een lijn om trillingen glad te strijken; druk om harder te strijken.</translation>
-    </message>
-    <message>
-        <source>Rub a line to make it broader or thinner.</source>
-        <translation>Wrijf een lijn om hem breder of dunner te maken.</translation>
-    </message>
-    <message>
-        <source>thinner</source>
-        <translation>dunner</translation>
-    </message>
-    <message>
-        <source>thicker</source>
-        <translation>dikker</translation>
-    </message>
-    <message>
-        <source>Rub out what the ring touches.</source>
-        <translation>Gum weg wat de ring raakt.</translation>
-    </message>
-    <message>
-        <source>up to the crossings</source>
-        <translation>tot aan de kruisingen</translation>
-    </message>
-    <message>
-        <source>whole lines</source>
-        <translation>hele lijnen</translation>
-    </message>
-    <message>
-        <source>Draw round what you mean, or click a line.</source>
-        <translation>Teken om wat je bedoelt heen, of klik een lijn aan.</translation>
-    </message>
-    <message>
-        <source>adds</source>
-        <translation>voegt toe</translation>
-    </message>
-    <message>
-        <source>takes away</source>
-        <translation>haalt weg</translation>
-    </message>
-    <message>
-        <source>Drag inside to move, a corner to scale, outside it to turn.</source>
-        <translation>Sleep binnenin om te verplaatsen, een hoek om te schalen, erbuiten om te draaien.</translation>
-    </message>
-    <message>
-        <source>along one axis, in steps of 15°</source>
-        <translation>langs één as, in stappen van 15°</translation>
-    </message>
-    <message>
-        <source>a copy</source>
-        <translation>een kopie</translation>
-    </message>
-    <message>
-        <source>Drag the end of a line to another end.</source>
-        <translation>Sleep het eind van een lijn naar een ander eind.</translation>
-    </message>
-    <message>
-        <source>the end stays where you let it go</source>
-        <translation>het eind blijft waar je het loslaat</translation>
-    </message>
-    <message>
         <source>%1: %2</source>
         <extracomment>a key that is held, and what it does: &quot;Shift: thinner&quot;</extracomment>
         <translation>%1: %2</translation>
-    </message>
-    <message>
-        <source>ends and corners go along, or stay</source>
-        <translation>uiteinden en hoeken gaan mee of blijven</translation>
-    </message>
-    <message>
-        <source>Push lines away from the side of the pen.</source>
-        <translation>Duw lijnen weg met de zijkant van de pen.</translation>
     </message>
 </context>
 <context>
@@ -1304,73 +1228,6 @@
     <message>
         <source>%1 mm is the smallest size.</source>
         <translation>%1 mm is de kleinste maat.</translation>
-    </message>
-</context>
-<context>
-    <name>Tour</name>
-    <message>
-        <source>Draw</source>
-        <translation>Tekenen</translation>
-    </message>
-    <message>
-        <source>Lines become smooth curves while you draw; press harder for a broader one. Near its start, an outline snaps shut.</source>
-        <translation>Lijnen worden vloeiend terwijl je tekent; druk harder voor een bredere. Dicht bij het begin klikt een omtrek dicht.</translation>
-    </message>
-    <message>
-        <source>Pull and push</source>
-        <translation>Trekken en duwen</translation>
-    </message>
-    <message>
-        <source>A line is not quite right? Take hold of it and pull. It resists like a wire, the more the further you go.</source>
-        <translation>Klopt een lijn niet helemaal? Pak hem vast en trek. Hij biedt weerstand als een draad, hoe verder hoe meer.</translation>
-    </message>
-    <message>
-        <source>Smooth</source>
-        <translation>Gladstrijken</translation>
-    </message>
-    <message>
-        <source>Rub along a shaky line: the jitter goes, the shape stays.</source>
-        <translation>Wrijf langs een beverige lijn: het beven gaat weg, de vorm blijft.</translation>
-    </message>
-    <message>
-        <source>Width</source>
-        <translation>Breedte</translation>
-    </message>
-    <message>
-        <source>Press on a line to make it broader, after it was drawn.</source>
-        <translation>Druk op een lijn om hem achteraf breder te maken.</translation>
-    </message>
-    <message>
-        <source>Erase</source>
-        <translation>Gummen</translation>
-    </message>
-    <message>
-        <source>Rub away what is covered, a line up to its next crossing, or all of it.</source>
-        <translation>Wrijf weg wat bedekt is, een lijn tot de volgende kruising, of helemaal.</translation>
-    </message>
-    <message>
-        <source>Select</source>
-        <translation>Selecteren</translation>
-    </message>
-    <message>
-        <source>Draw a loop around lines to select them; touch one to take it.</source>
-        <translation>Teken een lus om lijnen om ze te selecteren; raak er een aan om hem te nemen.</translation>
-    </message>
-    <message>
-        <source>Move and turn</source>
-        <translation>Verplaatsen en draaien</translation>
-    </message>
-    <message>
-        <source>Drag what is selected. Lines that lead out of it hold it back, and you feel how much.</source>
-        <translation>Sleep wat geselecteerd is. Lijnen die eruit leiden houden het tegen, en je voelt hoeveel.</translation>
-    </message>
-    <message>
-        <source>Connect</source>
-        <translation>Verbinden</translation>
-    </message>
-    <message>
-        <source>Drag one end onto another: they snap, and become one line.</source>
-        <translation>Sleep een eind op een ander: ze klikken vast en worden één lijn.</translation>
     </message>
 </context>
 <context>
@@ -5589,6 +5446,122 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen</translation>
     <message>
         <source>Medium</source>
         <translation>Tekenmiddel</translation>
+    </message>
+    <message>
+        <source>Draw; press harder for a broader line. End on a line’s end to join it.</source>
+        <translation>Teken; druk harder voor een bredere lijn. Eindig op een lijneinde om te verbinden.</translation>
+    </message>
+    <message>
+        <source>Drag a line to bend it; it goes back as you go back.</source>
+        <translation>Sleep een lijn om hem te buigen; hij gaat terug als jij teruggaat.</translation>
+    </message>
+    <message>
+        <source>Rub along a line to iron the tremor out; press to iron harder.</source>
+        <translation>Wrijf langs een lijn om trillingen glad te strijken; druk om harder te strijken.</translation>
+    </message>
+    <message>
+        <source>Rub a line to make it broader or thinner.</source>
+        <translation>Wrijf een lijn om hem breder of dunner te maken.</translation>
+    </message>
+    <message>
+        <source>Rub out what the ring touches.</source>
+        <translation>Gum weg wat de ring raakt.</translation>
+    </message>
+    <message>
+        <source>up to the crossings</source>
+        <translation>tot aan de kruisingen</translation>
+    </message>
+    <message>
+        <source>whole lines</source>
+        <translation>hele lijnen</translation>
+    </message>
+    <message>
+        <source>Draw round what you mean, or click a line.</source>
+        <translation>Teken om wat je bedoelt heen, of klik een lijn aan.</translation>
+    </message>
+    <message>
+        <source>adds</source>
+        <translation>voegt toe</translation>
+    </message>
+    <message>
+        <source>takes away</source>
+        <translation>haalt weg</translation>
+    </message>
+    <message>
+        <source>Drag inside to move, a corner to scale, outside it to turn.</source>
+        <translation>Sleep binnenin om te verplaatsen, een hoek om te schalen, erbuiten om te draaien.</translation>
+    </message>
+    <message>
+        <source>along one axis, in steps of 15°</source>
+        <translation>langs één as, in stappen van 15°</translation>
+    </message>
+    <message>
+        <source>a copy</source>
+        <translation>een kopie</translation>
+    </message>
+    <message>
+        <source>Drag the end of a line to another end.</source>
+        <translation>Sleep het eind van een lijn naar een ander eind.</translation>
+    </message>
+    <message>
+        <source>the end stays where you let it go</source>
+        <translation>het eind blijft waar je het loslaat</translation>
+    </message>
+    <message>
+        <source>ends and corners go along, or stay</source>
+        <translation>uiteinden en hoeken gaan mee of blijven</translation>
+    </message>
+    <message>
+        <source>Push lines away from the side of the pen.</source>
+        <translation>Duw lijnen weg met de zijkant van de pen.</translation>
+    </message>
+    <message>
+        <source>Draw</source>
+        <translation>Tekenen</translation>
+    </message>
+    <message>
+        <source>Lines become smooth curves while you draw; press harder for a broader one. Near its start, an outline snaps shut.</source>
+        <translation>Lijnen worden vloeiend terwijl je tekent; druk harder voor een bredere. Dicht bij het begin klikt een omtrek dicht.</translation>
+    </message>
+    <message>
+        <source>Pull and push</source>
+        <translation>Trekken en duwen</translation>
+    </message>
+    <message>
+        <source>A line is not quite right? Take hold of it and pull. It resists like a wire, the more the further you go.</source>
+        <translation>Klopt een lijn niet helemaal? Pak hem vast en trek. Hij biedt weerstand als een draad, hoe verder hoe meer.</translation>
+    </message>
+    <message>
+        <source>Rub along a shaky line: the jitter goes, the shape stays.</source>
+        <translation>Wrijf langs een beverige lijn: het beven gaat weg, de vorm blijft.</translation>
+    </message>
+    <message>
+        <source>Press on a line to make it broader, after it was drawn.</source>
+        <translation>Druk op een lijn om hem achteraf breder te maken.</translation>
+    </message>
+    <message>
+        <source>Erase</source>
+        <translation>Gummen</translation>
+    </message>
+    <message>
+        <source>Rub away what is covered, a line up to its next crossing, or all of it.</source>
+        <translation>Wrijf weg wat bedekt is, een lijn tot de volgende kruising, of helemaal.</translation>
+    </message>
+    <message>
+        <source>Draw a loop around lines to select them; touch one to take it.</source>
+        <translation>Teken een lus om lijnen om ze te selecteren; raak er een aan om hem te nemen.</translation>
+    </message>
+    <message>
+        <source>Move and turn</source>
+        <translation>Verplaatsen en draaien</translation>
+    </message>
+    <message>
+        <source>Drag what is selected. Lines that lead out of it hold it back, and you feel how much.</source>
+        <translation>Sleep wat geselecteerd is. Lijnen die eruit leiden houden het tegen, en je voelt hoeveel.</translation>
+    </message>
+    <message>
+        <source>Drag one end onto another: they snap, and become one line.</source>
+        <translation>Sleep een eind op een ander: ze klikken vast en worden één lijn.</translation>
     </message>
 </context>
 </TS>

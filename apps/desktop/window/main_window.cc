@@ -32,6 +32,7 @@
 #include "desktop/window/status_line.h"
 #include "desktop/window/tool_keys.h"
 #include "desktop/window/top_bar.h"
+#include "felt/session/session_medium.h"
 
 namespace felt::desktop {
 namespace {
@@ -194,7 +195,8 @@ void MainWindow::make_panels() {
     return new MediaPicker(*studio_, *media_pictures_, parent);
   };
   add_panel(QStringLiteral("options"), tr("Options"),
-            new OptionsPanel(*studio_, nullptr, {{"pencil.material", media}}));
+            new OptionsPanel(*studio_, nullptr,
+                             {{drawing_option(studio_->session(), "material"), media}}));
   auto* feel = new FeelPanel(*studio_);
   add_panel(QStringLiteral("feel"), tr("Feel"), scrolled(feel, tr("Feel")));
   connect(feel, &FeelPanel::wants_editor, this,

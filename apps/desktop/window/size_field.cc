@@ -33,7 +33,7 @@ void SizeField::stepBy(int steps) {
 }
 
 void SizeField::follow() {
-  const auto size = tool_size(studio_.session());
+  const std::optional<ToolSize> size = studio_.session().tool().size();
   setEnabled(size.has_value());
   if (!size) return;
   const QSignalBlocker quiet(this);

@@ -4,7 +4,6 @@
 #include <QLocale>
 #include <cmath>
 
-#include "desktop/canvas/tool_hints.h"
 #include "desktop/engine/device_words.h"
 
 namespace felt::desktop {

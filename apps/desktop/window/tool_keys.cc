@@ -8,12 +8,10 @@
 #include <utility>
 
 #include "desktop/engine/text_of.h"
+#include "desktop/engine/tool_texts.h"
 
 namespace felt::desktop {
 namespace {
-
-const QString kPencil = QStringLiteral("pencil");
-const QString kEraser = QStringLiteral("eraser");
 
 qint64 now_ms() {
   static const QElapsedTimer kClock = [] {
@@ -35,8 +33,7 @@ ToolKeys::ToolKeys(Actions& actions, Studio& studio, QWidget* window)
     if (!action) {
       QList<QKeySequence> keys;
       if (info.shortcut) keys.push_back(QKeySequence(QChar::fromLatin1(info.shortcut).toUpper()));
-      action = actions_.add(name, QCoreApplication::translate("tools", info.label.data()), keys,
-                            QCoreApplication::translate("tools", info.help.data()), [] {});
+      action = actions_.add(name, translated(info.label), keys, translated(info.help), [] {});
       action->setCheckable(true);
     }
     action->setAutoRepeat(false);
@@ -45,8 +42,12 @@ ToolKeys::ToolKeys(Actions& actions, Studio& studio, QWidget* window)
   }
   QAction* swap = actions_.add(
       QStringLiteral("tool.swap"), tr("&Eraser while held"), {QKeySequence(Qt::Key_X)},
-      tr("The eraser as long as the key is held; the pencil where the eraser is in hand"),
-      [this] { borrow(tool_in_hand() == kEraser ? kPencil : kEraser, true); });
+      tr("The eraser as long as the key is held; the pencil where the eraser is in hand"), [this] {
+        const Session& session = studio_.session();
+        const bool erases = session.tool().info().kind == ToolKind::kErases;
+        const Tool* other = session.first_tool(erases ? ToolKind::kDraws : ToolKind::kErases);
+        if (other) borrow(text_of(other->info().id), true);
+      });
   swap->setAutoRepeat(false);
   connect(&studio_, &Studio::shown, this, &ToolKeys::note_use);
   const auto check = [this] {

@@ -12,6 +12,7 @@
 #include "desktop/panels/tool_icons.h"
 #include "desktop/window/color_well.h"
 #include "desktop/window/size_field.h"
+#include "felt/session/session_medium.h"
 
 namespace felt::desktop {
 namespace {
@@ -111,14 +112,14 @@ QComboBox* TopBar::add_list(const QString& label, const QString& name, const QSt
   return box;
 }
 
-/// With a picture of each. Whoever takes one wants to draw with it, so the pencil comes with it.
+/// With a picture of each. Choosing one also chooses the tool that draws with it.
 void TopBar::add_media(const MediaPictures& pictures) {
   QComboBox* box = add_list(tr("Medium:"), tr("What is drawn with"),
                             tr("What the pen is made of: how it looks, feels and sounds"));
   box->setObjectName(QStringLiteral("top_media"));
   box->setIconSize(kPicturePx);
   const auto show = [this, box] {
-    box->setCurrentIndex(box->findData(QString::fromStdString(medium_in_hand(studio_))));
+    box->setCurrentIndex(box->findData(QString::fromStdString(drawing_medium(studio_.session()))));
   };
   const auto show_pictures = [box, &pictures] {
     for (int i = 0; i < box->count(); ++i) {
@@ -139,14 +140,15 @@ void TopBar::add_media(const MediaPictures& pictures) {
   connect(box, &QComboBox::activated, this, [this, box, show] {
     // With a selection it is for the lines that are selected.
     const Session& session = studio_.session();
-    if (session.tool().info().id != "pencil" && session.selection().empty()) {
-      studio_.apply(SelectTool{"pencil"});
+    const Tool* draws = session.first_tool(ToolKind::kDraws);
+    if (draws && &session.tool() != draws && session.selection().empty()) {
+      studio_.apply(SelectTool{std::string(draws->info().id)});
     }
     choose_medium(studio_, box->currentData().toString().toStdString());
     show();
   });
-  connect(&studio_, &Studio::option_changed, this, [show](const QString& id) {
-    if (id == QLatin1String("pencil.material")) show();
+  connect(&studio_, &Studio::option_changed, this, [this, show](const QString& id) {
+    if (id.toStdString() == drawing_option(studio_.session(), "material")) show();
   });
   connect(&studio_, &Studio::materials_changed, this, fill);
   connect(&studio_, &Studio::opened, this, fill);

@@ -9,9 +9,8 @@
 namespace felt {
 namespace {
 
-/// A gesture of these begins with what is selected.
 bool depends_on_selection(const Session& session) {
-  return session.tool().info().id == "transform";
+  return session.tool().info().kind == ToolKind::kTransforms;
 }
 
 }  // namespace

@@ -19,6 +19,7 @@
 
 #include "felt/base/atomic_file.h"
 #include "felt/io/ndjson/ndjson_writer.h"
+#include "felt/session/session_medium.h"
 #include "felt/tools/overlay.h"
 
 namespace felt {
@@ -65,8 +66,9 @@ void append_stroke_in_progress(std::string& text, const Session& session) {
   if (overlay.ink.empty()) return;
   StrokeData data = wet_stroke(overlay.ink);
   data.color = overlay.ink_color;
-  const Result<OptionValue> medium = session.option("pencil.material");
-  if (const auto* id = medium ? std::get_if<std::string>(&*medium) : nullptr) data.material = *id;
+  if (std::string medium = drawing_medium(session); !medium.empty()) {
+    data.material = std::move(medium);
+  }
   // The end of the line may be too short yet for a segment.
   if (!check_invariants(data) && !data.joints.empty()) {
     data.points.resize(data.points.size() - 3);

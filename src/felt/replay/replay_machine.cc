@@ -4,15 +4,20 @@
 #include <cmath>
 #include <utility>
 
-#include "felt/replay/option_text.h"
+#include "felt/document/visible_strokes.h"
+#include "felt/formats/line_drawing.h"
+#include "felt/material/materials.h"
+#include "felt/session/session_medium.h"
 #include "felt/tools/medium_line.h"
 #include "felt/tools/pressing.h"
 
 namespace felt {
 namespace {
 
-/// The tool whose ink is compared with the path of the hand.
-constexpr const char* kDrawingTool = "pencil";
+/// What other tools do to ink is not compared with the path of the hand.
+bool draws(const Session& session) {
+  return session.tool().info().kind == ToolKind::kDraws;
+}
 
 /// About 200 s of aims, 20 MB.
 constexpr std::size_t kManyEvents = 200'000;
@@ -20,17 +25,39 @@ constexpr std::size_t kManyEvents = 200'000;
 /// Half the workspace, in mm; beyond the largest coordinate that a script can name.
 constexpr double kEndlessMm = 1e10;
 
-double number_option(const Session& session, const char* id, double otherwise) {
-  const Result<OptionValue> value = session.option(id);
+double drawing_number(const Session& session, std::string_view option, double otherwise) {
+  const Result<OptionValue> value = session.option(drawing_option(session, option));
   const double* number = value ? std::get_if<double>(&*value) : nullptr;
   return number ? *number : otherwise;
 }
 
-/// Returns the medium that the pencil has now, or null.
-const Medium* pencil_medium(const Session& session) {
-  const Result<OptionValue> value = session.option("pencil.material");
-  const auto* id = value ? std::get_if<std::string>(&*value) : nullptr;
-  return id ? session.materials().find_medium(*id) : nullptr;
+/// An input that is no stream of lines.
+Result<OpenedDrawing> read_whole(const Input& input) {
+  Result<OpenedDrawing> opened = input.read_drawing({});
+  if (opened) return opened;
+  return fail(opened.error().code, input.name() + ": " + opened.error().message);
+}
+
+/// A script must be told of every line that is wrong: what it draws depends on it.
+Result<Sketch> read_lines(const Input& input) {
+  LineReader reader(input.reader());
+  LineBatch batch;
+  LineStrokes strokes;
+  Sketch sketch;
+  for (;;) {
+    const Result<bool> more = reader.fill(batch, kBatchBytes);
+    if (!more) return fail(more.error().code, input.name() + ": " + more.error().message);
+    if (!*more) return sketch;
+    for (std::size_t i = 0; i < batch.size(); ++i) {
+      const NdjsonLine line = batch.line(i);
+      Result<std::optional<SketchStroke>> stroke = strokes.read(line);
+      if (!stroke) {
+        return fail(stroke.error().code,
+                    fmt::format("{}:{}: {}", input.name(), line.number(), stroke.error().message));
+      }
+      if (*stroke) sketch.push_back(**std::move(stroke));
+    }
+  }
 }
 
 bool presses(const HandEvent& aim) {
@@ -101,7 +128,9 @@ bool ReplayMachine::handle_turn() {
 
 HandScriptOptions ReplayMachine::hand_options() const {
   HandScriptOptions options = settings_.script;
-  set_surface(options, probe_.sheet().material(), probe_.device(), pencil_medium(probe_));
+  const SurfaceMaterial& sheet = probe_.sheet().material();
+  const Medium* medium = probe_.materials().find_medium(drawing_medium(probe_));
+  set_surface(options, sheet, probe_.device(), medium);
   return options;
 }
 
@@ -136,7 +165,7 @@ void ReplayMachine::add_aim(std::int64_t time_ns, const HandEvent& aim) {
     if (meant_.back().start_ns < 0) meant_.back().start_ns = time_ns;
     return;
   }
-  const bool is_down = presses(aim) && probe_.tool().info().id == kDrawingTool;
+  const bool is_down = presses(aim) && draws(probe_);
   if (is_down && !hand_is_down_) meant_.push_back({time_ns, {}});
   if (is_down) meant_.back().path.push_back(on_sheet(aim.target));
   hand_is_down_ = is_down;
@@ -207,10 +236,10 @@ std::optional<double> ReplayMachine::width_at(const TickReport& report,
   if (!pen_is_down_) return std::nullopt;
   if (!was_down) {
     InkFitOptions ink;
-    ink.width_map = {.min_mm = number_option(session_, "pencil.min_width_mm", 0.3),
-                     .max_mm = number_option(session_, "pencil.max_width_mm", 6.0),
-                     .gamma = number_option(session_, "pencil.gamma", 1.0)};
-    const Medium* medium = pencil_medium(session_);
+    ink.width_map = {.min_mm = drawing_number(session_, "min_width_mm", 0.3),
+                     .max_mm = drawing_number(session_, "max_width_mm", 6.0),
+                     .gamma = drawing_number(session_, "gamma", 1.0)};
+    const Medium* medium = session_.materials().find_medium(drawing_medium(session_));
     widths_ = WidthMap((medium ? drawn_with(*medium, ink) : ink).width_map);
   }
   return widths_
@@ -222,8 +251,7 @@ std::optional<double> ReplayMachine::width_at(const TickReport& report,
 void ReplayMachine::handle_edit(const Edit& edit) {
   for (const StrokeChange& change : edit.changes) {
     changed_.insert(change.id);
-    if (change.after && session_.tool().info().id == kDrawingTool)
-      ink_.push_back({pen_.time_ns, *change.after});
+    if (change.after && draws(session_)) ink_.push_back({pen_.time_ns, *change.after});
   }
 }
 

@@ -1,9 +1,8 @@
 #include "felt/session/heard_pen.h"
 
 #include <algorithm>
-#include <string>
-#include <variant>
 
+#include "felt/session/session_medium.h"
 #include "felt/tools/pressing.h"
 
 namespace felt {
@@ -14,16 +13,6 @@ constexpr double kLeastPushN = 0.02;  // what touches rubs
 constexpr double kUsualPushN = 0.6;   // of a mouse
 
 }  // namespace
-
-const Medium& medium_in_hand(const Session& session) {
-  const std::string_view tool = session.tool().info().id;
-  const Materials& known = session.materials();
-  if (tool == "eraser") return *known.find_medium("eraser");
-  const auto option = session.option(std::string(tool) + ".material");
-  const auto* id = option ? std::get_if<std::string>(&*option) : nullptr;
-  const Medium* medium = id ? known.find_medium(*id) : nullptr;
-  return medium ? *medium : known.media().front();
-}
 
 void HeardPen::look() {
   until_look_ = kLookSamples;

@@ -5,10 +5,6 @@
 
 namespace felt {
 
-/// What the tool in hand rubs with: a tool with an option "material" that medium, the eraser
-/// rubber, all others lead. Valid while the session's materials are.
-const Medium& medium_in_hand(const Session& session);
-
 /// A session's pen as the ear has it (felt/sound): what rubs on what, and how hard. Keeps what is
 /// dear to ask for. Edit thread; one session.
 class HeardPen {

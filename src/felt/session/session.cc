@@ -16,10 +16,6 @@
 namespace felt {
 namespace {
 
-bool is_place(const Vec3& at) {
-  return is_in_range(Point{at.x, at.y}) && std::fabs(at.z) <= kMaxCoordinateMm;
-}
-
 std::optional<double> clean_pressure(std::optional<double> pressure) {
   if (!pressure || std::isnan(*pressure)) return {};
   return std::clamp(*pressure, 0.0, 1.0);
@@ -90,7 +86,9 @@ Session::Session(std::vector<std::unique_ptr<Tool>> tools, SessionOptions option
   selection_.hold_to(document_);
   selection_view_.look_at_all(document_, selection_);
   FELT_CHECK(!tools_.empty());
-  active_ = find_tool("pencil").value_or(0);
+  const auto draws = [](const auto& tool) { return tool->info().kind == ToolKind::kDraws; };
+  const auto first = std::find_if(tools_.begin(), tools_.end(), draws);
+  if (first != tools_.end()) active_ = static_cast<std::size_t>(first - tools_.begin());
   sheet_.follow(options_.materials);
   if (!highest_open_layer(document_)) {
     const Edit edit = add_layer_on_top(document_);
@@ -108,7 +106,7 @@ Result<void> Session::apply(const Event& event) {
 }
 
 Result<void> Session::sample(const PenSample& told) {
-  if (!is_place(told.position)) {
+  if (!is_pen_position(told.position)) {
     ++dropped_;
     return {};
   }
@@ -124,11 +122,11 @@ Result<void> Session::sample(const PenSample& told) {
   }
 
   const bool was_down = std::exchange(pen_is_down_, in_contact(sample));
-  contact_.update(sample);
+  const Contact::Change contact = contact_.update(sample);
   if (must_lift_ && contact_.is_down()) return {};
   must_lift_ = false;
   if (pen_is_down_ && !was_down) gesture_is_open_ = true;
-  Result<void> taken = take(tools_[active_]->sample(sample, scene()));
+  Result<void> taken = take(tools_[active_]->sample(sample, contact, scene()));
   if (!pen_is_down_) gesture_is_open_ = false;
   return taken;
 }
@@ -294,7 +292,8 @@ void Session::record(const Event& event) const {
 
 void Session::draw(Overlay& overlay) const {
   overlay.clear();
-  if (!tool().info().shows_selection) selection_view_.draw(overlay);
+  const ToolKind kind = tool().info().kind;
+  if (kind != ToolKind::kSelects && kind != ToolKind::kTransforms) selection_view_.draw(overlay);
   tool().draw(overlay);
 }
 
@@ -313,6 +312,12 @@ Sketch Session::sketch() const {
 Scene Session::scene() const {
   return {document_,         index_,          selection_,     layer_,
           sheet_.material(), options_.device, sheet_.color(), options_.materials};
+}
+
+const Tool* Session::first_tool(ToolKind kind) const noexcept {
+  const auto found = std::find_if(tools_.begin(), tools_.end(),
+                                  [kind](const auto& tool) { return tool->info().kind == kind; });
+  return found == tools_.end() ? nullptr : found->get();
 }
 
 Result<std::size_t> Session::find_tool(std::string_view id) const {

@@ -62,7 +62,7 @@ struct SessionOptions {
 /// adds one. The *selection* follows every edit; strokes that come to stand in hidden or locked
 /// layers are no longer selected. Neither is part of undo.
 ///
-/// Samples that no device can mean (not finite, or farther than 1e9 mm) are dropped. Velocities are
+/// Samples that are not finite, or farther than 1e9 mm, are dropped. Velocities are
 /// worked out here from places and times, whatever the device says, pressures held to 0..1 and
 /// leans to 0..90 degrees (one that is not a number is none): a recording has no velocity, and must
 /// give the same session.
@@ -70,7 +70,8 @@ struct SessionOptions {
 /// Edit thread only; no clock, thread or file.
 class Session {
  public:
-  /// Starts with the pencil, or the first tool where there is none. Requires one tool at least.
+  /// Starts with the first tool that draws, or the first one if none does. Requires one tool at
+  /// least.
   Session(std::vector<std::unique_ptr<Tool>> tools, SessionOptions options);
 
   /// Error: no such tool or option, or a value that it does not take; a HandEvent, which is for the
@@ -106,6 +107,8 @@ class Session {
   [[nodiscard]] const SheetOptions& sheet() const noexcept { return sheet_; }
   [[nodiscard]] std::span<const std::unique_ptr<Tool>> tools() const noexcept { return tools_; }
   [[nodiscard]] const Tool& tool() const noexcept { return *tools_[active_]; }
+  /// Returns the first tool of this kind, or null.
+  [[nodiscard]] const Tool* first_tool(ToolKind kind) const noexcept;
   [[nodiscard]] bool gesture_in_work() const noexcept {
     return gesture_is_open_ || preview_is_of_gesture_;
   }

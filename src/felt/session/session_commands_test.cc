@@ -21,10 +21,10 @@ class ScriptedTool : public FakePencil {
  public:
   std::deque<ToolResult> answers;
 
-  ToolResult sample(const PenSample& sample, const Scene& scene) override {
+  ToolResult sample(const PenSample& sample, Contact::Change contact, const Scene& scene) override {
     layer = scene.layer;
     selected = scene.selection.strokes().size();
-    if (answers.empty()) return FakePencil::sample(sample, scene);
+    if (answers.empty()) return FakePencil::sample(sample, contact, scene);
     ToolResult answer = std::move(answers.front());
     answers.pop_front();
     return answer;

@@ -1,13 +1,22 @@
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 
+#include "felt/geometry/point.h"
 #include "felt/haptics/pen_sample.h"
 
 namespace felt {
 
-/// Decides when a pen touches the sheet and when it has left it, so that a pen that chatters on the
-/// surface does not break its gesture in two.
+/// Returns true if a pen can be at this position. Other samples are dropped before anything looks
+/// at them.
+inline bool is_pen_position(const Vec3& at) noexcept {
+  return is_in_range(Point{at.x, at.y}) && std::fabs(at.z) <= kMaxCoordinateMm;
+}
+
+/// Decides when a pen touches the surface and when it has left it, so that a pen that chatters on
+/// the surface does not break its gesture in two. The session decides this once for each sample and
+/// passes the answer to the tool.
 ///
 /// Contact begins with the first sample in contact: a dot is a dot. It ends when the pen is
 ///   - kLiftMm above the sheet: sensors resolve 0.03 mm and grain is below 0.1 mm high, a bouncing
@@ -24,22 +33,23 @@ class Contact {
 
   /// What a sample means.
   enum class Change {
-    kNone,     ///< as before: in the air, or in contact
+    kAir,      ///< still in the air
     kTouched,  ///< a contact begins
+    kDown,     ///< still in contact
     kGap,      ///< out of contact, perhaps only for a moment
     kBack,     ///< it was only for a moment; this sample is in contact
     kLifted,   ///< the contact is over, since the first sample of the gap
   };
 
-  /// Takes the next sample. Requires a finite position.
+  /// Handles the next sample. Requires a finite position.
   Change update(const PenSample& sample) noexcept {
     if (in_contact(sample)) {
       const Phase before = phase_;
       phase_ = Phase::kDown;
       if (before == Phase::kAir) return Change::kTouched;
-      return before == Phase::kGap ? Change::kBack : Change::kNone;
+      return before == Phase::kGap ? Change::kBack : Change::kDown;
     }
-    if (phase_ == Phase::kAir) return Change::kNone;
+    if (phase_ == Phase::kAir) return Change::kAir;
     if (phase_ == Phase::kDown) {
       phase_ = Phase::kGap;
       gap_since_ns_ = sample.time_ns;

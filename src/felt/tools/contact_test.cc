@@ -25,11 +25,11 @@ struct Clocked {
 
 TEST(Contact, BeginsAtOnceAndEndsWithALift) {
   Clocked pen;
-  EXPECT_EQ(pen.at(5), Change::kNone);
+  EXPECT_EQ(pen.at(5), Change::kAir);
   EXPECT_EQ(pen.at(-0.001), Change::kTouched);
-  EXPECT_EQ(pen.at(-1), Change::kNone);
+  EXPECT_EQ(pen.at(-1), Change::kDown);
   EXPECT_EQ(pen.at(Contact::kLiftMm), Change::kLifted);
-  EXPECT_EQ(pen.at(0.0), Change::kNone);
+  EXPECT_EQ(pen.at(0.0), Change::kAir);
   EXPECT_FALSE(pen.contact.is_down());
 }
 
@@ -57,7 +57,7 @@ TEST(Contact, ALowPenThatStaysOutIsLifted) {
 
 TEST(Contact, PressureAloneIsContact) {
   Clocked pen;
-  EXPECT_EQ(pen.at(0, 7.5, 0.0), Change::kNone);
+  EXPECT_EQ(pen.at(0, 7.5, 0.0), Change::kAir);
   EXPECT_EQ(pen.at(0, 7.5, 0.2), Change::kTouched);
   EXPECT_EQ(pen.at(0, 7.5, 0.0), Change::kGap);  // a lost report
   EXPECT_EQ(pen.at(0, 7.5, 0.3), Change::kBack);

@@ -1,16 +1,9 @@
 #include "felt/tools/gesture_tool.h"
 
-#include <algorithm>
-#include <cmath>
 #include <utility>
 
 namespace felt {
 namespace {
-
-bool is_usable(const PenSample& sample) {
-  const Vec3& at = sample.position;
-  return is_in_range(Point{at.x, at.y}) && std::fabs(at.z) <= kMaxCoordinateMm;
-}
 
 /// Strokes that came out as they were are no change, and an edit without a change is no step.
 void leave_out_unchanged(std::optional<Edit>& commit) {
@@ -27,23 +20,20 @@ GestureTool::GestureTool(const ToolInfo& info) : info_(info), options_(info.opti
   gap_.reserve(Contact::kMaxGapSamples);
 }
 
-ToolResult GestureTool::sample(const PenSample& sample, const Scene& scene) {
-  if (!is_usable(sample)) return {.same_preview = true};
+ToolResult GestureTool::sample(const PenSample& sample, Contact::Change contact,
+                               const Scene& scene) {
   if (!in_gesture_ && std::exchange(has_new_options_, false)) take_options(options_);
-  const Contact::Change change = contact_.update(sample);
-  if (change == Contact::Change::kNone && !contact_.is_down()) waiting_ = false;
-  if (change == Contact::Change::kTouched && !waiting_) {
+  is_down_ = contact != Contact::Change::kAir && contact != Contact::Change::kLifted;
+  if (!is_down_) {
+    waiting_ = false;
+    return in_gesture_ ? close(scene) : hover(sample, scene);
+  }
+  if (contact == Contact::Change::kTouched && !waiting_) {
     in_gesture_ = true;
     gap_.clear();
     return begin(sample, scene);
   }
-  if (change == Contact::Change::kLifted) {
-    waiting_ = false;
-    if (in_gesture_) return close(scene);
-  }
-  if (in_gesture_) return add(sample, scene);
-  if (contact_.is_down()) return {};
-  return hover(sample, scene);
+  return in_gesture_ ? add(sample, scene) : ToolResult{};
 }
 
 ToolResult GestureTool::add(const PenSample& sample, const Scene& scene) {
@@ -77,14 +67,16 @@ void GestureTool::stop() {
 
 ToolResult GestureTool::finish(const Scene& scene) {
   // The next sample may come from anywhere, at any time. In a gap the pen was lifted.
-  waiting_ = contact_.is_down() && gap_.empty();
-  contact_ = {};
-  return in_gesture_ ? close(scene) : ToolResult{};
+  waiting_ = is_down_ && gap_.empty();
+  is_down_ = false;
+  if (in_gesture_) return close(scene);
+  stop_hovering();
+  return {};
 }
 
 void GestureTool::cancel() {
-  waiting_ = contact_.is_down();
-  if (!in_gesture_) return;
+  waiting_ = is_down_;
+  if (!in_gesture_) return stop_hovering();
   drop();
   stop();
 }

@@ -2,28 +2,26 @@
 
 #include <vector>
 
-#include "felt/tools/contact.h"
 #include "felt/tools/tool.h"
 
 namespace felt {
 
-/// The states that all editing tools share: from touch to lift is one gesture.
+/// The states that all tools share: from touch to lift is one gesture.
 ///
 ///   air --touch--> gesture --lift, finish--> air     begin(), move() for each sample, end()
 ///                     |
 ///                     +--cancel--> waiting for the lift --> air     drop()
 ///
-/// Samples without a place (not finite, or farther than kMaxCoordinateMm) are ignored. Samples out
-/// of contact that may be a bounce (Contact) are held back: they are told when the pen is back, and
-/// forgotten when it was the lift. A button that changes within a gesture changes its samples only.
-/// Options that are set during a gesture take effect after it.
+/// Samples out of contact that may be a bounce (Contact) are buffered: they are replayed if contact
+/// resumes, and discarded if it was the lift. A button that changes within a gesture changes its
+/// samples only. Options that are set during a gesture take effect after it.
 class GestureTool : public Tool {
  public:
   /// `info` must outlive the tool.
   explicit GestureTool(const ToolInfo& info);
 
   [[nodiscard]] const ToolInfo& info() const noexcept final { return info_; }
-  ToolResult sample(const PenSample& sample, const Scene& scene) final;
+  ToolResult sample(const PenSample& sample, Contact::Change contact, const Scene& scene) final;
   ToolResult finish(const Scene& scene) final;
   void cancel() final;
   Result<void> set_option(std::string_view id, const OptionValue& value) final;
@@ -39,8 +37,11 @@ class GestureTool : public Tool {
   /// The pen was lifted: commit, or nothing. Strokes that the commit leaves as they were are left
   /// out of it.
   virtual ToolResult end(const Scene& scene) = 0;
-  /// The gesture never was.
+  /// Discards the gesture.
   virtual void drop() = 0;
+  /// Forgets what the pen hovers over: no gesture is in progress, and the sample stream stops or
+  /// the user cancels.
+  virtual void stop_hovering() {}
   /// Options are as options() says from now on; never during a gesture.
   virtual void take_options(const OptionValues& options) = 0;
 
@@ -59,7 +60,7 @@ class GestureTool : public Tool {
   const ToolInfo& info_;
   OptionValues options_;
   bool has_new_options_ = true;  // the constructor of a base cannot tell its derived class
-  Contact contact_;
+  bool is_down_ = false;         // at the last sample, or in a gap since
   bool in_gesture_ = false;
   bool waiting_ = false;
   std::vector<PenSample> gap_;  // out of contact, perhaps only for a moment

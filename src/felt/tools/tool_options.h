@@ -37,6 +37,8 @@ struct OptionSpec {
   /// this row means something; a panel shows it then only. "" for always.
   std::string_view when = {};
   OpenChoice open = OpenChoice::kNone;  ///< kChoice
+  bool is_seldom = false;               ///< set by few users: a panel folds it away
+  bool is_momentary = false;            ///< for the next few gestures: a program does not keep it
 };
 
 /// The row that every tool has: how much of its forces is felt. `help` says of which.
@@ -51,7 +53,9 @@ constexpr OptionSpec strength_option(std::string_view help) noexcept {
           .choices = {},
           .help = help,
           .when = {},
-          .open = OpenChoice::kNone};
+          .open = OpenChoice::kNone,
+          .is_seldom = false,
+          .is_momentary = false};
 }
 
 /// What the option may be, for messages and help: "it is a number from 0.3 to 20 mm".

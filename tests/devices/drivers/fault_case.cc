@@ -8,6 +8,7 @@
 
 #include "felt/base/constants.h"
 #include "felt/devices/simulated/random.h"
+#include "felt/tools/tool.h"
 
 namespace felt {
 namespace {
@@ -18,8 +19,16 @@ constexpr std::array<std::string_view, static_cast<std::size_t>(Happening::kCoun
     "bad force",    "let go",      "other model"};
 constexpr std::array<std::string_view, static_cast<std::size_t>(PenState::kCount)> kStates{
     "in the air", "engaging", "in contact", "dragging", "snapped"};
-constexpr std::array<std::string_view, 8> kTools{"pencil", "pull",  "smooth",    "width",
-                                                 "eraser", "lasso", "transform", "connect"};
+
+/// The ids of all tools.
+const std::vector<std::string>& tools() {
+  static const std::vector<std::string> kTools = [] {
+    std::vector<std::string> ids;
+    for (const auto& tool : make_tools()) ids.emplace_back(tool->info().id);
+    return ids;
+  }();
+  return kTools;
+}
 
 struct Kind {
   Happening happening;
@@ -115,7 +124,7 @@ FaultCase make_fault_case(const DriverBench& bench, std::uint64_t seed) {
   fault.seed = seed;
   fault.happening = kinds[index].happening;
   fault.fault = kinds[index].fault;
-  fault.tool = kTools[turn % kTools.size()];
+  fault.tool = tools()[turn % tools().size()];
   fault.state = static_cast<PenState>((turn + index) % kStates.size());
   Random random(seed * 0x9e3779b97f4a7c15ULL + 1);
   fault.at_ns = moment(fault.state, random);

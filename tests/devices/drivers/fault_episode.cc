@@ -20,12 +20,21 @@ constexpr Rect kDrawing{18.0, 24.0, 84.0, 58.0};  // all that hand and drawing n
 
 using Way = std::array<Point, 4>;
 
-Way way_of(std::string_view tool) {
-  if (tool == "pencil") return {{{25, 39}, {42, 42}, {60, 40}, {78.5, 49}}};
-  if (tool == "smooth" || tool == "width") return {{{22, 30}, {40, 30}, {60, 30}, {78, 30}}};
-  if (tool == "eraser") return {{{34, 26}, {34, 36}, {33, 44}, {32, 54}}};
-  if (tool == "lasso") return {{{20, 25}, {46, 26}, {46, 56}, {20, 56}}};
-  if (tool == "connect") return {{{80, 30}, {81, 35}, {81, 41}, {80, 46}}};
+Way way_of(ToolPath path) {
+  switch (path) {
+    case ToolPath::kFree:
+      return {{{25, 39}, {42, 42}, {60, 40}, {78.5, 49}}};
+    case ToolPath::kAlong:
+      return {{{22, 30}, {40, 30}, {60, 30}, {78, 30}}};
+    case ToolPath::kAcross:
+      return {{{34, 26}, {34, 36}, {33, 44}, {32, 54}}};
+    case ToolPath::kAround:
+      return {{{20, 25}, {46, 26}, {46, 56}, {20, 56}}};
+    case ToolPath::kFromEnd:
+      return {{{80, 30}, {81, 35}, {81, 41}, {80, 46}}};
+    case ToolPath::kAway:
+      break;
+  }
   return {{{40, 30}, {41, 35}, {43, 40}, {45, 46}}};
 }
 
@@ -99,6 +108,8 @@ FaultEpisode::FaultEpisode(const BenchMaker& make, const FaultCase& fault)
       make_tools(), SessionOptions{.device = device_->capabilities(), .document = start_});
   (void)session_->apply({0, SetOption{"pencil.snap", std::string("force")}});
   (void)session_->apply({0, SelectTool{fault.tool}});
+  path_ = session_->tool().use().path;
+  kind_ = session_->tool().info().kind;
   lift_ns_ =
       std::max(landing_ns(fault.state) + 900 * kMs, fault.at_ns + fault.lasts_ns + 250 * kMs);
   arm_ns_ = lift_ns_ + 300 * kMs;
@@ -122,7 +133,7 @@ void FaultEpisode::new_loop() {
 
 /// Where the hand wants the pen: down and along the way, up again, back, down and along once more.
 Vec3 FaultEpisode::hand_at(std::int64_t script_ns) const {
-  const Way way = way_of(fault_.tool);
+  const Way way = way_of(path_);
   const bool is_again = script_ns >= arm_ns_;
   const std::int64_t landing = is_again ? arm_ns_ + 80 * kMs : landing_ns(fault_.state);
   const bool rests = !is_again && fault_.state == PenState::kContact;
@@ -180,7 +191,7 @@ void FaultEpisode::begin_happening() {
       believed_.clear();
       break;
     case Happening::kOtherTool:
-      (void)session_->apply({now(), SelectTool{fault_.tool == "lasso" ? "pencil" : "lasso"}});
+      choose_other_tool();
       break;
     case Happening::kMaterial:
       (void)session_->apply({now(), SetOption{"sheet.material", std::string("glass")}});
@@ -195,6 +206,12 @@ void FaultEpisode::begin_happening() {
       break;
   }
   since_ns_ = script_ns_;
+}
+
+void FaultEpisode::choose_other_tool() {
+  const Tool* other =
+      session_->first_tool(kind_ == ToolKind::kSelects ? ToolKind::kDraws : ToolKind::kSelects);
+  (void)session_->apply({now(), SelectTool{std::string(other->info().id)}});
 }
 
 void FaultEpisode::end_happening() {

@@ -57,6 +57,7 @@ class FaultEpisode {
   void turn();
   void begin_happening();
   void end_happening();
+  void choose_other_tool();
   void try_too_early();
   void mend();
   void advance();
@@ -83,6 +84,8 @@ class FaultEpisode {
   std::unique_ptr<Servo> servo_;
   std::unique_ptr<Session> session_;
   Document start_;
+  ToolPath path_ = ToolPath::kAway;  // of the tool of the case
+  ToolKind kind_ = ToolKind::kEdits;
   double scale_ = 1.0;
   Vec shift_;
 

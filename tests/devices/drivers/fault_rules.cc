@@ -295,7 +295,7 @@ void FaultEpisode::check_end() {
     append_sketch_line(line, stroke.id, stroke.stroke.data());
     hash_.add(std::as_bytes(std::span(line)));
   }
-  if (fault_.tool == "pencil") check_ink();
+  if (kind_ == ToolKind::kDraws) check_ink();
   while (session_->history().can_undo() && verdict_.broken.empty()) {
     if (!session_->apply({now(), UndoEvent{}})) return broken("undo is refused");
   }

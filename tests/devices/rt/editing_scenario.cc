@@ -17,7 +17,7 @@ constexpr int kEditTicks = 4;  // of the edit side
 
 // A gesture: the hand hovers above the first place, presses, goes along the others, lifts.
 struct Task {
-  const char* tool;
+  std::string tool;
   std::array<Point, 4> way;
   const char* option = nullptr;  // of the tool, set before
   const char* choice = nullptr;
@@ -30,22 +30,51 @@ constexpr std::array<Point, 4> kAlong{{{22, 30}, {40, 30}, {60, 30}, {78, 30}}};
 constexpr std::array<Point, 4> kAcross{{{34, 26}, {34, 36}, {33, 44}, {32, 54}}};
 constexpr std::array<Point, 4> kRound{{{15, 24}, {46, 24}, {46, 56}, {15, 56}}};
 
-constexpr std::array<Task, 16> kTasks{{{"pull", kOut, "mode", "brush"},
-                                       {"pull", kOut, "mode", "grab"},
-                                       {"pull", kAcross, "mode", "push"},
-                                       {"pull", kOut, "mode", "sweep"},
-                                       {"smooth", kAlong},
-                                       {"width", kAlong, "mode", "brush"},
-                                       {"width", kAlong, "mode", "retrace"},
-                                       {"width", kOut, "mode", "scale"},
-                                       {"eraser", kAcross, "mode", "touched"},
-                                       {"eraser", kAcross, "mode", "crossing"},
-                                       {"lasso", kRound, "take", "points"},
-                                       {"transform", kOut, "mode", "move"},
-                                       {"transform", kOut, "mode", "rotate"},
-                                       {"transform", kOut, "mode", "scale"},
-                                       {"connect", {{{80, 30}, {81, 35}, {81, 41}, {80, 46}}}},
-                                       {"pencil", kAcross}}};
+constexpr std::array<Point, 4> kFromEnd{{{80, 30}, {81, 35}, {81, 41}, {80, 46}}};
+
+/// A typical gesture of a tool.
+std::array<Point, 4> way_of(ToolPath path) {
+  switch (path) {
+    case ToolPath::kAlong:
+      return kAlong;
+    case ToolPath::kFree:
+    case ToolPath::kAcross:
+      return kAcross;
+    case ToolPath::kAround:
+      return kRound;
+    case ToolPath::kFromEnd:
+      return kFromEnd;
+    case ToolPath::kAway:
+      break;
+  }
+  return kOut;
+}
+
+/// Every mode that has a force of its own, then the tools that are not listed.
+std::vector<Task> all_tasks() {
+  std::vector<Task> tasks = {{"pull", kOut, "mode", "brush"},
+                             {"pull", kOut, "mode", "grab"},
+                             {"pull", kAcross, "mode", "push"},
+                             {"pull", kOut, "mode", "sweep"},
+                             {"smooth", kAlong},
+                             {"width", kAlong, "mode", "brush"},
+                             {"width", kAlong, "mode", "retrace"},
+                             {"width", kOut, "mode", "scale"},
+                             {"eraser", kAcross, "mode", "touched"},
+                             {"eraser", kAcross, "mode", "crossing"},
+                             {"lasso", kRound, "take", "points"},
+                             {"transform", kOut, "mode", "move"},
+                             {"transform", kOut, "mode", "rotate"},
+                             {"transform", kOut, "mode", "scale"},
+                             {"connect", kFromEnd},
+                             {"pencil", kAcross}};
+  for (const auto& tool : make_tools()) {
+    const bool is_listed = std::any_of(
+        tasks.begin(), tasks.end(), [&](const Task& task) { return task.tool == tool->info().id; });
+    if (!is_listed) tasks.push_back({std::string(tool->info().id), way_of(tool->use().path)});
+  }
+  return tasks;
+}
 
 // A wavy line of eight segments at this height.
 SketchStroke line_at(double y_mm) {
@@ -86,7 +115,7 @@ class EditingSession final : public Session {
 
   void edit(int tick, std::int64_t now_ns) override {
     const int phase = tick % kTaskTicks;
-    const Task& task = kTasks[static_cast<std::size_t>(tick / kTaskTicks) % kTasks.size()];
+    const Task& task = tasks_[static_cast<std::size_t>(tick / kTaskTicks) % tasks_.size()];
     if (phase == 0) begin(task, now_ns);
     stylus_.aim(aim_of(task, phase), {}, 0);
     if (tick % kEditTicks != 0) return;
@@ -105,7 +134,7 @@ class EditingSession final : public Session {
     }
     (void)session_.apply({now_ns, SelectTool{task.tool}});
     if (!task.option) return;
-    const std::string id = std::string(task.tool) + "." + task.option;
+    const std::string id = task.tool + "." + task.option;
     (void)session_.apply({now_ns, SetOption{id, std::string(task.choice)}});
   }
 
@@ -121,6 +150,7 @@ class EditingSession final : public Session {
   SimulatedStylus stylus_;
   felt::Session session_;
   std::unique_ptr<Servo> servo_;
+  const std::vector<Task> tasks_ = all_tasks();
 };
 
 }  // namespace

@@ -22,9 +22,9 @@ const Capabilities& any_device(Dice& dice) {
   return find_stylus_preset(dice.any(kNames))->capabilities;
 }
 
-/// Attraction and stabiliser of a pencil add up; everything else keeps to 1 N (R29, R35).
-double force_limit_n(std::string_view tool) {
-  return tool == "pencil" ? 2.0 : 1.0;
+/// Attraction and stabiliser of a tool that draws add up; everything else keeps to 1 N (R29, R35).
+double force_limit_n(bool draws) {
+  return draws ? 2.0 : 1.0;
 }
 
 std::string text_of(const OptionValue& value) {
@@ -104,7 +104,11 @@ void Episode::see_edit(const Edit& edit) {
     ++commits_;
     ++tool_totals().edits;
     break_rule(check_edit(last_, edit));
-    if (edit.label.empty()) break_rule("an edit without a label");
+    const std::span<const std::string_view> named = session_.tool().info().edits;
+    const bool is_named = std::find(named.begin(), named.end(), edit.label) != named.end();
+    if (!is_named && edit.label != "Import") {
+      break_rule("an edit whose label \"" + edit.label + "\" the tool's info does not name");
+    }
     if (!changes_something(edit)) break_rule("an edit that changes nothing");
   }
   break_rule(check_locality(last_, session_.document(), edit));
@@ -136,8 +140,7 @@ void Episode::take(const PenSample& sample) {
   now_ns_ = sample.time_ns;
   ++totals_.samples;
   ++samples_in_gesture_;
-  const Vec3& at = sample.position;
-  const bool is_place = std::abs(at.x) <= 1e9 && std::abs(at.y) <= 1e9 && std::abs(at.z) <= 1e9;
+  const bool is_place = is_pen_position(sample.position);
   pen_is_up_ = is_place ? !in_contact(sample) : pen_is_up_;
   if (is_place && contact_.update(sample) == Contact::Change::kTouched) ++touches_;
   const Result<void> done = session_.sample(sample);
@@ -160,8 +163,8 @@ void Episode::check_state(const PenSample& told) {
   const double dt_s = 1e-9 * static_cast<double>(sample.time_ns - velocity_ns_);
   sample.velocity = velocity_.update(sample.position, dt_s);
   velocity_ns_ = sample.time_ns;
-  const std::string_view tool = session_.tool().info().id;
-  break_rule(probe_.check(session_.force(), sample, force_limit_n(tool), tool == "pencil"));
+  const bool draws = session_.tool().info().kind == ToolKind::kDraws;
+  break_rule(probe_.check(session_.force(), sample, force_limit_n(draws), draws));
   ToolTotals& totals = tool_totals();
   totals.largest_n = std::max(totals.largest_n, probe_.take_largest_n());
   session_.draw(overlay_);

@@ -34,11 +34,12 @@ class FakePencil : public Tool {
       {"hard", "Hard", "", OptionKind::kSwitch, 0.0, 1.0, 0.0, {}, "A harder wall."},
   };
 
-  explicit FakePencil(const char* id = "pencil") : info_{id, id, "", 0, kOptions} {}
+  explicit FakePencil(const char* id = "pencil", ToolKind kind = ToolKind::kDraws)
+      : info_{id, id, "", 0, kOptions, kind} {}
 
   [[nodiscard]] const ToolInfo& info() const noexcept override { return info_; }
 
-  ToolResult sample(const PenSample& sample, const Scene& scene) override {
+  ToolResult sample(const PenSample& sample, Contact::Change, const Scene& scene) override {
     const bool touches = in_contact(sample);
     if (!touches) {
       waits_for_lift_ = false;
@@ -106,9 +107,9 @@ class FakePencil : public Tool {
 /// gesture whose outcome comes before the pen is lifted.
 class FakeEraser : public FakePencil {
  public:
-  FakeEraser() : FakePencil("eraser") {}
+  FakeEraser() : FakePencil("eraser", ToolKind::kErases) {}
 
-  ToolResult sample(const PenSample& sample, const Scene& scene) override {
+  ToolResult sample(const PenSample& sample, Contact::Change, const Scene& scene) override {
     const bool touches = in_contact(sample);
     if (!touches) waits_ = false;
     const std::vector<StrokeId>& strokes = scene.document.layer(scene.layer)->strokes;

@@ -1,6 +1,7 @@
 #include "felt/tools/connect/connect_tool.h"
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 #include "felt/base/check.h"
@@ -11,14 +12,25 @@
 namespace felt {
 namespace {
 
-constexpr ToolInfo kConnectInfo{
+constexpr std::array<ToolUse, 1> kUses = {{{.hint = "Drag the end of a line to another end.",
+                                            .first_modifier = "the end stays where you let it go",
+                                            .size = "grab_radius_mm",
+                                            .path = ToolPath::kFromEnd}}};
+constexpr std::array<std::string_view, 3> kEdits = {"Connect", "Close", "Move end"};
+constexpr ToolInfo kInfo{
     .id = "connect",
     .label = "Connect",
     .help =
         "Joins ends of lines, or closes a line: drag an end onto another, "
         "or tap where two ends are near.",
     .shortcut = 'c',
-    .options = kConnectOptions};
+    .options = kConnectOptions,
+    .kind = ToolKind::kEdits,
+    .uses = kUses,
+    .edits = kEdits,
+    .act = {.title = "Connect",
+            .caption = "Drag one end onto another: they snap, and become one line.",
+            .seconds = 16.0}};
 
 /// Radius of the ring around the end that would be taken.
 constexpr double kTipRingMm = 1.5;

@@ -45,14 +45,16 @@ inline constexpr std::array<OptionSpec, LassoOption::kCount> kLassoOptions = {{
      .fallback = 0,
      .choices = kLassoCombines,
      .help = "What becomes of what was selected before; the first button of the pen adds, the "
-             "second takes away."},
+             "second takes away.",
+     .is_momentary = true},
     {.id = "click_radius_mm",
      .label = "Reach of a click",
      .unit = "mm",
      .min = 0.5,
      .max = 20.0,
      .fallback = 4.0,
-     .help = "A short touch selects the whole nearest line within this distance."},
+     .help = "A short touch selects the whole nearest line within this distance.",
+     .is_seldom = true},
     strength_option(
         "Share of the sheet's friction and grain that is felt; the sheet stays as hard as it "
         "is."),

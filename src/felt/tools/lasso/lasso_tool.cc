@@ -1,5 +1,6 @@
 #include "felt/tools/lasso/lasso_tool.h"
 
+#include <array>
 #include <string>
 #include <utility>
 
@@ -8,13 +9,22 @@
 namespace felt {
 namespace {
 
-constexpr ToolInfo kLassoInfo{
+constexpr std::array<ToolUse, 1> kUses = {{{.hint = "Draw round what you mean, or click a line.",
+                                            .first_modifier = "adds",
+                                            .second_modifier = "takes away",
+                                            .size = "click_radius_mm",
+                                            .path = ToolPath::kAround}}};
+constexpr ToolInfo kInfo{
     .id = "lasso",
     .label = "Lasso",
     .help = "Selects what a line is drawn round; a short touch takes a line.",
     .shortcut = 'v',
     .options = kLassoOptions,
-    .shows_selection = true};
+    .kind = ToolKind::kSelects,
+    .uses = kUses,
+    .act = {.title = "Select",
+            .caption = "Draw a loop around lines to select them; touch one to take it.",
+            .seconds = 10.0}};
 
 LassoCombine combine_of(std::uint32_t buttons, LassoCombine option) {
   if (buttons & kFirstModifier) return LassoCombine::kAdd;

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <limits>
 
-#include "felt/base/constants.h"
 #include "felt/tools/pencil/pencil_force.h"
 #include "felt/tools/testing/desk.h"
 
@@ -732,7 +731,8 @@ class Hostile {
     s.position = {at_.x, at_.y, down_ ? random_.uniform(-3, 0.05) : random_.uniform(-0.01, 9)};
     if (random_.chance(0.2)) s.pressure = random_.uniform(-0.5, 1.5);
     if (random_.chance(0.01)) spoil(s);
-    const ToolResult result = p_.tool.sample(s, p_.desk.scene());
+    if (!is_pen_position(s.position)) return;
+    const ToolResult result = p_.tool.sample(s, contact_.update(s), p_.desk.scene());
     EXPECT_FALSE(result.preview);
     if (result.commit) commit(*result.commit);
     if (!random_.chance(0.02)) return;
@@ -784,6 +784,7 @@ class Hostile {
 
   testing::RandomStroke random_;
   Pencil p_;
+  Contact contact_;
   Overlay overlay_;
   Point at_{30, 30};
   Vec velocity_;

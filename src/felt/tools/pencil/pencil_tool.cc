@@ -1,23 +1,42 @@
 #include "felt/tools/pencil/pencil_tool.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
 #include "felt/tools/medium_line.h"
 #include "felt/tools/pencil/pencil_force.h"
+#include "felt/tools/pressing.h"
 
 namespace felt {
 namespace {
 
-constexpr ToolInfo kPencilInfo{.id = "pencil",
-                               .label = "Pencil",
-                               .help = "Draws lines; pressing harder draws them broader.",
-                               .shortcut = 'p',
-                               .options = kPencilOptions};
+using Row = PencilOption::Row;
 
-/// True when the fitter could take it.
-bool is_drawable(const PenSample& sample) {
-  return is_finite(sample.position) && is_in_range(Point{sample.position.x, sample.position.y});
+constexpr std::array<ToolUse, 1> kUses = {
+    {{.hint = "Draw; press harder for a broader line. End on a line’s end to join it.",
+      .size = "max_width_mm",
+      .path = ToolPath::kFree}}};
+constexpr std::array<std::string_view, 1> kEdits = {"Draw"};
+constexpr ToolInfo kInfo{
+    .id = "pencil",
+    .label = "Pencil",
+    .help = "Draws lines; pressing harder draws them broader.",
+    .shortcut = 'p',
+    .options = kPencilOptions,
+    .kind = ToolKind::kDraws,
+    .uses = kUses,
+    .edits = kEdits,
+    .act = {.title = "Draw",
+            .caption = "Lines become smooth curves while you draw; press harder for a broader one. "
+                       "Near its start, an outline snaps shut.",
+            .seconds = 36.0}};
+
+/// How far between the thinnest and the broadest line a mouse draws, 0..1.
+double share_of_mouse(const OptionValues& options) {
+  const double gamma = std::max(0.1, options.number(Row::kGamma));
+  return std::pow(std::clamp(options.number(Row::kMousePressure), 0.0, 1.0), gamma);
 }
 
 }  // namespace
@@ -26,48 +45,25 @@ std::unique_ptr<Tool> make_pencil() {
   return std::make_unique<PencilTool>();
 }
 
-PencilTool::PencilTool() : options_(kPencilOptions), settings_(pencil_settings(options_)) {
-  gap_.reserve(Contact::kMaxGapSamples);
-}
+PencilTool::PencilTool() : GestureTool(kInfo), settings_(pencil_settings(options())) {}
 
-const ToolInfo& PencilTool::info() const noexcept {
-  return kPencilInfo;
-}
-
-ToolResult PencilTool::sample(const PenSample& sample, const Scene& scene) {
-  if (!is_drawable(sample)) return {};
+ToolResult PencilTool::hover(const PenSample& sample, const Scene& scene) {
   pen_point_ = on_sheet(sample.position);
-  const Contact::Change change = contact_.update(sample);
-  if (change == Contact::Change::kNone && !contact_.is_down()) waiting_ = false;
-  if (change == Contact::Change::kTouched && !waiting_) begin(sample, scene);
-  if (change == Contact::Change::kLifted) {
-    waiting_ = false;
-    if (drawing_) return end(scene);
-  }
-  if (drawing_) {
-    add(sample, scene);
-  } else if (!contact_.is_down()) {
-    hover(sample, scene);
-  }
+  near_ = sample.position.z < (near_ ? kFarMm : kNearMm);
+  snap_.hover(pen_point_, sample.time_ns, near_, settings_.snap, scene);
   return {};
 }
 
-void PencilTool::hover(const PenSample& sample, const Scene& scene) {
-  near_ = sample.position.z < (near_ ? kFarMm : kNearMm);
-  snap_.hover(pen_point_, sample.time_ns, near_, settings_.snap, scene);
-}
-
-void PencilTool::begin(const PenSample& sample, const Scene& scene) {
+ToolResult PencilTool::begin(const PenSample& sample, const Scene& scene) {
+  pen_point_ = on_sheet(sample.position);
   make_fitter(scene);
   fitter_->begin();
   wet_.begin(fitted_widths_);
   stabiliser_ = Stabiliser(settings_.stabiliser);
   stabiliser_.begin(pen_point_, sample.time_ns);
   color_ = scene.color;
-  gap_.clear();
-
   snap_.begin(pen_point_, sample.time_ns, settings_.snap, scene);
-  drawing_ = true;
+  return move(sample, scene);
 }
 
 /// The fitter keeps its buffers from line to line, and what it was made with.
@@ -78,26 +74,17 @@ void PencilTool::make_fitter(const Scene& scene) {
   fitted_widths_ = ink.width_map;
 }
 
-void PencilTool::add(const PenSample& sample, const Scene& scene) {
+ToolResult PencilTool::move(const PenSample& sample, const Scene& scene) {
+  pen_point_ = on_sheet(sample.position);
   const Pressing pressing(scene.surface, scene.device);
-  const InkSample ink{on_sheet(sample.position), pressing.of(sample), sample.time_ns,
-                      sample.lean_deg};
-  if (!in_contact(sample)) {
-    gap_.push_back(ink);
-    return;
-  }
-  for (const InkSample& between : gap_) add_ink(between);
-  gap_.clear();
-  add_ink(ink);
-  pen_ = ink;
-  snap_.update(pen_point_, sample.time_ns, settings_.snap, scene);
-}
-
-void PencilTool::add_ink(const InkSample& pen) {
-  InkSample ink = pen;
-  ink.position = stabiliser_.update(pen.position, *pen.time_ns);
+  pen_ = {pen_point_, pressing.of(sample), sample.time_ns, sample.lean_deg};
+  InkSample ink = pen_;
+  ink.position = stabiliser_.update(pen_point_, sample.time_ns);
   fitter_->push(ink);
   wet_.update(*fitter_, ink);
+  // A sample of a bounce is ink, but no place to snap from.
+  if (in_contact(sample)) snap_.update(pen_point_, sample.time_ns, settings_.snap, scene);
+  return {};
 }
 
 ToolResult PencilTool::end(const Scene& scene) {
@@ -125,7 +112,6 @@ ToolResult PencilTool::end(const Scene& scene) {
       if (change.after) drawn_id = change.id;
     }
   }
-  stop();
   snap_.end(drawn_id);
   return result;
 }
@@ -153,37 +139,22 @@ InkConnections PencilTool::connections(const Scene& scene) const {
   return to;
 }
 
-void PencilTool::stop() {
-  drawing_ = false;
-  gap_.clear();
+void PencilTool::drop() {
   snap_.end(std::nullopt);
-  take_options();
 }
 
-void PencilTool::take_options() {
-  if (!has_new_options_) return;
-  has_new_options_ = false;
-  settings_ = pencil_settings(options_);
+void PencilTool::stop_hovering() {
+  snap_.end(std::nullopt);
+  near_ = false;
+}
+
+void PencilTool::take_options(const OptionValues& options) {
+  settings_ = pencil_settings(options);
   fitter_.reset();
 }
 
-ToolResult PencilTool::finish(const Scene& scene) {
-  // The next sample may come from anywhere, at any time. In a gap the pen was lifted.
-  waiting_ = waiting_ || (contact_.is_down() && gap_.empty());
-  contact_ = {};
-  if (drawing_) return end(scene);
-  snap_.end(std::nullopt);
-  near_ = false;
-  return {};
-}
-
-void PencilTool::cancel() {
-  waiting_ = contact_.is_down();
-  stop();
-}
-
 std::optional<SnapTarget> PencilTool::attraction() const noexcept {
-  return waiting_ ? std::nullopt : snap_.attraction();
+  return is_waiting() ? std::nullopt : snap_.attraction();
 }
 
 ForceModel PencilTool::force(const Scene& scene) const {
@@ -191,14 +162,14 @@ ForceModel PencilTool::force(const Scene& scene) const {
 }
 
 void PencilTool::draw(Overlay& overlay) const {
-  if (drawing_) {
+  if (in_gesture()) {
     overlay.ink_color = color_;
     wet_.draw(*fitter_, overlay);
     if (settings_.stabiliser.kind != StabiliserKind::kOff) {
       overlay.lines.push_back({pen_point_, stabiliser_.nib(), Overlay::Role::kTether});
     }
   }
-  if (waiting_ || !(drawing_ || near_)) return;
+  if (is_waiting() || !(in_gesture() || near_)) return;
   const SnapOptions& snap = settings_.snap;
   if (const auto felt = attraction()) {
     overlay.rings.push_back({felt->point, snap.reach_mm, Overlay::Role::kReach});
@@ -209,15 +180,26 @@ void PencilTool::draw(Overlay& overlay) const {
   }
 }
 
-Result<void> PencilTool::set_option(std::string_view id, const OptionValue& value) {
-  auto result = options_.set(id, value);
-  if (result) has_new_options_ = true;
-  if (!drawing_) take_options();
-  return result;
+std::optional<ToolSize> PencilTool::size() const {
+  const double thin = options().number(Row::kMinWidth);
+  const double broad = std::max(thin, options().number(Row::kMaxWidth));
+  const double mm = thin + (broad - thin) * share_of_mouse(options());
+  const OptionSpec& spec = kPencilOptions[Row::kMaxWidth];
+  // Half of the range, so that the broadest line can still follow. Options may be set beyond it.
+  return ToolSize{mm, std::min(spec.min, mm), std::max(0.5 * spec.max, mm)};
 }
 
-Result<OptionValue> PencilTool::option(std::string_view id) const {
-  return options_.get(id);
+std::vector<std::pair<std::string_view, double>> PencilTool::options_for_size(double mm) const {
+  const std::optional<ToolSize> now = size();
+  const double wanted = std::clamp(mm, now->min_mm, now->max_mm);
+  const OptionSpec& least = kPencilOptions[Row::kMinWidth];
+  const OptionSpec& most = kPencilOptions[Row::kMaxWidth];
+  const double share = share_of_mouse(options());
+  const double thin = std::clamp(options().number(Row::kMinWidth) * wanted / now->mm, least.min,
+                                 std::min(wanted, least.max));
+  const double broad = share > 0.0 ? thin + (wanted - thin) / share
+                                   : options().number(Row::kMaxWidth) * wanted / now->mm;
+  return {{least.id, thin}, {most.id, std::clamp(broad, std::max(thin, most.min), most.max)}};
 }
 
 }  // namespace felt

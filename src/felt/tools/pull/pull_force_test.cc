@@ -28,7 +28,7 @@ struct Loop {
 
   /// One sample; the part of the force that the edit makes.
   Force give(const PenSample& sample) {
-    const ToolResult result = tool.sample(sample, desk.scene());
+    const ToolResult result = tool.sample(sample, contact.update(sample), desk.scene());
     if (result.preview) now = result.preview->changes.front().after;
     if (samples++ % 4 == 0) model = tool.force(desk.scene());
     ForceMemory memory;
@@ -67,6 +67,7 @@ struct Loop {
   PullTool tool;
   StrokePtr now;
   ForceModel model;
+  Contact contact;
   int samples = 0, ms = 0;
 };
 

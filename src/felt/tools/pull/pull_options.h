@@ -70,7 +70,8 @@ inline constexpr std::array<OptionSpec, PullOption::kCount> kPullOptions = {{
      .fallback = 0,
      .help = "A line touched from beside keeps its distance from the pen, instead of coming to the "
              "pen over the first millimetres.",
-     .when = "mode=brush|grab"},
+     .when = "mode=brush|grab",
+     .is_seldom = true},
     {.id = "grab_radius_mm",
      .label = "Grab radius",
      .unit = "mm",
@@ -86,7 +87,8 @@ inline constexpr std::array<OptionSpec, PullOption::kCount> kPullOptions = {{
      .max = 0.5,
      .fallback = 0.1,
      .help = "How far a line may move when the brush lets go of it; more leaves fewer segments.",
-     .when = "mode=brush"},
+     .when = "mode=brush",
+     .is_seldom = true},
     {.id = "weights",
      .label = "Weights of grab",
      .unit = "",
@@ -95,7 +97,8 @@ inline constexpr std::array<OptionSpec, PullOption::kCount> kPullOptions = {{
      .choices = kPullWeights,
      .help = "How grab bends a segment: with least motion (soft), by the paper's three cases "
              "(paper), or by its equation 7 as printed, which does not reach the pen.",
-     .when = "mode=grab"},
+     .when = "mode=grab",
+     .is_seldom = true},
     {.id = "affected_mm",
      .label = "Length bent by grab",
      .unit = "mm",
@@ -120,7 +123,8 @@ inline constexpr std::array<OptionSpec, PullOption::kCount> kPullOptions = {{
      .max = 1.0,
      .fallback = 0.05,
      .help = "How slowly a line gives way to the pen that sweeps it.",
-     .when = "mode=sweep"},
+     .when = "mode=sweep",
+     .is_seldom = true},
     strength_option(
         "Share of the counter-force, friction and grain that is felt; the sheet stays as hard "
         "as it is."),

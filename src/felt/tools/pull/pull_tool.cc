@@ -1,6 +1,7 @@
 #include "felt/tools/pull/pull_tool.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -13,13 +14,31 @@
 namespace felt {
 namespace {
 
-constexpr ToolInfo kPullInfo{
+constexpr std::string_view kPullHint = "Drag a line to bend it; it goes back as you go back.";
+constexpr std::string_view kEnds = "ends and corners go along, or stay";
+constexpr std::array<ToolUse, 4> kUses = {{
+    {.mode = "push",
+     .hint = "Push lines away from the side of the pen.",
+     .size = "nib_radius_mm",
+     .path = ToolPath::kAcross},
+    {.mode = "grab", .hint = kPullHint, .first_modifier = kEnds, .size = "grab_radius_mm"},
+    {.mode = "sweep", .hint = kPullHint, .first_modifier = kEnds, .size = "grab_radius_mm"},
+    {.hint = kPullHint, .first_modifier = kEnds, .size = "radius_mm"},
+}};
+constexpr std::array<std::string_view, 3> kEdits = {"Pull", "Push", "Redraw"};
+constexpr ToolInfo kInfo{
     .id = "pull",
     .label = "Pull",
     .help = "Corrects lines: take hold of one and pull it into shape, or push it from outside.",
     .shortcut = 'a',
     .options = kPullOptions,
-};
+    .kind = ToolKind::kEdits,
+    .uses = kUses,
+    .edits = kEdits,
+    .act = {.title = "Pull and push",
+            .caption = "A line is not quite right? Take hold of it and pull. It resists like a "
+                       "wire, the more the further you go.",
+            .seconds = 16.0}};
 
 }  // namespace
 

@@ -41,7 +41,8 @@ inline constexpr std::array<OptionSpec, SmoothOption::kCount> kSmoothOptions = {
      .min = 0.01,
      .max = 0.5,
      .fallback = 0.05,
-     .help = "How far the finished line may be from the ironed one, for fewer segments."},
+     .help = "How far the finished line may be from the ironed one, for fewer segments.",
+     .is_seldom = true},
     strength_option(
         "Share of friction and roughness that is felt; the sheet stays as hard as it is."),
 }};

@@ -86,7 +86,8 @@ class Pen {
     return give(s);
   }
   ToolResult give(const PenSample& s) {
-    ToolResult result = tool_.sample(s, desk_.scene());
+    if (!is_pen_position(s.position)) return {};
+    ToolResult result = tool_.sample(s, contact_.update(s), desk_.scene());
     if (result.selection) desk_.selection = *result.selection;
     if (result.commit) {
       ++commits;
@@ -112,6 +113,7 @@ class Pen {
  private:
   Tool& tool_;
   Desk& desk_;
+  Contact contact_;
 };
 
 /// Points each `step` mm on the straight way from a to b.

@@ -1,6 +1,7 @@
 #include "felt/tools/transform/transform_tool.h"
 
 #include <algorithm>
+#include <array>
 #include <string>
 #include <utility>
 
@@ -9,7 +10,15 @@
 namespace felt {
 namespace {
 
-constexpr ToolInfo kTransformInfo{
+constexpr std::array<ToolUse, 1> kUses = {
+    {{.hint = "Drag inside to move, a corner to scale, outside it to turn.",
+      .first_modifier = "along one axis, in steps of 15°",
+      .second_modifier = "a copy",
+      .size = "grab_radius_mm",
+      .path = ToolPath::kAway}}};
+constexpr std::array<std::string_view, 5> kEdits = {"Move", "Rotate", "Scale", "Stretch",
+                                                    "Duplicate"};
+constexpr ToolInfo kInfo{
     .id = "transform",
     .label = "Transform",
     .help =
@@ -17,7 +26,13 @@ constexpr ToolInfo kTransformInfo{
         "lead out of it.",
     .shortcut = 't',
     .options = kTransformOptions,
-    .shows_selection = true};
+    .kind = ToolKind::kTransforms,
+    .uses = kUses,
+    .edits = kEdits,
+    .act = {.title = "Move and turn",
+            .caption = "Drag what is selected. Lines that lead out of it hold it back, and you "
+                       "feel how much.",
+            .seconds = 18.0}};
 
 TransformKind kind_of(TransformMode mode) {
   switch (mode) {

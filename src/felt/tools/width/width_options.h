@@ -4,8 +4,8 @@
 #include <cstddef>
 #include <string_view>
 
-#include "felt/stroke/stroke.h"
 #include "felt/stroke/fit/width_map.h"
+#include "felt/stroke/stroke.h"
 #include "felt/tools/tool_options.h"
 
 namespace felt {
@@ -60,7 +60,8 @@ inline constexpr std::array<OptionSpec, WidthOption::kCount> kWidthOptions = {{
      .max = 50.0,
      .fallback = 6.0,
      .help = "How fast the width changes, per unit of pressure.",
-     .when = "mode=brush"},
+     .when = "mode=brush",
+     .is_seldom = true},
     {.id = "reach_mm",
      .label = "Reach of the brush",
      .unit = "mm",
@@ -76,14 +77,16 @@ inline constexpr std::array<OptionSpec, WidthOption::kCount> kWidthOptions = {{
      .max = 20.0,
      .fallback = 0.3,
      .help = "Width of a retraced line without pressure.",
-     .when = "mode=retrace"},
+     .when = "mode=retrace",
+     .is_seldom = true},
     {.id = "max_width_mm",
      .label = "Broadest line",
      .unit = "mm",
      .min = kMinWidthMm,
      .max = 50.0,
      .fallback = 6.0,
-     .help = "No line is made broader than this; one that is may stay so."},
+     .help = "No line is made broader than this; one that is may stay so.",
+     .is_seldom = true},
     {.id = "gamma",
      .label = "Pressure curve",
      .unit = "",
@@ -91,7 +94,8 @@ inline constexpr std::array<OptionSpec, WidthOption::kCount> kWidthOptions = {{
      .max = 5.0,
      .fallback = 1.0,
      .help = "Of retracing: above 1 a light hand stays thin for longer.",
-     .when = "mode=retrace"},
+     .when = "mode=retrace",
+     .is_seldom = true},
     {.id = "mouse_pressure",
      .label = "Pressure of a mouse",
      .unit = "",
@@ -99,7 +103,8 @@ inline constexpr std::array<OptionSpec, WidthOption::kCount> kWidthOptions = {{
      .max = 1.0,
      .fallback = 0.75,
      .help = "Pressure of a device that knows neither pressure nor depth.",
-     .when = "mode=brush|retrace"},
+     .when = "mode=brush|retrace",
+     .is_seldom = true},
     strength_option(
         "Share of friction, stops and pull that is felt; the sheet stays as hard as it is."),
 }};

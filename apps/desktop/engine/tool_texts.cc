@@ -1,4 +1,4 @@
-#include "desktop/panels/tool_texts.h"
+#include "desktop/engine/tool_texts.h"
 
 #include <QCoreApplication>
 

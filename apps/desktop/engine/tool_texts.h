@@ -1,0 +1,18 @@
+#pragma once
+
+#include <QString>
+#include <string_view>
+
+namespace felt::desktop {
+
+/// Returns a text of the tools' tables (label, help, hint, choice) in the user's language, or as it
+/// is if there is no translation. Qt's main thread, as all of these.
+QString translated(std::string_view text);
+
+/// Returns a choice of an option as the user reads it: "On-curve" for "on-curve".
+QString choice_text(std::string_view choice);
+
+/// Returns the label of an Edit ("Pull") in the user's language.
+QString edit_text(std::string_view label);
+
+}  // namespace felt::desktop

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "felt/session/event.h"
+#include "felt/session/session.h"
+
+namespace felt {
+
+/// Returns what the current tool rubs with: the medium of its option "material" if it has one, the
+/// eraser's for a tool that erases, and the pencil's for all others. Valid while the session's
+/// materials are.
+const Medium& medium_in_hand(const Session& session);
+
+/// Returns the id of an option of the first tool that draws: "pencil.material" for "material".
+std::string drawing_option(const Session& session, std::string_view option);
+/// Returns the id of the medium that new lines are drawn in; "" if no tool draws.
+std::string drawing_medium(const Session& session);
+/// Returns the options to set so that new lines are drawn in this medium, as it is meant: itself,
+/// its widths, and its pressure curve.
+std::vector<SetOption> options_for_medium(const Session& session, const Medium& medium);
+
+}  // namespace felt

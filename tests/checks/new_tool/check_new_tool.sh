@@ -1,0 +1,15 @@
+#!/usr/bin/env bash
+# check_new_tool.sh BUILD TREE: builds the programs with the new tool of TREE, and runs the suites.
+set -euo pipefail
+build=$1 bin=$1/bin tree=$2
+cmake --build "$build" --target trial --parallel 2 >"$tree.log" 2>&1 || { tail -n 40 "$tree.log"; exit 1; }
+cd "$tree"
+
+"$bin/trial_test" --gtest_brief=1
+"$bin/trial_feltline" tools | grep -q '^  trial.radius_mm'
+"$bin/trial_gesture_fuzz" --gestures 200 --seed 1 --tool trial
+"$bin/trial_scenarios_test" --gtest_brief=1
+[ -x "$bin/trial_desktop_panels_test" ] || exit 0
+QT_QPA_PLATFORM=offscreen "$bin/trial_desktop_panels_test" --gtest_brief=1 \
+  --gtest_filter='Icons.*:Tool*:OptionsPanel.*'
+FELT_MAKE_TEXTS=$bin/trial_make_texts apps/desktop/translations/update.sh --check

@@ -1,0 +1,8 @@
+#!/usr/bin/env bash
+# make_tree.sh SOURCE TREE: copies of SOURCE what a new tool is written into, and makes the tool "trial".
+set -euo pipefail
+source=$1 tree=$2
+rm -rf "$tree"
+mkdir -p "$tree"
+(cd "$source" && tar -cf - dev cmake/new src/felt/tools tests/scenarios apps) | tar -xf - -C "$tree"
+"$tree/dev" new tool trial 2>/dev/null
