@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "apps/cli/testing/scripted_driver.h"
+#include "apps/cli/testing/hostile_driver.h"
 #include "felt/driver/testing/fake_system.h"
 #include "packed.h"
 
@@ -13,13 +13,13 @@ namespace {
 using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::SizeIs;
-using Manner = ScriptedDriver::Manner;
+using Manner = HostileDriver::Manner;
 
 using Drivers = std::vector<std::unique_ptr<Driver>>;
 
-ScriptedDriver& add(Drivers& drivers, const char* name, Manner manner = Manner::kWell) {
-  auto driver = std::make_unique<ScriptedDriver>(name, manner);
-  ScriptedDriver& added = *driver;
+HostileDriver& add(Drivers& drivers, const char* name, Manner manner = Manner::kWell) {
+  auto driver = std::make_unique<HostileDriver>(name, manner);
+  HostileDriver& added = *driver;
   drivers.push_back(std::move(driver));
   return added;
 }
@@ -40,7 +40,7 @@ DeviceDescriptor some_device() {
 
 TEST(DriverLookTest, WhatADriverSaysComesBackAsItIs) {
   Drivers drivers;
-  ScriptedDriver& good = add(drivers, "good");
+  HostileDriver& good = add(drivers, "good");
   good.devices = {some_device()};
   good.findings = {{FindingLevel::kProblem,
                     "It is \"broken\"\n",

@@ -7,7 +7,7 @@
 #include "felt/base/read_file.h"
 #include "felt/io/ndjson/json_text.h"
 #include "felt/material/material_fields.h"
-#include "own_materials.h"
+#include "known_materials.h"
 #include "print.h"
 #include "text_table.h"
 

@@ -8,13 +8,13 @@
 
 #include "commands.h"
 #include "felt/formats/drawing_grain.h"
-#include "felt/formats/own_materials.h"
+#include "felt/formats/drawing_materials.h"
 #include "felt/geometry/height_picture.h"
 #include "felt/haptics/bricks/drawing_feel.h"
 #include "felt/io/picture/grain_mask.h"
 #include "felt/io/picture/png.h"
 #include "felt/stroke/color_text.h"
-#include "own_materials.h"
+#include "known_materials.h"
 
 namespace felt::cli {
 namespace {

@@ -18,7 +18,7 @@
 #include "forces_file.h"
 #include "given_files.h"
 #include "interrupt.h"
-#include "own_materials.h"
+#include "known_materials.h"
 #include "print.h"
 #include "sketch_output.h"
 

@@ -9,7 +9,7 @@
 
 #include "commands.h"
 #include "drawing_output.h"
-#include "felt/formats/own_materials.h"
+#include "felt/formats/drawing_materials.h"
 #include "felt/io/limits.h"
 #include "felt/io/picture/png.h"
 #include "felt/replay/replay_drawing.h"
@@ -21,8 +21,8 @@
 #include "forces_file.h"
 #include "given_files.h"
 #include "input.h"
+#include "known_materials.h"
 #include "overlay_picture.h"
-#include "own_materials.h"
 #include "picture.h"
 #include "print.h"
 #include "replay_arguments.h"

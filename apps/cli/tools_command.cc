@@ -6,7 +6,7 @@
 #include "felt/io/ndjson/json_text.h"
 #include "felt/session/sheet_options.h"
 #include "felt/tools/tool.h"
-#include "own_materials.h"
+#include "known_materials.h"
 #include "print.h"
 #include "text_table.h"
 

@@ -25,8 +25,8 @@ CalibrationDialog::CalibrationDialog(std::unique_ptr<PenDevice> device, Point mi
                                      QWidget* parent)
     : QDialog(parent),
       device_(std::move(device)),
-      old_(device_->calibration()),
-      usual_(*PlaneCalibration::from(device_->info().default_plane.rows(), {})),
+      old_(device_->device().plane()),
+      usual_(*PlaneCalibration::from(device_->device().default_plane().rows(), {})),
       reach_(reach_of(usual_, device_->info().capabilities)),
       middle_(middle),
       picture_(new QLabel(this)),
@@ -57,7 +57,7 @@ CalibrationDialog::CalibrationDialog(std::unique_ptr<PenDevice> device, Point mi
   rows->addWidget(buttons);
   take_->setEnabled(false);
   for (auto* button : {take_, again_, keep_}) button->setAutoDefault(true);
-  if (LoopHost* host = device_->loop_host()) {
+  if (LoopHost* host = device_->device().loop_host()) {
     ServoOptions options;
     options.period_ns = device_->device().capabilities().period_ns;
     options.limits = limits_for(device_->device().capabilities());
@@ -109,7 +109,7 @@ void CalibrationDialog::run(Studio& studio, QWidget* parent) {
     forget_planes_of_another(*profile, info.serial.toStdString());
     profile->plane = dialog.found()->calibration;
     profile->area = dialog.area();
-    device->follow(*profile);
+    device->set_profile(*profile);
   }
   const Result<void> kept = !profile  ? tl::unexpected(profile.error())
                             : is_kept ? keep_profile(*profile)

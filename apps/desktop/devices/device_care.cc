@@ -4,23 +4,16 @@
 #include <algorithm>
 #include <utility>
 
-#include "desktop/engine/settings.h"
-#include "desktop/engine/device_words.h"
 #include "desktop/devices/homing_dialog.h"
+#include "desktop/engine/device_words.h"
+#include "desktop/engine/settings.h"
+#include "desktop/engine/text_of.h"
 
 namespace felt::desktop {
 namespace {
 
 /// Lost again so soon after it came back by itself, it is not opened by itself any more.
 constexpr qint64 kSteadyMs = 5000;
-
-QString text_of(const Error& error) {
-  return QString::fromStdString(error.message);
-}
-
-QString text_of(const ShortText& text) {
-  return QString::fromUtf8(text.view().data(), qsizetype(text.view().size()));
-}
 
 /// The pen cannot be read then, or is nowhere.
 bool ends_reading(DeviceFault fault) {
@@ -99,8 +92,8 @@ void DeviceCare::say_notice(const DeviceStatus& status) {
   const PenDeviceInfo info = studio_.device().info();
   std::vector<DeviceMessage::Button> buttons;
   if (info.moves_hand && !studio_.forces_are_on()) buttons.push_back(forces_button());
-  say(tr("Message from %1: %2").arg(info.label, text_of(status.notice)), {}, std::move(buttons),
-      false);
+  say(tr("Message from %1: %2").arg(info.label, text_of(status.notice.view())), {},
+      std::move(buttons), false);
 }
 
 void DeviceCare::let_go(DeviceFault fault, const DeviceStatus& status) {
@@ -151,7 +144,7 @@ void DeviceCare::look() {
   const PenDeviceInfo* seen = DriverWatch::the()->find(waits_for_);
   // Unplugged: whatever was wrong with it, plugged in it is another try.
   if (!seen) has_failed_ = false;
-  if (!seen || !seen->is_connected || has_failed_ || DriverWatch::is_open(waits_for_)) {
+  if (!seen || !seen->is_connected || has_failed_ || PenDevice::is_open(waits_for_)) {
     return calm_.stop();
   }
   if (!calm_.isActive()) calm_.start();
@@ -174,7 +167,7 @@ bool DeviceCare::open(const QString& id, QWidget* parent, bool may_ask) {
     if (may_ask) say(Studio::given_up_words(name), {}, {}, true);
     return false;
   }
-  if (DriverWatch::is_open(id)) {
+  if (PenDevice::is_open(id)) {
     if (may_ask) say(tr("%1 is in use in another window.").arg(name), {}, {}, true);
     return false;
   }
@@ -187,7 +180,7 @@ bool DeviceCare::open(const QString& id, QWidget* parent, bool may_ask) {
         {use_button(tr("&Try again"), id)}, true);
     return false;
   }
-  if ((*device)->homing() != Homing::kNone && !may_ask) {
+  if ((*device)->device().homing() != Homing::kNone && !may_ask) {
     has_failed_ = true;
     say(tr("%1 is there. It must find its home before it is used.").arg(name), {},
         {use_button(tr("Find its &home…"), id)}, false);
@@ -195,14 +188,14 @@ bool DeviceCare::open(const QString& id, QWidget* parent, bool may_ask) {
   }
   if (!HomingDialog::bring_home(**device, parent ? parent : window_.data())) return false;
   const bool moves_hand = (*device)->info().moves_hand;
-  const DeviceStatus status = (*device)->status();
+  const DeviceStatus status = (*device)->device().status();
   studio_.use_device(*std::move(device));
   stop_waiting();
   said_notice_ = {};
   if (moves_hand) {
     said_notice_ = status.notice;
     say(tr("%1 is in use. Its forces are off until you switch them on.").arg(name),
-        text_of(status.notice), {forces_button()}, false);
+        text_of(status.notice.view()), {forces_button()}, false);
   }
   say_notice(status);
   return true;

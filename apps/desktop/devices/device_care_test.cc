@@ -16,10 +16,11 @@
 #include "desktop/devices/device_page.h"
 #include "desktop/devices/doctor_dialog.h"
 #include "desktop/devices/homing_dialog.h"
-#include "desktop/devices/testing/scripted_driver.h"
+#include "desktop/devices/testing/by_hand.h"
 #include "desktop/engine/settings.h"
 #include "desktop/feel/feel_panel.h"
 #include "felt/base/constants.h"
+#include "felt/driver/testing/scripted_driver.h"
 
 namespace felt::desktop {
 namespace {
@@ -296,7 +297,7 @@ TEST(DeviceCare, AFaultThatPassesIsWaitedOutAndOneThatStaysLetsGo) {
 
 TEST(DeviceCare, ADeviceThatCannotBeLookedForIsOpenedByAPersonOnly) {
   Desk desk;
-  desk.arm->can_be_looked_for = false;
+  desk.arm->descriptor.is_connected = false;
   desk.look();
   ASSERT_TRUE(desk.care->use(kArm, nullptr));
   desk.arm->read_fault = DeviceFault::kDisconnected;
@@ -501,17 +502,17 @@ TEST(DevicePage, EachHandHasItsPlane) {
   EXPECT_FALSE(desk.studio.forces_are_on()) << "the sheet is somewhere else now";
   EXPECT_TRUE(profile_of(kArm)->left_handed);
   EXPECT_FALSE(plane_of(kArm).has_value()) << "nobody has shown it for this hand";
-  EXPECT_NE(desk.studio.device().calibration(), *right);
+  EXPECT_NE(desk.studio.device().device().plane(), *right);
   settings->fit();
   const auto left = plane_of(kArm);
   ASSERT_TRUE(left.has_value());
   EXPECT_NE(left, right);
-  EXPECT_EQ(desk.studio.device().calibration(), *left);
+  EXPECT_EQ(desk.studio.device().device().plane(), *left);
   choose_hand(0);
   EXPECT_EQ(plane_of(kArm), right);
-  EXPECT_EQ(desk.studio.device().calibration(), *right);
+  EXPECT_EQ(desk.studio.device().device().plane(), *right);
   choose_hand(1);
-  EXPECT_EQ(desk.studio.device().calibration(), *left);
+  EXPECT_EQ(desk.studio.device().device().plane(), *left);
   EXPECT_EQ(desk.arm->opened, 1) << "the device itself has nothing to do with it";
 }
 

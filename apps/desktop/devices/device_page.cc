@@ -188,7 +188,7 @@ QString DevicePage::state_of(const Row& row, int* sign) const {
     return say(FeelLevel::kOn, tr("In use"));
   }
   if (!row.is_here) return say(FeelLevel::kWaiting, tr("Not connected; used again when it is"));
-  if (DriverWatch::is_open(row.info.id)) {
+  if (PenDevice::is_open(row.info.id)) {
     return say(FeelLevel::kWaiting, tr("In use in another window"));
   }
   if (!row.info.is_connected) {
@@ -316,7 +316,7 @@ void DevicePage::tell() {
   }
   words_->setText(words.join(QLatin1Char(' ')));
   use_->setVisible(is_real && !in_use);
-  use_->setEnabled(is_real && row->is_here && !DriverWatch::is_open(row->info.id));
+  use_->setEnabled(is_real && row->is_here && !PenDevice::is_open(row->info.id));
   const QSignalBlocker quiet(limit_);
   limit_->setValue(studio_.force_limit());
   general_->setVisible(!is_real);

@@ -13,77 +13,48 @@
 #include <cmath>
 
 #include "desktop/devices/calibration_dialog.h"
-#include "desktop/devices/testing/scripted_driver.h"
+#include "desktop/devices/testing/by_hand.h"
 #include "desktop/engine/settings.h"
 #include "desktop/feel/feel_actions.h"
 #include "desktop/feel/feel_panel.h"
-#include "felt/devices/simulated/simulated_stylus.h"
+#include "felt/driver/testing/scripted_driver.h"
 
 namespace felt::desktop {
 namespace {
 
-/// A person's device, with a frame of its own: says where the test has put it.
-class FakePen final : public PenDevice, public Device {
- public:
-  explicit FakePen(PenDeviceInfo info) : info_(std::move(info)) {}
-
-  [[nodiscard]] const PenDeviceInfo& info() const noexcept override { return info_; }
-  [[nodiscard]] Device& device() noexcept override { return *this; }
-  [[nodiscard]] HandInput* hand() noexcept override { return nullptr; }
-  [[nodiscard]] const HandScriptOptions& hand_options() const noexcept override { return options_; }
-
-  [[nodiscard]] std::string_view name() const noexcept override { return "fake"; }
-  [[nodiscard]] const Capabilities& capabilities() const noexcept override {
-    return info_.capabilities;
-  }
-  tl::expected<PenSample, DeviceFault> read(std::int64_t now_ns) noexcept override {
-    if (is_unplugged) return tl::unexpected(DeviceFault::kDisconnected);
-    PenSample sample = at;
-    sample.time_ns = now_ns;
-    return sample;
-  }
-  tl::expected<void, DeviceFault> write(const Force& force) noexcept override {
-    sent = force;
-    return {};
-  }
-  void stop() noexcept override { sent = {}; }
-
-  static inline PenSample at;
-  static inline Force sent;
-  static inline bool is_unplugged = false;
-
- private:
-  PenDeviceInfo info_;
-  HandScriptOptions options_;
-};
-
+/// A person's device with a frame of its own, which any studio can use at once.
 struct FakeDriver {
   FakeDriver() {
-    info.id = QStringLiteral("fake:1");
-    info.label = QStringLiteral("Fake stylus");
-    info.moves_hand = true;
-    info.has_own_frame = true;
-    info.capabilities = find_stylus_preset("touch")->capabilities;
-    number = add_pen_driver(
-        {[this] { return std::vector<PenDeviceInfo>{info}; },
-         [this](const QString&, const OpenOptions&) -> Result<std::unique_ptr<PenDevice>> {
-           if (is_broken) return fail(ErrorCode::kIo, "it is unplugged");
-           return std::make_unique<FakePen>(info);
-         }});
-    QFile::remove(profile_path(info.id));
-    FakePen::at = {};
-    FakePen::is_unplugged = false;
-    FakePen::at.position.z = 30;
+    arm->descriptor.id = "fake:1";
+    arm->descriptor.label = "Fake stylus";
+    arm->descriptor.serial.clear();
+    arm->at.position.z = 30;
+    QFile::remove(profile_path(id));
   }
+  FakeDriver(const FakeDriver&) = delete;
+  FakeDriver& operator=(const FakeDriver&) = delete;
   ~FakeDriver() {
     remove_pen_driver(number);
-    QFile::remove(profile_path(info.id));
+    QFile::remove(profile_path(id));
     Settings::the().set(QString::fromLatin1(kPenDeviceKey), {});
   }
+  [[nodiscard]] std::vector<PenDeviceInfo> find() const {
+    PenDeviceInfo info;
+    info.id = id;
+    info.label = label;
+    info.moves_hand = true;
+    info.has_own_frame = arm->descriptor.has_own_frame;
+    info.capabilities = arm->descriptor.capabilities;
+    return {info};
+  }
 
-  PenDeviceInfo info;
-  bool is_broken = false;
-  int number = 0;
+  const QString id = QStringLiteral("fake:1"), label = QStringLiteral("Fake stylus");
+  std::shared_ptr<ScriptedArm> arm = std::make_shared<ScriptedArm>();
+  ScriptedDriver driver{arm};
+  int number = add_pen_driver({[this] { return find(); },
+                               [this](const QString&, DeviceSetup setup) {
+                                 return OpenDevice::open(driver, arm->descriptor, setup);
+                               }});
 };
 
 // A sheet that leans by 40 degrees before a device whose y is up and whose z comes to the person.
@@ -130,17 +101,17 @@ void write_profile(const QString& id, const QByteArray& text) {
 
 TEST(PenDevices, APlaneIsKeptToTheLastBitAndNonsenseIsNone) {
   const FakeDriver driver;
-  EXPECT_FALSE(plane_of(driver.info.id).has_value());
-  ASSERT_TRUE(keep_plane_of(driver.info.id, leaning()).has_value());
-  EXPECT_EQ(plane_of(driver.info.id), leaning());
-  write_profile(driver.info.id, "device = fake:1\nplane_x = 2 0 0\n");
-  EXPECT_FALSE(plane_of(driver.info.id).has_value());
+  EXPECT_FALSE(plane_of(driver.id).has_value());
+  ASSERT_TRUE(keep_plane_of(driver.id, leaning()).has_value());
+  EXPECT_EQ(plane_of(driver.id), leaning());
+  write_profile(driver.id, "device = fake:1\nplane_x = 2 0 0\n");
+  EXPECT_FALSE(plane_of(driver.id).has_value());
 }
 
 TEST(PenDevices, WhatIsKeptAndCannotBeReadIsToldInTheStatusLineAndNothingOpens) {
   const FakeDriver driver;
-  write_profile(driver.info.id, "device = fake:1\nforce_limit_n = much\n");
-  const auto opened = open_pen_device(driver.info.id);
+  write_profile(driver.id, "device = fake:1\nforce_limit_n = much\n");
+  const auto opened = open_pen_device(driver.id);
   ASSERT_FALSE(opened.has_value());
   EXPECT_NE(opened.error().message.find("fake+1.conf:2: force_limit_n: is not a number"),
             std::string::npos)
@@ -148,31 +119,32 @@ TEST(PenDevices, WhatIsKeptAndCannotBeReadIsToldInTheStatusLineAndNothingOpens) 
   Studio studio(by_hand());
   QString told;
   QObject::connect(&studio, &Studio::refused, &studio, [&](const QString& why) { told = why; });
-  EXPECT_FALSE(studio.use_device(driver.info.id));
+  EXPECT_FALSE(studio.use_device(driver.id));
   EXPECT_TRUE(told.contains(QStringLiteral("fake+1.conf:2")));
 }
 
 TEST(PenDevices, APersonsNameAndLimitsAreTheDevices) {
   const FakeDriver driver;
-  write_profile(driver.info.id,
+  write_profile(driver.id,
                 "device = fake:1\nname = Old friend\nforce_limit_n = 0.7\nplane_x = 1 0 0\n"
                 "plane_y = 0 1 0\nplane_z = 0 0 1\nplane_origin_mm = 0 0 0\nplane_scale = 2\n");
-  const auto opened = open_pen_device(driver.info.id);
+  const auto opened = open_pen_device(driver.id);
   ASSERT_TRUE(opened.has_value()) << opened.error().message;
   EXPECT_EQ((*opened)->info().label, QStringLiteral("Old friend"));
   const Capabilities& can = (*opened)->device().capabilities();
   EXPECT_EQ(limits_for(can).peak_force_n, 0.7);
   EXPECT_EQ(can.sheet_scale, 2.0);
-  EXPECT_EQ(can.max_stiffness_n_per_m, 0.5 * driver.info.capabilities.max_stiffness_n_per_m);
+  EXPECT_EQ(can.max_stiffness_n_per_m,
+            0.5 * driver.arm->descriptor.capabilities.max_stiffness_n_per_m);
 }
 
 TEST(PenDevices, APersonsDeviceIsSeenThroughItsPlaneAndStaysOffUntilItIsSwitchedOn) {
   const FakeDriver driver;
-  ASSERT_TRUE(keep_plane_of(driver.info.id, leaning()).has_value());
+  ASSERT_TRUE(keep_plane_of(driver.id, leaning()).has_value());
   Studio studio(by_hand());
-  ASSERT_TRUE(studio.use_device(driver.info.id));
+  ASSERT_TRUE(studio.use_device(driver.id));
   EXPECT_FALSE(studio.forces_are_on());
-  FakePen::at.position = leaning().to_device(Vec3{20, 30, 4});
+  driver.arm->at.position = leaning().to_device(Vec3{20, 30, 4});
   studio.advance(50'000'000);
   EXPECT_NEAR(norm(studio.pen().sample.position - Vec3{20, 30, 4}), 0.0, 1e-9);
 }
@@ -186,11 +158,11 @@ TEST(PenDevices, AFaultThatNeedsAPersonIsToldWithWhatToDoAndForcesStayOff) {
   FeelPanel panel(studio);
   QStringList told;
   QObject::connect(&studio, &Studio::refused, &window, [&](const QString& why) { told << why; });
-  ASSERT_TRUE(studio.use_device(driver.info.id));
+  ASSERT_TRUE(studio.use_device(driver.id));
   actions.find(QStringLiteral("feel.forces"))->trigger();
   studio.advance(1'000'000'000);
   ASSERT_EQ(studio.tick().safety.state, SafetyState::kActive);
-  FakePen::is_unplugged = true;
+  driver.arm->is_plugged_in = false;
   studio.advance(20'000'000);
   EXPECT_EQ(studio.tick().safety.state, SafetyState::kLatched);
   EXPECT_FALSE(studio.forces_are_on());
@@ -201,7 +173,7 @@ TEST(PenDevices, AFaultThatNeedsAPersonIsToldWithWhatToDoAndForcesStayOff) {
   QString text;
   for (const auto* label : panel.findChildren<QLabel*>()) text += label->text();
   EXPECT_TRUE(text.contains(QStringLiteral("Check the cable"))) << text.toStdString();
-  FakePen::is_unplugged = false;
+  driver.arm->is_plugged_in = true;
   actions.find(QStringLiteral("feel.forces"))->trigger();
   studio.advance(1'000'000'000);
   EXPECT_EQ(studio.tick().safety.state, SafetyState::kActive);
@@ -210,7 +182,7 @@ TEST(PenDevices, AFaultThatNeedsAPersonIsToldWithWhatToDoAndForcesStayOff) {
 TEST(PenDevices, AnotherForceLimitDoesNotSwitchForcesOnAgainAfterAFault) {
   const FakeDriver driver;
   Studio studio(by_hand());
-  ASSERT_TRUE(studio.use_device(driver.info.id));
+  ASSERT_TRUE(studio.use_device(driver.id));
   studio.set_forces(true);
   studio.advance(1'000'000'000);
   ASSERT_EQ(studio.tick().safety.state, SafetyState::kActive);
@@ -218,10 +190,10 @@ TEST(PenDevices, AnotherForceLimitDoesNotSwitchForcesOnAgainAfterAFault) {
   EXPECT_TRUE(studio.forces_are_on()) << "there is no fault, and a person switched them on";
   studio.advance(1'000'000'000);
   ASSERT_EQ(studio.tick().safety.state, SafetyState::kActive);
-  FakePen::is_unplugged = true;
+  driver.arm->is_plugged_in = false;
   studio.advance(20'000'000);
   ASSERT_EQ(studio.tick().safety.state, SafetyState::kLatched);
-  FakePen::is_unplugged = false;
+  driver.arm->is_plugged_in = true;
   studio.set_force_limit(2.0);
   EXPECT_FALSE(studio.forces_are_on());
   studio.advance(1'000'000'000);
@@ -229,41 +201,39 @@ TEST(PenDevices, AnotherForceLimitDoesNotSwitchForcesOnAgainAfterAFault) {
   EXPECT_EQ(studio.tick().sent, Force{});
 }
 
-struct Corners {
-  static void touch(CalibrationDialog& dialog, const Vec3& sheet_mm) {
-    FakePen::at.position = leaning().to_device(sheet_mm);
-    dialog.take();
-  }
-};
+void touch(FakeDriver& driver, CalibrationDialog& dialog, const Vec3& sheet_mm) {
+  driver.arm->at.position = leaning().to_device(sheet_mm);
+  dialog.take();
+}
 
 TEST(CalibrationDialog, ThreeCornersFindTheLeaningPlane) {
   FakeDriver driver;
-  CalibrationDialog dialog(*open_pen_device(driver.info.id), {148.5, 105});
+  CalibrationDialog dialog(*open_pen_device(driver.id), {148.5, 105});
   dialog.show();
-  Corners::touch(dialog, {50, 40, 0});
-  Corners::touch(dialog, {200, 40, 0});
+  touch(driver, dialog, {50, 40, 0});
+  touch(driver, dialog, {200, 40, 0});
   EXPECT_FALSE(dialog.found().has_value());
-  Corners::touch(dialog, {50, 140, 0});
+  touch(driver, dialog, {50, 140, 0});
   ASSERT_TRUE(dialog.found().has_value());
   const PlaneCalibration& map = dialog.found()->calibration;
   // The same plane and directions; the area lies around the middle that was asked for.
   const Vec3 p{77, 66, 5};
   EXPECT_NEAR(norm(map.to_sheet(leaning().to_device(p)) - (p + Vec3{23.5, 15, 0})), 0.0, 1e-6);
   EXPECT_LT(dialog.found()->worst_mm, 1e-6);
-  EXPECT_EQ(FakePen::sent, Force{});
+  EXPECT_EQ(driver.arm->sent, Force{});
 }
 
 TEST(CalibrationDialog, AnOlderPlaneDoesNotBendTheNewOne) {
   FakeDriver driver;
-  ASSERT_TRUE(keep_plane_of(driver.info.id,
-                            *PlaneCalibration::from({Vec3{0, 1, 0}, Vec3{1, 0, 0}, Vec3{0, 0, 1}},
-                                                    {9, 9, 9}, 1.5))
-                  .has_value());
-  CalibrationDialog dialog(*open_pen_device(driver.info.id), {125, 90});
+  ASSERT_TRUE(
+      keep_plane_of(driver.id, *PlaneCalibration::from(
+                                   {Vec3{0, 1, 0}, Vec3{1, 0, 0}, Vec3{0, 0, 1}}, {9, 9, 9}, 1.5))
+          .has_value());
+  CalibrationDialog dialog(*open_pen_device(driver.id), {125, 90});
   dialog.show();
-  Corners::touch(dialog, {50, 40, 0});
-  Corners::touch(dialog, {200, 40, 0});
-  Corners::touch(dialog, {50, 140, 0});
+  touch(driver, dialog, {50, 40, 0});
+  touch(driver, dialog, {200, 40, 0});
+  touch(driver, dialog, {50, 140, 0});
   ASSERT_TRUE(dialog.found().has_value());
   EXPECT_NEAR(norm(dialog.found()->calibration.to_sheet(leaning().to_device(Vec3{60, 60, 1})) -
                    Vec3{60, 60, 1}),
@@ -272,15 +242,15 @@ TEST(CalibrationDialog, AnOlderPlaneDoesNotBendTheNewOne) {
 
 TEST(CalibrationDialog, CornersOnOneLineBeginAgain) {
   FakeDriver driver;
-  CalibrationDialog dialog(*open_pen_device(driver.info.id), {125, 90});
+  CalibrationDialog dialog(*open_pen_device(driver.id), {125, 90});
   dialog.show();
-  Corners::touch(dialog, {50, 40, 0});
-  Corners::touch(dialog, {200, 40, 0});
-  Corners::touch(dialog, {120, 40, 0});
+  touch(driver, dialog, {50, 40, 0});
+  touch(driver, dialog, {200, 40, 0});
+  touch(driver, dialog, {120, 40, 0});
   EXPECT_FALSE(dialog.found().has_value());
-  Corners::touch(dialog, {50, 40, 0});
-  Corners::touch(dialog, {200, 40, 0});
-  Corners::touch(dialog, {50, 150, 0});
+  touch(driver, dialog, {50, 40, 0});
+  touch(driver, dialog, {200, 40, 0});
+  touch(driver, dialog, {50, 150, 0});
   EXPECT_TRUE(dialog.found().has_value());
   dialog.start_again();
   EXPECT_FALSE(dialog.found().has_value());
@@ -294,7 +264,7 @@ TEST(DevicePage, AChoiceTakesEffectAtOnceAndIsKept) {
   auto* list = page.findChild<QListWidget*>();
   ASSERT_EQ(list->count(), static_cast<int>(pen_devices().size()));
   EXPECT_EQ(page.chosen(), QStringLiteral("tablet"));
-  EXPECT_TRUE(list->item(0)->text().startsWith(driver.info.label)) << "real ones come first";
+  EXPECT_TRUE(list->item(0)->text().startsWith(driver.label)) << "real ones come first";
   for (const PenDeviceInfo& info : pen_devices()) {
     if (info.moves_hand) continue;
     ASSERT_TRUE(page.choose(info.id));
@@ -308,15 +278,15 @@ TEST(DevicePage, ARealDeviceIsUsedWhenItsButtonIsPressed) {
   Studio studio(by_hand());
   DevicePage page(studio);
   page.show();
-  ASSERT_TRUE(page.choose(driver.info.id));
+  ASSERT_TRUE(page.choose(driver.id));
   EXPECT_EQ(studio.device().info().id, QStringLiteral("tablet")) << "looking at it does nothing";
-  driver.is_broken = true;
+  driver.arm->open_error = "it is unplugged";
   page.use();
   EXPECT_EQ(studio.device().info().id, QStringLiteral("tablet")) << "the one in use stays";
-  driver.is_broken = false;
+  driver.arm->open_error.clear();
   page.use();
-  EXPECT_EQ(studio.device().info().id, driver.info.id);
-  EXPECT_EQ(chosen_pen_device(), driver.info.id);
+  EXPECT_EQ(studio.device().info().id, driver.id);
+  EXPECT_EQ(chosen_pen_device(), driver.id);
   EXPECT_FALSE(studio.forces_are_on());
   auto* settings = page.findChild<DeviceSettings*>();
   EXPECT_TRUE(settings->isVisible());
@@ -327,7 +297,7 @@ TEST(DevicePage, ARealDeviceIsUsedWhenItsButtonIsPressed) {
 TEST(DevicePage, WhatIsSetForADeviceIsKeptAndTakesEffectAtOnceWithForcesOff) {
   FakeDriver driver;
   Studio studio(by_hand());
-  ASSERT_TRUE(studio.use_device(driver.info.id));
+  ASSERT_TRUE(studio.use_device(driver.id));
   DevicePage page(studio);
   page.show();
   auto* settings = page.findChild<DeviceSettings*>();
@@ -345,7 +315,7 @@ TEST(DevicePage, WhatIsSetForADeviceIsKeptAndTakesEffectAtOnceWithForcesOff) {
   auto* name = settings->findChild<QLineEdit*>();
   name->setText(QStringLiteral("  My  arm "));
   Q_EMIT name->editingFinished();
-  const DeviceProfile kept = profile_of(driver.info.id).value();
+  const DeviceProfile kept = profile_of(driver.id).value();
   EXPECT_EQ(kept.name, "My arm");
   EXPECT_EQ(kept.force_limit_n, 1.2);
   EXPECT_EQ(kept.stiffness_cap_n_per_m, 250.0);
@@ -357,8 +327,8 @@ TEST(DevicePage, WhatIsSetForADeviceIsKeptAndTakesEffectAtOnceWithForcesOff) {
   // Raised to what the device can do at most it is no limit of the person's any more.
   auto* limit = qobject_cast<QDoubleSpinBox*>(child("Largest force"));
   limit->setValue(99.0);
-  EXPECT_LE(limit->value(), limits_for(driver.info.capabilities).peak_force_n + 1e-9);
-  EXPECT_FALSE(profile_of(driver.info.id)->force_limit_n.has_value());
+  EXPECT_LE(limit->value(), limits_for(driver.arm->descriptor.capabilities).peak_force_n + 1e-9);
+  EXPECT_FALSE(profile_of(driver.id)->force_limit_n.has_value());
   // The whole sheet: a Touch reaches 160 mm of 210 or 297.
   settings->fit();
   EXPECT_GT(studio.device().device().capabilities().sheet_scale, 1.5);
@@ -372,7 +342,7 @@ TEST(DevicePage, WhatIsSetForADeviceIsKeptAndTakesEffectAtOnceWithForcesOff) {
 TEST(DevicePage, TheStiffestSheetLeavesTheForceLimitsAlone) {
   FakeDriver driver;
   Studio studio(by_hand());
-  ASSERT_TRUE(studio.use_device(driver.info.id));
+  ASSERT_TRUE(studio.use_device(driver.id));
   studio.set_force_limit(0.0);
   DevicePage page(studio);
   page.show();
@@ -380,7 +350,7 @@ TEST(DevicePage, TheStiffestSheetLeavesTheForceLimitsAlone) {
   for (auto* box : settings->findChildren<QSpinBox*>()) {
     if (box->accessibleName() == QLatin1String("Stiffest sheet")) box->setValue(250);
   }
-  const DeviceProfile kept = profile_of(driver.info.id).value();
+  const DeviceProfile kept = profile_of(driver.id).value();
   EXPECT_EQ(kept.stiffness_cap_n_per_m, 250.0);
   EXPECT_FALSE(kept.force_limit_n.has_value());
   EXPECT_EQ(studio.force_limit(), 0.0);
@@ -389,23 +359,23 @@ TEST(DevicePage, TheStiffestSheetLeavesTheForceLimitsAlone) {
 // A stick or a wheel: it has no plane to be shown, but it pushes a hand as much as any.
 TEST(DevicePage, APersonsLimitsHoldForADeviceWithoutAPlane) {
   FakeDriver driver;
-  driver.info.has_own_frame = false;
-  write_profile(driver.info.id,
+  driver.arm->descriptor.has_own_frame = false;
+  write_profile(driver.id,
                 "device = fake:1\nname = Old friend\nforce_limit_n = 0.7\n"
                 "stiffness_cap_n_per_m = 200\nplane_x = 0 1 0\nplane_y = 1 0 0\n"
                 "plane_z = 0 0 1\nplane_origin_mm = 9 9 9\nplane_scale = 2\n");
   Studio studio(by_hand());
-  ASSERT_TRUE(studio.use_device(driver.info.id));
+  ASSERT_TRUE(studio.use_device(driver.id));
   const auto can = [&studio]() -> const Capabilities& {
     return studio.device().device().capabilities();
   };
   EXPECT_EQ(limits_for(can()).peak_force_n, 0.7);
   EXPECT_EQ(can().max_stiffness_n_per_m, 200.0);
-  EXPECT_EQ(studio.device().calibration(), PlaneCalibration{}) << "where it says it is, it is";
+  EXPECT_EQ(studio.device().device().plane(), PlaneCalibration{}) << "where it says it is, it is";
   EXPECT_EQ(studio.device().info().label, QStringLiteral("Old friend"));
   DevicePage page(studio);
   page.show();
-  ASSERT_TRUE(page.choose(driver.info.id));
+  ASSERT_TRUE(page.choose(driver.id));
   auto* settings = page.findChild<DeviceSettings*>();
   ASSERT_TRUE(settings->isVisible());
   auto* limit = settings->findChild<QDoubleSpinBox*>();
@@ -414,17 +384,18 @@ TEST(DevicePage, APersonsLimitsHoldForADeviceWithoutAPlane) {
   EXPECT_FALSE(settings->findChild<QComboBox*>()->isVisible()) << "a hand is of a plane";
   EXPECT_FALSE(settings->findChild<QPushButton*>()->isVisible()) << "a plane cannot be set";
   limit->setValue(1.2);
-  EXPECT_EQ(profile_of(driver.info.id)->force_limit_n, 1.2);
+  EXPECT_EQ(profile_of(driver.id)->force_limit_n, 1.2);
   EXPECT_EQ(limits_for(can()).peak_force_n, 1.2);
 }
 
 TEST(CalibrationDialog, ADeviceThatMovesInThePlaneOnlyIsInIt) {
   FakeDriver driver;
-  driver.info.capabilities.sensed_axes = driver.info.capabilities.actuated_axes = 2;
-  CalibrationDialog dialog(*open_pen_device(driver.info.id), {125, 90});
+  driver.arm->descriptor.capabilities.sensed_axes =
+      driver.arm->descriptor.capabilities.actuated_axes = 2;
+  CalibrationDialog dialog(*open_pen_device(driver.id), {125, 90});
   dialog.show();
   for (const Vec3& corner : {Vec3{50, 140, 0.25}, Vec3{200, 140, 0.25}, Vec3{50, 40, 0.25}}) {
-    FakePen::at.position = corner;  // its pen is up, as no key is held
+    driver.arm->at.position = corner;  // its pen is up, as no key is held
     dialog.take();
   }
   ASSERT_TRUE(dialog.found().has_value());

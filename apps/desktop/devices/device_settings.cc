@@ -7,9 +7,9 @@
 #include <cmath>
 #include <utility>
 
+#include "desktop/devices/calibration_dialog.h"
 #include "desktop/engine/driver_watch.h"
 #include "desktop/engine/settings.h"
-#include "desktop/devices/calibration_dialog.h"
 #include "desktop/feel/settings_keys.h"
 #include "felt/haptics/safety/safety_limits.h"
 
@@ -152,7 +152,7 @@ void DeviceSettings::tell() {
 }
 
 void DeviceSettings::tell_plane(const DeviceProfile& profile) {
-  const PlaneCalibration plane = studio_.device().calibration();
+  const PlaneCalibration plane = studio_.device().device().plane();
   if (!profile.plane) {
     plane_->setText(tr("Not set yet: as such a device usually stands."));
   } else if (profile.area) {
@@ -209,7 +209,7 @@ void DeviceSettings::fit() {
 void DeviceSettings::set_scale(std::optional<double> scale) {
   std::optional<DeviceProfile> kept = profile();
   if (!kept) return;
-  const PlaneCalibration plane = studio_.device().calibration();
+  const PlaneCalibration plane = studio_.device().device().plane();
   forget_planes_of_another(*kept, studio_.device().info().serial.toStdString());
   const DrawingArea area =
       kept->area.value_or(reach_of(plane, studio_.device().info().capabilities));

@@ -18,7 +18,7 @@ constexpr double kTitleSize = 1.2;
 HomingDialog::HomingDialog(PenDevice& device, QWidget* parent)
     : QDialog(parent),
       device_(device),
-      homing_(device.homing()),
+      homing_(device.device().homing()),
       sign_(new QLabel(this)),
       title_(new QLabel(this)),
       words_(new QLabel(this)),
@@ -67,7 +67,7 @@ HomingDialog::~HomingDialog() {
 }
 
 bool HomingDialog::bring_home(PenDevice& device, QWidget* parent) {
-  if (device.homing() == Homing::kNone) return true;
+  if (device.device().homing() == Homing::kNone) return true;
   HomingDialog dialog(device, parent);
   return dialog.exec() == QDialog::Accepted;
 }
@@ -101,8 +101,8 @@ void HomingDialog::ask() {
       break;
   }
   words = words.arg(device_.info().label);
-  if (const QString more = device_.homing_words(); !more.isEmpty()) {
-    words += QStringLiteral("\n\n") + more;
+  if (const std::string more = device_.device().homing_words(); !more.empty()) {
+    words += QStringLiteral("\n\n") + QString::fromStdString(more);
   }
   words_->setText(words);
   // Enter never sets an arm moving.
@@ -127,14 +127,14 @@ void HomingDialog::begin() {
     title_->setText(tr("One moment: hold it still"));
   }
   mover_.start([this] {
-    Result<void> home = device_.find_home();
+    Result<void> home = device_.device().find_home();
     QMetaObject::invokeMethod(
         this, [this, home = std::move(home)] { take(home); }, Qt::QueuedConnection);
   });
 }
 
 void HomingDialog::take(const Result<void>& home) {
-  if (home && device_.homing() == Homing::kNone) {
+  if (home && device_.device().homing() == Homing::kNone) {
     is_under_way_ = false;
     return accept();
   }

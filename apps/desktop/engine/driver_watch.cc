@@ -17,13 +17,7 @@ namespace {
 DriverWatch* the_watch = nullptr;
 int watchers = 0;
 
-/// Ids of what is open, over all windows.
-std::vector<QString>& open_ids() {
-  static std::vector<QString> ids;
-  return ids;
-}
-
-PenDeviceInfo info_of(const DeviceDescriptor& device, const PlaneCalibration& plane) {
+PenDeviceInfo info_of(const DeviceDescriptor& device) {
   PenDeviceInfo info;
   info.id = text_of(device.id);
   info.label = text_of(device.label);
@@ -32,7 +26,6 @@ PenDeviceInfo info_of(const DeviceDescriptor& device, const PlaneCalibration& pl
   info.is_connected = device.is_connected;
   info.serial = text_of(device.serial);
   info.capabilities = device.capabilities;
-  info.default_plane = plane;
   info.note = QCoreApplication::translate("PenDevice", "A person holds it, and feels the forces.");
   return info;
 }
@@ -74,53 +67,6 @@ struct DriverWatch::Looking {
   }
 };
 
-/// A driver's device as a pen, in its own frame.
-class DriverWatch::DriverPen final : public PenDevice {
- public:
-  DriverPen(PenDeviceInfo info, std::shared_ptr<Slot> slot, std::unique_ptr<DriverDevice> device)
-      : info_(std::move(info)), slot_(std::move(slot)), device_(std::move(device)) {
-    // Open, it knows more.
-    info_.capabilities = device_->capabilities();
-    info_.moves_hand = info_.capabilities.has_force();
-    if (!device_->descriptor().serial.empty()) info_.serial = text_of(device_->descriptor().serial);
-    if (!device_->descriptor().label.empty()) info_.label = text_of(device_->descriptor().label);
-    open_ids().push_back(info_.id);
-  }
-  DriverPen(const DriverPen&) = delete;
-  DriverPen& operator=(const DriverPen&) = delete;
-  ~DriverPen() override {
-    const auto at = std::find(open_ids().begin(), open_ids().end(), info_.id);
-    if (at != open_ids().end()) open_ids().erase(at);
-    const std::unique_lock lock(slot_->busy, std::chrono::milliseconds(kPatienceMs));
-    // The window does not wait for a library that hangs; nor may the device be touched then.
-    if (!lock.owns_lock()) {
-      abandon(std::move(device_));
-    } else {
-      device_.reset();
-    }
-  }
-
-  [[nodiscard]] const PenDeviceInfo& info() const noexcept override { return info_; }
-  [[nodiscard]] Device& device() noexcept override { return *device_; }
-  [[nodiscard]] HandInput* hand() noexcept override { return nullptr; }
-  [[nodiscard]] const HandScriptOptions& hand_options() const noexcept override { return options_; }
-  [[nodiscard]] DeviceStatus status() noexcept override { return device_->status(); }
-  bool set_pen_down(bool is_down) noexcept override { return device_->set_pen_down(is_down); }
-  [[nodiscard]] LoopHost* loop_host() noexcept override { return device_->loop_host(); }
-  [[nodiscard]] Homing homing() noexcept override { return device_->homing(); }
-  [[nodiscard]] QString homing_words() override { return text_of(device_->homing_words()); }
-  Result<void> find_home() override {
-    const std::lock_guard lock(slot_->busy);
-    return device_->find_home();
-  }
-
- private:
-  PenDeviceInfo info_;
-  std::shared_ptr<Slot> slot_;
-  std::unique_ptr<DriverDevice> device_;
-  HandScriptOptions options_;
-};
-
 DriverWatch::DriverWatch(std::vector<std::unique_ptr<Driver>> drivers, QObject* parent,
                          int stuck_ms)
     : QObject(parent), stuck_ms_(stuck_ms) {
@@ -133,7 +79,7 @@ DriverWatch::DriverWatch(std::vector<std::unique_ptr<Driver>> drivers, QObject* 
   connect(&timer_, &QTimer::timeout, this, &DriverWatch::look);
   pens_ = add_pen_driver(
       {[this] { return found_; },
-       [this](const QString& id, const OpenOptions& options) { return open(id, options); }});
+       [this](const QString& id, DeviceSetup setup) { return open(id, std::move(setup)); }});
   the_watch = this;
   set_pace();
 }
@@ -215,7 +161,7 @@ void DriverWatch::take(std::vector<DeviceDescriptor> found) {
       cues.emplace_back(text_of(device.id), text_of(device.label));
       continue;
     }
-    pens.push_back(info_of(device, slot->driver->default_plane(device, {})));
+    pens.push_back(info_of(device));
   }
   const auto ids = [](const std::vector<PenDeviceInfo>& list) {
     std::vector<std::pair<QString, bool>> all;
@@ -231,14 +177,12 @@ void DriverWatch::take(std::vector<DeviceDescriptor> found) {
   Q_EMIT looked();
 }
 
-Result<std::unique_ptr<PenDevice>> DriverWatch::open(const QString& id,
-                                                     const OpenOptions& options) {
+Result<std::unique_ptr<OpenDevice>> DriverWatch::open(const QString& id, DeviceSetup setup) {
   const auto slot = slot_of(id);
   const auto device = std::find_if(
       descriptors_.begin(), descriptors_.end(),
       [&id](const DeviceDescriptor& descriptor) { return text_of(descriptor.id) == id; });
-  const PenDeviceInfo* info = find(id);
-  if (!slot || !info || device == descriptors_.end()) {
+  if (!slot || device == descriptors_.end()) {
     return fail(ErrorCode::kNotFound, "\"" + id.toStdString() + "\" is not plugged in");
   }
   const std::unique_lock lock(slot->busy, std::chrono::milliseconds(kPatienceMs));
@@ -246,11 +190,8 @@ Result<std::unique_ptr<PenDevice>> DriverWatch::open(const QString& id,
     return fail(ErrorCode::kIo, "the driver \"" + std::string(slot->driver->name()) +
                                     "\" does not answer: unplug the device and plug it in again");
   }
-  Result<std::unique_ptr<DriverDevice>> opened = slot->driver->open(*device, options);
-  if (!opened) return tl::unexpected(opened.error());
-  PenDeviceInfo seen = *info;
-  seen.default_plane = slot->driver->default_plane((*opened)->descriptor(), options);
-  return std::make_unique<DriverPen>(std::move(seen), slot, *std::move(opened));
+  setup.driver_lock = {slot, &slot->busy};  // keeps the driver, too
+  return OpenDevice::open(*slot->driver, *device, setup);
 }
 
 void DriverWatch::diagnose(QObject* asker,
@@ -266,10 +207,6 @@ void DriverWatch::diagnose(QObject* asker,
           if (asker) answer(std::move(all));
         });
       });
-}
-
-bool DriverWatch::is_open(const QString& id) {
-  return std::find(open_ids().begin(), open_ids().end(), id) != open_ids().end();
 }
 
 void DriverWatch::set_pace() {

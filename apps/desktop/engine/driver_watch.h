@@ -27,8 +27,8 @@ struct DriverFindings {
 /// device is waited for), once a second then, on a thread of its own: a library that takes its time
 /// holds up no window. Drivers are asked one thing at a time; opening waits for a look that is
 /// under way, kPatienceMs at most. A driver whose library has not answered for `stuck_ms` is given
-/// up, and the others are looked at without it; so is its device, when it is closed. One per
-/// process, made before the first window. Main thread.
+/// up, and the others are looked at without it; so is its device, when it is closed (OpenDevice).
+/// One per process, made before the first window. Main thread.
 class DriverWatch : public QObject {
   Q_OBJECT
 
@@ -59,8 +59,6 @@ class DriverWatch : public QObject {
   /// Asks all drivers what is there and what is missing, on its thread; answers on the main one,
   /// unless `asker` is gone by then.
   void diagnose(QObject* asker, std::function<void(std::vector<DriverFindings>)> answer);
-  /// Is a device of this id open in this program (in whichever window)?
-  [[nodiscard]] static bool is_open(const QString& id);
 
   /// While one of these lives, devices are looked for.
   class Watching {
@@ -79,10 +77,9 @@ class DriverWatch : public QObject {
 
  private:
   struct Slot;
-  class DriverPen;
   struct Looking;
 
-  Result<std::unique_ptr<PenDevice>> open(const QString& id, const OpenOptions& options);
+  Result<std::unique_ptr<OpenDevice>> open(const QString& id, DeviceSetup setup);
   [[nodiscard]] std::shared_ptr<Slot> slot_of(const QString& id) const noexcept;
   void take(std::vector<DeviceDescriptor> found);
   void set_pace();

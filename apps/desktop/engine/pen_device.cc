@@ -8,9 +8,7 @@
 
 #include "desktop/engine/settings.h"
 #include "desktop/engine/text_of.h"
-#include "felt/devices/simulated/simulated_stylus.h"
 #include "felt/document/sheet_page.h"
-#include "felt/driver/calibrated_device.h"
 
 namespace felt::desktop {
 namespace {
@@ -30,70 +28,11 @@ std::vector<AddedDriver>& drivers() {
   return added;
 }
 
-/// A stylus that exists as equations only, in a simulated hand; or, without motors, a pen that is
-/// exactly where the hand aims.
-class SimulatedPen final : public PenDevice {
- public:
-  SimulatedPen(PenDeviceInfo info, const StylusPreset& preset, const SimulatedHand& hand)
-      : info_(std::move(info)), stylus_(preset, hand), options_(script_options_for(preset, hand)) {}
-
-  [[nodiscard]] const PenDeviceInfo& info() const noexcept override { return info_; }
-  [[nodiscard]] Device& device() noexcept override { return stylus_; }
-  [[nodiscard]] HandInput* hand() noexcept override { return &stylus_; }
-  [[nodiscard]] const HandScriptOptions& hand_options() const noexcept override { return options_; }
-
- private:
-  PenDeviceInfo info_;
-  SimulatedStylus stylus_;
-  HandScriptOptions options_;
-};
-
-/// A person's device with the drawing plane where that person has it, and with their limits. One
-/// without a frame of its own has no plane to be set: where it says it is, it is.
-class CalibratedPen final : public PenDevice {
- public:
-  CalibratedPen(std::unique_ptr<PenDevice> pen, const DeviceProfile& profile,
-                const PlaneCalibration& usual)
-      : pen_(std::move(pen)), usual_(usual) {
-    take(profile);
-  }
-
-  [[nodiscard]] const PenDeviceInfo& info() const noexcept override { return info_; }
-  [[nodiscard]] Device& device() noexcept override { return *device_; }
-  [[nodiscard]] HandInput* hand() noexcept override { return nullptr; }
-  [[nodiscard]] const HandScriptOptions& hand_options() const noexcept override {
-    return pen_->hand_options();
-  }
-  [[nodiscard]] PlaneCalibration calibration() const noexcept override {
-    return device_->calibration();
-  }
-  void follow(const DeviceProfile& profile) override { take(profile); }
-  [[nodiscard]] DeviceStatus status() noexcept override { return pen_->status(); }
-  bool set_pen_down(bool is_down) noexcept override { return pen_->set_pen_down(is_down); }
-  [[nodiscard]] LoopHost* loop_host() noexcept override { return pen_->loop_host(); }
-  [[nodiscard]] Homing homing() noexcept override { return pen_->homing(); }
-  [[nodiscard]] QString homing_words() override { return pen_->homing_words(); }
-  Result<void> find_home() override { return pen_->find_home(); }
-
- private:
-  void take(const DeviceProfile& profile) {
-    info_ = pen_->info();
-    if (!profile.name.empty()) info_.label = info_.short_label = text_of(profile.name);
-    DeviceProfile ours = profile;
-    if (info_.has_own_frame) {
-      // Another one of its kind stands somewhere else, and pushes like this one.
-      forget_planes_of_another(ours, info_.serial.toStdString());
-    } else {
-      ours.plane.reset();
-    }
-    device_.emplace(pen_->device(), ours, usual_);
-  }
-
-  std::unique_ptr<PenDevice> pen_;
-  PenDeviceInfo info_;
-  PlaneCalibration usual_;
-  std::optional<CalibratedDevice> device_;  // always there
-};
+/// Ids of the drivers' devices that are open, over all windows.
+std::vector<QString>& open_ids() {
+  static std::vector<QString> ids;
+  return ids;
+}
 
 /// "3D Systems Touch (Phantom Omni)" is "Touch" to those who have one.
 QString model_of(QString label) {
@@ -138,22 +77,19 @@ Result<std::unique_ptr<PenDevice>> open_simulated(const PenDeviceInfo& info, Sty
   Capabilities& can = preset.capabilities;
   can.workspace_min.x = can.workspace_min.y = -kEndlessMm;
   can.workspace_max.x = can.workspace_max.y = kEndlessMm;
-  return std::make_unique<SimulatedPen>(info, preset, typical_hand());
+  return std::make_unique<PenDevice>(info, preset, typical_hand());
 }
 
 Result<std::unique_ptr<PenDevice>> open_of(const PenDriver& driver, const PenDeviceInfo& info,
                                            const Rect& page) {
   const Result<DeviceProfile> profile = profile_of(info.id);
   if (!profile) return tl::unexpected(profile.error());
-  Result<std::unique_ptr<PenDevice>> opened = driver.open(info.id, {.pen_begins_down = false});
-  if (!opened) return opened;
-  const PenDeviceInfo& now = (*opened)->info();
-  const PlaneCalibration usual =
-      now.has_own_frame
-          ? fit_to_page(now.default_plane,
-                        reach_of(now.default_plane, (*opened)->device().capabilities()), page, 1.0)
-          : PlaneCalibration{};
-  return std::make_unique<CalibratedPen>(*std::move(opened), *profile, usual);
+  Result<std::unique_ptr<OpenDevice>> opened =
+      driver.open(info.id, {.open = {.pen_begins_down = false}, .page = page});
+  if (!opened) return tl::unexpected(opened.error());
+  auto pen = std::make_unique<PenDevice>(info, *std::move(opened));
+  pen->set_profile(*profile);
+  return pen;
 }
 
 std::string profiles_folder() {
@@ -162,6 +98,42 @@ std::string profiles_folder() {
 }
 
 }  // namespace
+
+PenDevice::PenDevice(PenDeviceInfo info, std::unique_ptr<OpenDevice> device)
+    : info_(std::move(info)), device_(std::move(device)) {
+  // Some drivers tell more once it is open.
+  const DeviceDescriptor& opened = device_->descriptor();
+  info_.capabilities = device_->device_capabilities();
+  info_.moves_hand = info_.capabilities.has_force();
+  if (!opened.serial.empty()) info_.serial = text_of(opened.serial);
+  if (!opened.label.empty()) info_.label = text_of(opened.label);
+  model_label_ = info_.label;
+  open_ids().push_back(info_.id);
+}
+
+PenDevice::PenDevice(PenDeviceInfo info, const StylusPreset& preset, const SimulatedHand& hand)
+    : info_(std::move(info)),
+      stylus_(std::make_unique<SimulatedStylus>(preset, hand)),
+      options_(script_options_for(preset, hand)),
+      device_(std::make_unique<OpenDevice>(*stylus_)) {}
+
+PenDevice::~PenDevice() {
+  if (stylus_) return;
+  const auto at = std::find(open_ids().begin(), open_ids().end(), info_.id);
+  if (at != open_ids().end()) open_ids().erase(at);
+}
+
+void PenDevice::set_profile(const DeviceProfile& profile) {
+  if (stylus_) return;
+  const QString name = text_of(profile.name);
+  info_.label = name.isEmpty() ? model_label_ : name;
+  info_.short_label = name;
+  device_->set_profile(profile);
+}
+
+bool PenDevice::is_open(const QString& id) {
+  return std::find(open_ids().begin(), open_ids().end(), id) != open_ids().end();
+}
 
 int add_pen_driver(PenDriver driver) {
   static int number = 0;

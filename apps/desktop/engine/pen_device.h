@@ -7,9 +7,8 @@
 
 #include "felt/base/result.h"
 #include "felt/devices/simulated/hand_script.h"
-#include "felt/driver/device_profile.h"
-#include "felt/driver/driver.h"
-#include "felt/rt/device.h"
+#include "felt/devices/simulated/simulated_stylus.h"
+#include "felt/driver/open_device.h"
 
 namespace felt::desktop {
 
@@ -32,49 +31,44 @@ struct PenDeviceInfo {
   bool is_connected = true;
   QString serial = {};          ///< empty: unknown
   Capabilities capabilities{};  ///< as far as they are known while it is closed
-  /// Where its drawing plane usually lies, until a person has shown it.
-  PlaneCalibration default_plane{};
 };
 
-/// A device in use, and what drives it where no person holds it.
+/// A device in use: one that its user holds, or a simulated one in a simulated hand.
 class PenDevice {
  public:
-  virtual ~PenDevice() = default;
-  [[nodiscard]] virtual const PenDeviceInfo& info() const noexcept = 0;
-  [[nodiscard]] virtual Device& device() noexcept = 0;
-  /// The hand that mouse, tablet and keys lead; null where a person holds the device.
-  [[nodiscard]] virtual HandInput* hand() noexcept = 0;
+  /// Opened by a driver; `info` is what was known of it while it was closed.
+  PenDevice(PenDeviceInfo info, std::unique_ptr<OpenDevice> device);
+  PenDevice(PenDeviceInfo info, const StylusPreset& preset, const SimulatedHand& hand);
+  PenDevice(const PenDevice&) = delete;
+  PenDevice& operator=(const PenDevice&) = delete;
+  ~PenDevice();
+
+  [[nodiscard]] const PenDeviceInfo& info() const noexcept { return info_; }
+  [[nodiscard]] OpenDevice& device() noexcept { return *device_; }
+  /// The hand that mouse, tablet and keys move; null if the user holds the device.
+  [[nodiscard]] HandInput* hand() noexcept { return stylus_.get(); }
   /// How that hand presses on it.
-  [[nodiscard]] virtual const HandScriptOptions& hand_options() const noexcept = 0;
-  /// Through which device()'s places come from its own frame.
-  [[nodiscard]] virtual PlaneCalibration calibration() const noexcept { return {}; }
-  /// Seen through another profile from now on, and within its limits; while no loop runs. Nothing
-  /// where no driver's device is in use.
-  virtual void follow(const DeviceProfile& profile) { static_cast<void>(profile); }
-  /// How it is, with its maker's words: DriverDevice::status().
-  [[nodiscard]] virtual DeviceStatus status() noexcept { return {}; }
-  /// Its pen touches, or lifts, since a key says so: DriverDevice::set_pen_down(). False: it knows
-  /// by itself.
-  virtual bool set_pen_down(bool is_down) noexcept {
-    static_cast<void>(is_down);
-    return false;
-  }
-  /// The maker's loop that must run it; null: ours does.
-  [[nodiscard]] virtual LoopHost* loop_host() noexcept { return nullptr; }
-  /// What it needs before it can be read, while no loop runs: DriverDevice::homing().
-  [[nodiscard]] virtual Homing homing() noexcept { return Homing::kNone; }
-  [[nodiscard]] virtual QString homing_words() { return {}; }
-  /// Blocks, some seconds at most; any one thread while no loop runs.
-  virtual Result<void> find_home() { return {}; }
+  [[nodiscard]] const HandScriptOptions& hand_options() const noexcept { return options_; }
+  /// Changes name, plane and limits of the user's device, while no loop runs; does nothing for a
+  /// simulated one.
+  void set_profile(const DeviceProfile& profile);
+  /// Returns true if a driver's device of this id is in use in any window.
+  [[nodiscard]] static bool is_open(const QString& id);
+
+ private:
+  PenDeviceInfo info_;
+  QString model_label_;  // without a name of the user
+  std::unique_ptr<SimulatedStylus> stylus_;
+  HandScriptOptions options_;
+  std::unique_ptr<OpenDevice> device_;
 };
 
 /// A maker of devices: what a driver adds once, at the start of the program (DriverWatch).
 struct PenDriver {
   /// What is there now. Quick: asked whenever a list is shown.
   std::function<std::vector<PenDeviceInfo>()> find;
-  /// Opens one that it found, in the device's own frame. Error: says what to do.
-  std::function<Result<std::unique_ptr<PenDevice>>(const QString& id, const OpenOptions& options)>
-      open;
+  /// Opens one that it found. Error: says what to do.
+  std::function<Result<std::unique_ptr<OpenDevice>>(const QString& id, DeviceSetup setup)> open;
 };
 
 /// Main thread, like all of these. Returns a number for remove_pen_driver.

@@ -26,7 +26,7 @@ UseDevice Studio::used_device() const {
 }
 
 void Studio::start_loop() {
-  Device& device = device_->device();
+  OpenDevice& device = device_->device();
   ServoOptions options;
   options.period_ns = device.capabilities().period_ns;
   options.limits = limits_for(device.capabilities(), force_limit_n_);
@@ -43,7 +43,7 @@ void Studio::start_loop() {
   if (listener_.loop) listener_.loop(servo_.get(), clock_start_ns_);
   if (options_.live) {
     thread_ = std::make_unique<RealtimeThread>(
-        *servo_, RealtimeOptions{.lock_memory = device_->info().moves_hand}, device_->loop_host());
+        *servo_, RealtimeOptions{.lock_memory = device_->info().moves_hand}, device.loop_host());
     start_error_.clear();
     if (const Result<void> started = thread_->start(); !started) {
       start_error_ = started.error().message;
@@ -112,7 +112,7 @@ std::unique_ptr<PenDevice> Studio::use_device(std::unique_ptr<PenDevice> device)
 void Studio::follow(const DeviceProfile& profile) {
   const bool has_ended = stop_loop();
   servo_.reset();
-  if (has_ended) device_->follow(profile);
+  if (has_ended) device_->set_profile(profile);
   begin_with_device();
 }
 
@@ -120,7 +120,7 @@ void Studio::follow(const DeviceProfile& profile) {
 void Studio::begin_with_device() {
   told_faults_ = 0;
   told_fault_.reset();
-  told_notice_ = device_->status().notice;  // whoever opened it has shown this one
+  told_notice_ = device_->device().status().notice;  // whoever opened it has shown this one
   static_cast<void>(session_->apply({event_time_ns(), used_device()}));
   pen_ = {};
   start_loop();
@@ -132,7 +132,7 @@ void Studio::begin_with_device() {
 }
 
 DeviceStatus Studio::device_status() {
-  DeviceStatus status = device_->status();
+  DeviceStatus status = device_->device().status();
   if (!thread_ || status.fault) return status;
   if (!start_error_.empty()) {
     status.vendor_words = ShortText(start_error_);

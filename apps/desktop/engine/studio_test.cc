@@ -281,23 +281,26 @@ TEST(Studio, AdvanceIsDeterministic) {
 }
 
 /// A pen of which a call never comes back until the test says so.
-struct HangingPen final : PenDevice, Device {
+struct HangingPen final : DriverDevice {
   struct Call {
     std::atomic<bool> hangs{false}, is_in{false};
     std::atomic<int> stops{0};
   };
   explicit HangingPen(Call& its_call) : call(its_call) {
-    about.id = QStringLiteral("hanging:1");
-    about.label = QStringLiteral("The hanging one");
-    about.moves_hand = true;
     about.capabilities.max_force_n = about.capabilities.continuous_force_n = 3.0;
     about.capabilities.max_stiffness_n_per_m = 400.0;
     about.capabilities.max_damping_n_s_per_m = 4.0;
   }
-  [[nodiscard]] const PenDeviceInfo& info() const noexcept override { return about; }
-  [[nodiscard]] Device& device() noexcept override { return *this; }
-  [[nodiscard]] HandInput* hand() noexcept override { return nullptr; }
-  [[nodiscard]] const HandScriptOptions& hand_options() const noexcept override { return options; }
+  static std::unique_ptr<PenDevice> open(Call& call) {
+    PenDeviceInfo info;
+    info.id = QStringLiteral("hanging:1");
+    info.label = QStringLiteral("The hanging one");
+    return std::make_unique<PenDevice>(
+        info, std::make_unique<OpenDevice>(std::make_unique<HangingPen>(call), PlaneCalibration(),
+                                           DeviceSetup()));
+  }
+  [[nodiscard]] const DeviceDescriptor& descriptor() const noexcept override { return about; }
+  [[nodiscard]] DeviceStatus status() noexcept override { return {}; }
   [[nodiscard]] std::string_view name() const noexcept override { return "hanging"; }
   [[nodiscard]] const Capabilities& capabilities() const noexcept override {
     return about.capabilities;
@@ -313,8 +316,7 @@ struct HangingPen final : PenDevice, Device {
   void stop() noexcept override { ++call.stops; }
 
   Call& call;
-  PenDeviceInfo about;
-  HandScriptOptions options;
+  DeviceDescriptor about;
 };
 
 TEST(Studio, ADeviceThatHangsIsGivenUpAndTheDrawingGoesOn) {
@@ -325,7 +327,7 @@ TEST(Studio, ADeviceThatHangsIsGivenUpAndTheDrawingGoesOn) {
   Studio studio(options);
   QStringList refused;
   QObject::connect(&studio, &Studio::refused, [&](const QString& why) { refused << why; });
-  EXPECT_NE(studio.use_device(std::make_unique<HangingPen>(call)), nullptr);
+  EXPECT_NE(studio.use_device(HangingPen::open(call)), nullptr);
   call.hangs = true;
   while (!call.is_in) std::this_thread::sleep_for(std::chrono::milliseconds(1));
 
@@ -341,7 +343,7 @@ TEST(Studio, ADeviceThatHangsIsGivenUpAndTheDrawingGoesOn) {
   while (call.stops == 0) std::this_thread::sleep_for(std::chrono::milliseconds(1));
 
   // Likewise where another takes its place: there is none to be given back.
-  EXPECT_NE(studio.use_device(std::make_unique<HangingPen>(call)), nullptr);
+  EXPECT_NE(studio.use_device(HangingPen::open(call)), nullptr);
   call.is_in = false;
   call.hangs = true;
   while (!call.is_in) std::this_thread::sleep_for(std::chrono::milliseconds(1));

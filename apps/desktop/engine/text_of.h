@@ -3,10 +3,16 @@
 #include <QString>
 #include <string_view>
 
+#include "felt/base/result.h"
+
 namespace felt::desktop {
 
-inline QString text_of(std::string_view utf8) {
-  return QString::fromUtf8(utf8.data(), qsizetype(utf8.size()));
+/// The library's texts (UTF-8) as Qt's.
+inline QString text_of(std::string_view text) {
+  return QString::fromUtf8(text.data(), qsizetype(text.size()));
+}
+inline QString text_of(const Error& error) {
+  return text_of(error.message);
 }
 
 }  // namespace felt::desktop

@@ -11,7 +11,7 @@
 #include "desktop/files/clipboard.h"
 #include "desktop/files/error_words.h"
 #include "felt/document/visible_strokes.h"
-#include "felt/formats/own_materials.h"
+#include "felt/formats/drawing_materials.h"
 
 namespace felt::desktop {
 namespace {

@@ -13,6 +13,7 @@
 #include <utility>
 
 #include "desktop/engine/settings.h"
+#include "desktop/engine/text_of.h"
 #include "desktop/engine/usual_color.h"
 #include "desktop/files/added_strokes.h"
 #include "desktop/files/clipboard_actions.h"
@@ -21,15 +22,11 @@
 #include "desktop/files/output_actions.h"
 #include "desktop/files/settings_keys.h"
 #include "felt/document/visible_strokes.h"
-#include "felt/formats/own_materials.h"
+#include "felt/formats/drawing_materials.h"
 #include "felt/session/session_medium.h"
 
 namespace felt::desktop {
 namespace {
-
-QString text_of(const Error& error) {
-  return QString::fromStdString(error.message);
-}
 
 QStringList local_files(const QMimeData* data) {
   QStringList paths;

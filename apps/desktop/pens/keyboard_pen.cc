@@ -59,7 +59,7 @@ bool KeyboardPen::press(const QKeyEvent& event) {
     return true;
   }
   if (event.isAutoRepeat()) return true;
-  if (canvas_.studio().device().set_pen_down(true)) {
+  if (canvas_.studio().device().device().set_pen_down(true)) {
     held_ = event.key();
     Q_EMIT said(tr("The pen is down"));
     return true;
@@ -81,7 +81,7 @@ void KeyboardPen::release(const QKeyEvent& event) {
 
 void KeyboardPen::let_go() {
   if (std::exchange(held_, 0) == 0) return;
-  canvas_.studio().device().set_pen_down(false);
+  canvas_.studio().device().device().set_pen_down(false);
   Q_EMIT said(tr("The pen is up"));
 }
 

@@ -457,13 +457,14 @@ TEST_F(PenInputTest, AFingerDrawsWhereItMay) {
 }
 
 /// A device that moves in the plane only, held by a person who draws a line to the right with it.
-class PlanarPen final : public PenDevice, public Device {
+class PlanarPen final : public DriverDevice {
  public:
-  explicit PlanarPen(PenDeviceInfo info) : info_(std::move(info)) {}
-  [[nodiscard]] const PenDeviceInfo& info() const noexcept override { return info_; }
-  [[nodiscard]] Device& device() noexcept override { return *this; }
-  [[nodiscard]] HandInput* hand() noexcept override { return nullptr; }
-  [[nodiscard]] const HandScriptOptions& hand_options() const noexcept override { return options_; }
+  explicit PlanarPen(const Capabilities& capabilities) {
+    descriptor_.label = "Planar";
+    descriptor_.capabilities = capabilities;
+  }
+  [[nodiscard]] const DeviceDescriptor& descriptor() const noexcept override { return descriptor_; }
+  [[nodiscard]] DeviceStatus status() noexcept override { return {}; }
   bool set_pen_down(bool is_down) noexcept override {
     is_down_ = is_down;
     return true;
@@ -471,7 +472,7 @@ class PlanarPen final : public PenDevice, public Device {
 
   [[nodiscard]] std::string_view name() const noexcept override { return "planar"; }
   [[nodiscard]] const Capabilities& capabilities() const noexcept override {
-    return info_.capabilities;
+    return descriptor_.capabilities;
   }
   tl::expected<PenSample, DeviceFault> read(std::int64_t now_ns) noexcept override {
     const double x_mm = 20.0 + 1e-8 * static_cast<double>(now_ns);  // 10 mm/s
@@ -481,8 +482,7 @@ class PlanarPen final : public PenDevice, public Device {
   void stop() noexcept override {}
 
  private:
-  PenDeviceInfo info_;
-  HandScriptOptions options_;
+  DeviceDescriptor descriptor_;
   bool is_down_ = false;
 };
 
@@ -497,9 +497,10 @@ TEST_F(PenInputTest, AKeyThatIsHeldPutsAPlanarDevicesPenDown) {
   info.has_own_frame = true;  // as the 2DIY: it is seen through its person's plane
   const int driver = add_pen_driver(
       {[info] { return std::vector<PenDeviceInfo>{info}; },
-       [info](const QString&, const OpenOptions& asked) -> Result<std::unique_ptr<PenDevice>> {
-         EXPECT_FALSE(asked.pen_begins_down);
-         return std::make_unique<PlanarPen>(info);
+       [info](const QString&, const DeviceSetup& asked) -> Result<std::unique_ptr<OpenDevice>> {
+         EXPECT_FALSE(asked.open.pen_begins_down);
+         return std::make_unique<OpenDevice>(std::make_unique<PlanarPen>(info.capabilities),
+                                             PlaneCalibration(), asked);
        }});
   ASSERT_TRUE(studio_.use_device(info.id));
   wait(300);

@@ -25,29 +25,14 @@ namespace {
 constexpr std::int64_t kFrameNs = 16'000'000;
 
 /// Stands for a device that somebody has plugged in: no picture shows what happens to be there.
-class ShownPen final : public PenDevice {
- public:
-  explicit ShownPen(PenDeviceInfo info)
-      : info_(std::move(info)), stylus_(*find_stylus_preset("touch")) {}
-
-  static PenDeviceInfo touch() {
-    PenDeviceInfo info;
-    info.id = QStringLiteral("openhaptics:default");
-    info.label = QStringLiteral("3D Systems Touch");
-    info.moves_hand = info.has_own_frame = true;
-    info.capabilities = find_stylus_preset("touch")->capabilities;
-    return info;
-  }
-  [[nodiscard]] const PenDeviceInfo& info() const noexcept override { return info_; }
-  [[nodiscard]] Device& device() noexcept override { return stylus_; }
-  [[nodiscard]] HandInput* hand() noexcept override { return nullptr; }
-  [[nodiscard]] const HandScriptOptions& hand_options() const noexcept override { return options_; }
-
- private:
-  PenDeviceInfo info_;
-  SimulatedStylus stylus_;
-  HandScriptOptions options_;
-};
+PenDeviceInfo shown_pen() {
+  PenDeviceInfo info;
+  info.id = QStringLiteral("openhaptics:default");
+  info.label = QStringLiteral("3D Systems Touch");
+  info.moves_hand = info.has_own_frame = true;
+  info.capabilities = find_stylus_preset("touch")->capabilities;
+  return info;
+}
 
 int complain(const QString& text) {
   std::fprintf(stderr, "feltline-desktop: %s\n", qPrintable(text));
@@ -144,11 +129,12 @@ int make_picture(const PictureRequest& request) {
   Studio& studio = window.studio();
   const DriverWatch drivers({});
   if (request.dialog == QStringLiteral("preferences/device")) {
-    add_pen_driver({[] { return std::vector{ShownPen::touch()}; },
-                    [](const QString&, const OpenOptions&) -> Result<std::unique_ptr<PenDevice>> {
-                      return std::make_unique<ShownPen>(ShownPen::touch());
+    static SimulatedStylus stylus(*find_stylus_preset("touch"));
+    add_pen_driver({[] { return std::vector{shown_pen()}; },
+                    [](const QString&, const DeviceSetup&) -> Result<std::unique_ptr<OpenDevice>> {
+                      return std::make_unique<OpenDevice>(stylus);
                     }});
-    if (!studio.use_device(ShownPen::touch().id)) return 1;
+    if (!studio.use_device(shown_pen().id)) return 1;
   }
   if (!request.example.isEmpty()) studio.open(example_document(request.example), SheetPage{});
   if (!request.script.isEmpty()) {

@@ -58,7 +58,7 @@ struct OpenOptions {
 /// A device that a driver has opened; closed by its destructor, without force.
 ///
 /// Its frame is the device's own, in mm and N, with its axes as the maker has them: a
-/// `CalibratedDevice` maps it to the sheet. A device that takes no force at present (its button, a
+/// `OpenDevice` maps it to the sheet. A device that takes no force at present (its button, a
 /// guard, warm motors) is still read: write() says kForcesOff or kOverheated then, read() goes on,
 /// and so does the drawing. Threads: read(), write(), stop() as in Device; the rest
 /// on the edit thread. Once read() has said kDisconnected it says so for ever: whoever owns it

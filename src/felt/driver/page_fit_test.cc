@@ -6,7 +6,7 @@
 #include <limits>
 #include <random>
 
-#include "felt/driver/calibrated_device.h"
+#include "felt/driver/open_device.h"
 #include "felt/haptics/force.h"
 #include "felt/haptics/safety/safety_limits.h"
 #include "felt/rt/testing/scripted_device.h"
@@ -97,7 +97,7 @@ TEST(PageFit, ReachIsWhatAStraightWayThroughTheMiddleHas) {
   }
 }
 
-// What plane_calibration.h derives, measured at the device through CalibratedDevice.
+// What plane_calibration.h derives, measured at the device through OpenDevice.
 TEST(ScaledSheet, ForceStiffnessDampingAndWorkAreWhatTheHeaderSays) {
   for (std::uint32_t seed = 1; seed <= 300; ++seed) {
     SCOPED_TRACE(seed);
@@ -105,7 +105,7 @@ TEST(ScaledSheet, ForceStiffnessDampingAndWorkAreWhatTheHeaderSays) {
     const double s = any.between(0.5, 2);
     const PlaneCalibration plane = any.plane(s);
     ScriptedDevice inner;
-    CalibratedDevice device(inner, plane);
+    OpenDevice device(inner, plane);
     const double stiffness = any.between(100, 900), damping = any.between(0, 3);
     // A spring and a damper on the sheet, about the sheet's (100, 80, 0).
     const auto force_at = [&](const Vec3& hand_mm, const Vec3& hand_mm_per_s) {

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "felt/formats/own_materials.h"
+#include "felt/formats/drawing_materials.h"
 #include "felt/material/relief.h"
 
 namespace felt {

@@ -5,10 +5,10 @@
 #include <utility>
 
 #include "felt/base/read_file.h"
+#include "felt/formats/drawing_materials.h"
 #include "felt/formats/format_traits.h"
 #include "felt/formats/layered_drawing.h"
 #include "felt/formats/line_drawing.h"
-#include "felt/formats/own_materials.h"
 #include "felt/io/inkml/inkml_import.h"
 #include "felt/io/quickdraw/quickdraw_import.h"
 #include "felt/io/svg/svg_import.h"

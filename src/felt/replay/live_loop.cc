@@ -1,23 +1,13 @@
 #include "felt/replay/live_loop.h"
 
-#include <optional>
 #include <utility>
 
-#include "felt/driver/page_fit.h"
 #include "felt/rt/abandon.h"
 
 namespace felt {
 namespace {
 
-/// What a person has shown; else the driver's usual plane, with the whole reach on the page.
-PlaneCalibration plane_of(const std::optional<PlaneCalibration>& shown, const RealDevice& device,
-                          const DriverDevice& open, const Rect& page) {
-  if (shown) return *shown;
-  const PlaneCalibration usual = device.driver->default_plane(open.descriptor(), OpenOptions());
-  return fit_to_page(usual, reach_of(usual, open.capabilities()), page, 1.0);
-}
-
-Result<void> find_home(DriverDevice& device, const LiveLoop::MayMove& may_move) {
+Result<void> find_home(OpenDevice& device, const LiveLoop::MayMove& may_move) {
   if (device.homing() == Homing::kNone) return {};
   if (may_move && !may_move(device.homing_words())) {
     return fail(ErrorCode::kUnsupported, device.descriptor().id +
@@ -29,29 +19,22 @@ Result<void> find_home(DriverDevice& device, const LiveLoop::MayMove& may_move) 
 
 }  // namespace
 
-LiveLoop::LiveLoop(std::unique_ptr<DriverDevice> device, const DeviceProfile& profile,
-                   const PlaneCalibration& plane, double force_limit_n)
-    : device_(std::move(device)),
-      calibrated_(std::make_unique<CalibratedDevice>(*device_, profile, plane)) {
+LiveLoop::LiveLoop(std::unique_ptr<OpenDevice> device, double force_limit_n)
+    : device_(std::move(device)) {
   ServoOptions options;
-  options.period_ns = capabilities().period_ns;
-  options.limits = limits_for(capabilities(), force_limit_n);
-  servo_ = std::make_unique<Servo>(*calibrated_, options);
+  options.period_ns = device_->capabilities().period_ns;
+  options.limits = limits_for(device_->capabilities(), force_limit_n);
+  servo_ = std::make_unique<Servo>(*device_, options);
   thread_ = std::make_unique<RealtimeThread>(*servo_, RealtimeOptions(), device_->loop_host());
 }
 
 Result<std::unique_ptr<LiveLoop>> LiveLoop::start(const RealDevice& device, const Rect& page,
-                                                  double force_limit_n, const MayMove& may_move) {
-  Result<std::unique_ptr<DriverDevice>> opened = device.driver->open(device.found, OpenOptions());
+                                                 double force_limit_n, const MayMove& may_move) {
+  Result<std::unique_ptr<OpenDevice>> opened =
+      OpenDevice::open(*device.driver, device.found, {.profile = device.profile, .page = page});
   if (!opened) return tl::unexpected(opened.error());
   if (Result<void> home = find_home(**opened, may_move); !home) return tl::unexpected(home.error());
-  const DeviceDescriptor& now = (*opened)->descriptor();
-  DeviceProfile profile = device.profile;
-  forget_planes_of_another(profile, now.serial);  // known now that it is open
-  const auto shown = std::exchange(profile.plane, std::nullopt);
-  const PlaneCalibration plane =
-      now.has_own_frame ? plane_of(shown, device, **opened, page) : PlaneCalibration();
-  std::unique_ptr<LiveLoop> loop(new LiveLoop(*std::move(opened), profile, plane, force_limit_n));
+  std::unique_ptr<LiveLoop> loop(new LiveLoop(*std::move(opened), force_limit_n));
   loop->servo_->heartbeat(loop->thread_->now_ns());
   if (Result<void> started = loop->thread_->start(); !started) {
     return tl::unexpected(started.error());
@@ -72,7 +55,7 @@ LiveLoop::~LiveLoop() {
 bool LiveLoop::stop() noexcept {
   if (!thread_) return false;
   if (thread_->stop()) return true;
-  abandon(std::move(thread_), std::move(servo_), std::move(calibrated_), std::move(device_));
+  abandon(std::move(thread_), std::move(servo_), std::move(device_));
   return false;
 }
 

@@ -2,10 +2,8 @@
 
 #include <functional>
 #include <memory>
-#include <optional>
-#include <string>
 
-#include "felt/driver/calibrated_device.h"
+#include "felt/driver/open_device.h"
 #include "felt/geometry/rect.h"
 #include "felt/replay/real_device.h"
 #include "felt/rt/realtime_thread.h"
@@ -35,23 +33,14 @@ class LiveLoop {
   /// After stop() that was true: ticks again, forces off. Error: as start().
   Result<void> go_on();
 
-  /// In the sheet's frame, its plane's scale counted, with the person's limits.
-  [[nodiscard]] const Capabilities& capabilities() const noexcept {
-    return calibrated_->capabilities();
-  }
+  [[nodiscard]] OpenDevice& device() noexcept { return *device_; }
   [[nodiscard]] Servo& servo() noexcept { return *servo_; }
   [[nodiscard]] RealtimeThread& thread() noexcept { return *thread_; }
-  [[nodiscard]] DeviceStatus status() noexcept { return device_->status(); }
-  [[nodiscard]] const DeviceDescriptor& descriptor() const noexcept {
-    return device_->descriptor();
-  }
 
  private:
-  LiveLoop(std::unique_ptr<DriverDevice> device, const DeviceProfile& profile,
-           const PlaneCalibration& plane, double force_limit_n);
+  LiveLoop(std::unique_ptr<OpenDevice> device, double force_limit_n);
 
-  std::unique_ptr<DriverDevice> device_;
-  std::unique_ptr<CalibratedDevice> calibrated_;
+  std::unique_ptr<OpenDevice> device_;
   std::unique_ptr<Servo> servo_;
   std::unique_ptr<RealtimeThread> thread_;
 };

@@ -61,7 +61,7 @@ Result<void> RecordRun::begin() {
   offset_ns_ = last_ns_ - loop_->thread().now_ns();
   if (last_ns_ == 0) offset_ns_ = 0;
   notice(describe(loop_->thread().status()));
-  const UseDevice device{with_force_limit(loop_->capabilities(), options_.force_limit_n)};
+  const UseDevice device{with_force_limit(loop_->device().capabilities(), options_.force_limit_n)};
   if (Result<void> told = session_.apply({last_ns_, device}); !told) return told;
   loop_->servo().set_session_offset(offset_ns_);
   loop_->servo().publish(session_.force());
@@ -131,7 +131,7 @@ Result<void> RecordRun::turn() {
   report_faults(report);
   report_status(report);
   handle_enter();
-  const DeviceStatus status = loop_->status();
+  const DeviceStatus status = loop_->device().status();
   if (status.fault == DeviceFault::kDisconnected) {
     return reconnect(std::string(describe(*status.fault)) + vendor_words(status));
   }
@@ -152,7 +152,7 @@ Result<void> RecordRun::report_tick(const TickReport& report) {
 }
 
 void RecordRun::report_faults(const TickReport& report) {
-  const DeviceStatus status = loop_->status();
+  const DeviceStatus status = loop_->device().status();
   if (status.fault != reported_device_fault_) {
     reported_device_fault_ = status.fault;
     if (status.fault) {

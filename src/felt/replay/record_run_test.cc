@@ -355,9 +355,9 @@ TEST(LiveLoopTest, LimitsCountThePlanesScaleAndThePersonsWishes) {
     EXPECT_EQ(used.cut_m_per_s, right.cut_m_per_s) << own_frame;
     EXPECT_EQ(used.jump_mm_per_ms, right.jump_mm_per_ms) << own_frame;
     EXPECT_EQ(used.peak_force_n, right.peak_force_n) << own_frame;
-    EXPECT_EQ((*loop)->capabilities().max_stiffness_n_per_m,
+    EXPECT_EQ((*loop)->device().capabilities().max_stiffness_n_per_m,
               plane.to_sheet(limited).max_stiffness_n_per_m);
-    EXPECT_EQ((*loop)->capabilities().max_force_n, plane.to_sheet(limited).max_force_n);
+    EXPECT_EQ((*loop)->device().capabilities().max_force_n, plane.to_sheet(limited).max_force_n);
     EXPECT_TRUE((*loop)->stop());
   }
 }

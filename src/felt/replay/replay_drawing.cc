@@ -2,7 +2,7 @@
 
 #include <variant>
 
-#include "felt/formats/own_materials.h"
+#include "felt/formats/drawing_materials.h"
 #include "felt/material/material_file.h"
 #include "felt/stroke/color_text.h"
 

@@ -53,7 +53,7 @@ class Device {
   /// no force depends on these. On the haptic thread, after read().
   virtual std::optional<PenSample> between() noexcept { return std::nullopt; }
   /// Along the pen, of any length, in the frame of its places, as of the last read(): for drivers
-  /// that know how it is held but not yet where the sheet lies. CalibratedDevice, which does, makes
+  /// that know how it is held but not yet where the sheet lies. OpenDevice, which does, makes
   /// PenSample::lean_deg of it. None where the device does not know. On the haptic thread, after
   /// read().
   virtual std::optional<Vec3> pen_axis() noexcept { return std::nullopt; }

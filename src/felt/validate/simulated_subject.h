@@ -26,7 +26,7 @@ class SimulatedSubject final : public TestSubject, public TestPerson {
   [[nodiscard]] const DeviceDescriptor& descriptor() const noexcept override { return descriptor_; }
   Result<void> open() override;
   void close() noexcept override;
-  [[nodiscard]] Device* device() noexcept override { return is_open_ ? &plug_ : nullptr; }
+  [[nodiscard]] OpenDevice* device() noexcept override { return is_open_ ? &device_ : nullptr; }
   bool is_connected() override { return !unplugged_; }
 
   // TestPerson
@@ -57,6 +57,7 @@ class SimulatedSubject final : public TestSubject, public TestPerson {
   HandInput& hand_;
   DeviceDescriptor descriptor_;
   Plug plug_;
+  OpenDevice device_{plug_};
   Vec3 middle_;
   PersonTask task_ = PersonTask::kLeaveAlone;
   std::int64_t now_ns_ = 0;

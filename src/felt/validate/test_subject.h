@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <string>
 
-#include "felt/driver/driver.h"
+#include "felt/driver/open_device.h"
 
 namespace felt {
 
@@ -20,18 +20,10 @@ class TestSubject {
   /// Opens it, without finding its home. Error: why not.
   virtual Result<void> open() = 0;
   virtual void close() noexcept = 0;
-  /// In the sheet's frame; null while it is closed.
-  [[nodiscard]] virtual Device* device() noexcept = 0;
-  /// Its maker's own loop, as in DriverDevice.
-  [[nodiscard]] virtual LoopHost* loop_host() noexcept { return nullptr; }
-  /// What it needs before it can be read; the words are for the person.
-  [[nodiscard]] virtual Homing homing() noexcept { return Homing::kNone; }
-  [[nodiscard]] virtual std::string homing_words() { return {}; }
-  virtual Result<void> find_home() { return {}; }
-  /// Is it connected now? Looks anew.
+  /// Null while it is closed.
+  [[nodiscard]] virtual OpenDevice* device() noexcept = 0;
+  /// Returns true if it is connected now. Looks again.
   virtual bool is_connected() = 0;
-  /// What its maker last said of a fault, verbatim; empty: nothing.
-  [[nodiscard]] virtual std::string vendor_words() { return {}; }
 };
 
 /// What the person at the device is asked to do.

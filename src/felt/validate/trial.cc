@@ -35,7 +35,7 @@ Trial::Trial(TestSubject& subject, TestLoop& loop, const std::function<bool()>& 
 Result<std::unique_ptr<Trial>> Trial::begin(TestSubject& subject, TestLoop& loop,
                                             const std::function<bool()>& is_cancelled) {
   std::unique_ptr<Trial> trial(new Trial(subject, loop, is_cancelled));
-  if (Result<void> started = loop.start(*trial->servo_, subject.loop_host()); !started) {
+  if (Result<void> started = loop.start(*trial->servo_, subject.device()->loop_host()); !started) {
     return tl::unexpected(started.error());
   }
   return trial;
@@ -75,8 +75,10 @@ void Trial::see(const ProbeTick& tick) {
   const std::optional<DeviceFault> fault = tick.read_fault ? tick.read_fault : tick.write_fault;
   if (!fault || expects_faults_ || !trouble_.empty()) return;
   trouble_ = std::string("the device failed meanwhile: ") + std::string(describe(*fault));
-  const std::string words = subject_.vendor_words();
-  if (!words.empty()) trouble_ += " It says: " + words;
+  OpenDevice* const device = subject_.device();
+  const DeviceStatus status = device ? device->status() : DeviceStatus();
+  const ShortText& words = status.vendor_words;
+  if (!words.empty()) trouble_ += " It says: " + std::string(words.view());
 }
 
 void Trial::arm() {

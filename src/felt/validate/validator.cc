@@ -46,12 +46,12 @@ Result<std::unique_ptr<Trial>> CheckContext::begin() {
   if (subject.device() == nullptr) {
     if (Result<void> opened = subject.open(); !opened) return tl::unexpected(opened.error());
   }
-  if (subject.homing() != Homing::kNone) {
-    if (!person.does(PersonTask::kFindHome, subject.homing_words())) {
+  if (OpenDevice& device = *subject.device(); device.homing() != Homing::kNone) {
+    if (!person.does(PersonTask::kFindHome, device.homing_words())) {
       return fail(ErrorCode::kUnsupported,
                   "it must find its home first, and nobody agreed to that");
     }
-    if (Result<void> home = subject.find_home(); !home) return tl::unexpected(home.error());
+    if (Result<void> home = device.find_home(); !home) return tl::unexpected(home.error());
   }
   return Trial::begin(subject, loop, options.is_cancelled);
 }

@@ -54,7 +54,7 @@ class BenchDevice final : public Device {
 
  private:
   DriverBench& bench_;
-  std::optional<CalibratedDevice> device_;
+  std::optional<OpenDevice> device_;
   std::optional<DeviceFault> unread_;
   Capabilities capabilities_;
 };

@@ -8,18 +8,18 @@
 #include <string_view>
 #include <vector>
 
-#include "felt/driver/calibrated_device.h"
 #include "felt/driver/driver.h"
+#include "felt/driver/open_device.h"
 #include "tests/devices/drivers/fake_world.h"
 
 namespace felt {
 
 /// A driver with a fake of its other side, on a virtual clock: whole drawing sessions run through
-/// the driver's real code. One per driver, in tests/devices/drivers/NAME_bench.cc; tests/devices/drivers/README.md
-/// says how to add it, and what the suites ask of it.
+/// the driver's real code. One per driver, in tests/devices/drivers/NAME_bench.cc;
+/// tests/devices/drivers/README.md says how to add it, and what the suites ask of it.
 ///
 ///   auto bench = make_driver_bench("haply", {});
-///   CalibratedDevice device(*bench->device(), bench->plane());    // in the sheet's frame
+///   OpenDevice device(*bench->device(), bench->plane());    // in the sheet's frame
 ///   ...  bench->hand().aim(...);  bench->before_tick(now_ns);  servo.step(now_ns);
 ///
 /// One thread calls all of it. Two benches may live at the same time. The same calls give the same

@@ -55,7 +55,7 @@ class DriverInTick final : public Device {
   [[nodiscard]] bool is_gone() const noexcept { return is_gone_; }
 
  private:
-  CalibratedDevice device_;
+  OpenDevice device_;
   bool is_gone_ = false;
 };
 

@@ -14,7 +14,7 @@
 #include "felt/devices/replay/replay_device.h"
 #include "felt/devices/simulated/faulty_device.h"
 #include "felt/devices/simulated/simulated_stylus.h"
-#include "felt/driver/calibrated_device.h"
+#include "felt/driver/open_device.h"
 #include "felt/haptics/bricks/drawing_feel.h"
 #include "felt/haptics/bricks/spring.h"
 #include "felt/haptics/bricks/well.h"
@@ -63,7 +63,7 @@ class LeaningDevice final : public Device {
 
  private:
   SimulatedStylus stylus_;
-  CalibratedDevice device_;
+  OpenDevice device_;
   PlaneCalibration table_;
 };
 

@@ -26,7 +26,7 @@ TEST(ForceDimensionPlane, AForceGoesWhereItPointsOnEachAxis) {
       ForceDimensionBench bench({});
       bench.world().stylus().hold({});  // nobody: it goes where it is pushed
       bench.world().stylus().place({70, 70, 0});
-      CalibratedDevice device(*bench.device(), bench.plane());
+      OpenDevice device(*bench.device(), bench.plane());
       Vec3 first, last;
       for (std::int64_t t = 0; t <= 30'000'000; t += 250'000) {
         bench.before_tick(t);

@@ -21,7 +21,7 @@
 
 #include "felt/devices/haply/haply_device.h"
 #include "felt/devices/haply/service_address.h"
-#include "felt/driver/calibrated_device.h"
+#include "felt/driver/open_device.h"
 #include "felt/driver/testing/fake_system.h"
 #include "felt/geometry/lean.h"
 #include "felt/rt/servo.h"
@@ -117,7 +117,7 @@ TEST(HaplyDriver, ForcesPointTheRightWayThroughTheUsualPlane) {
     ASSERT_TRUE(table.open().has_value());
     const PlaneCalibration plane = table.driver->default_plane(table.device->descriptor(), {});
     EXPECT_TRUE(plane.mirrors()) << "a right-handed device before a left-handed sheet";
-    CalibratedDevice device(*table.device, plane);
+    OpenDevice device(*table.device, plane);
     for (std::int64_t t = 0; t < 10 * kMs; t += kMs) {
       table.service.tick(t);
       ASSERT_TRUE(device.read(t).has_value());

@@ -12,8 +12,8 @@
 #include "felt/devices/openhaptics/hd_abi.h"
 #include "felt/devices/openhaptics/openhaptics_driver.h"
 #include "felt/devices/simulated/simulated_stylus.h"
-#include "felt/driver/calibrated_device.h"
 #include "felt/driver/device_models.h"
+#include "felt/driver/open_device.h"
 #include "felt/geometry/lean.h"
 #include "felt/rt/realtime_thread.h"
 #include "felt/rt/servo.h"
@@ -632,7 +632,7 @@ struct Drawing {
 
 TEST_F(OpenHaptics, ADrawingSessionRunsWithinTheSchedulersCallbacks) {
   open();
-  CalibratedDevice pen(*device, world.plane());
+  OpenDevice pen(*device, world.plane());
   Drawing driven(pen);
   ASSERT_TRUE(device->loop_host()
                   ->start_loop(
@@ -676,7 +676,7 @@ TEST_F(OpenHaptics, ADrawingSessionRunsWithinTheSchedulersCallbacks) {
 TEST_F(OpenHaptics, TheLibrarysOwnThreadRunsTheLoop) {
   fake->use_thread(1);
   open();
-  CalibratedDevice pen(*device, world.plane());
+  OpenDevice pen(*device, world.plane());
   const auto servo =
       std::make_unique<Servo>(pen, ServoOptions{.limits = limits_for(pen.capabilities())});
   stylus.place({40, 30, -2});

@@ -16,7 +16,7 @@
 
 #include "felt/devices/pantograph/pantograph_device.h"
 #include "felt/devices/pantograph/ports.h"
-#include "felt/driver/calibrated_device.h"
+#include "felt/driver/open_device.h"
 #include "felt/driver/testing/fake_system.h"
 #include "tests/devices/drivers/pantograph/fake_board.h"
 #include "tests/devices/drivers/said.h"
@@ -128,7 +128,7 @@ TEST(PantographDriver, ForcesPointTheRightWayThroughTheUsualPlane) {
   ASSERT_TRUE(table.open_at_home());
   const PlaneCalibration plane = table.driver->default_plane(table.device->descriptor(), {});
   EXPECT_TRUE(plane.mirrors());
-  CalibratedDevice device(*table.device, plane);
+  OpenDevice device(*table.device, plane);
   std::int64_t t = 0;
   const auto held = [&](const Force& on_sheet) {
     for (int i = 0; i < 8; ++i, t += kMs) {

@@ -15,13 +15,13 @@
 
 namespace felt::cli {
 
-/// For tests: a driver that says what it is told, or does what a vendor's library at its worst
+/// For tests: a driver that finds what the test says, or does what a vendor's library at its worst
 /// does.
-class ScriptedDriver final : public Driver {
+class HostileDriver final : public Driver {
  public:
   enum class Manner { kWell, kCrashes, kHangs, kExits, kThrows, kPrints };
 
-  explicit ScriptedDriver(std::string name, Manner manner = Manner::kWell)
+  explicit HostileDriver(std::string name, Manner manner = Manner::kWell)
       : name_(std::move(name)), label_("Maker of " + name_), manner_(manner) {}
 
   [[nodiscard]] std::string_view name() const noexcept override { return name_; }

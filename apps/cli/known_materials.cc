@@ -1,4 +1,4 @@
-#include "own_materials.h"
+#include "known_materials.h"
 
 #include "felt/io/picture/png.h"
 

@@ -1,4 +1,4 @@
-#include "felt/formats/own_materials.h"
+#include "felt/formats/drawing_materials.h"
 
 #include <algorithm>
 #include <set>

@@ -1,4 +1,4 @@
-#include "felt/formats/own_materials.h"
+#include "felt/formats/drawing_materials.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -45,7 +45,7 @@ StoredDrawing drawing_of(const std::string& medium, const std::string& surface) 
   return drawing;
 }
 
-TEST(OwnMaterials, ADrawingBringsWhatItUses) {
+TEST(DrawingMaterials, ADrawingBringsWhatItUses) {
   Materials known = Materials::built_in();
   known.put(my_paper());
   known.put(my_pen("my-pen"));
@@ -67,7 +67,7 @@ TEST(OwnMaterials, ADrawingBringsWhatItUses) {
   EXPECT_EQ(back.find_medium("other-pen"), nullptr);
 }
 
-TEST(OwnMaterials, TravelInEveryFormatThatHasASheet) {
+TEST(DrawingMaterials, TravelInEveryFormatThatHasASheet) {
   StoredDrawing drawing = drawing_of("my-pen", "my-paper");
   drawing.materials = {write_material(my_paper()), write_material(my_pen("my-pen"))};
   for (const FileFormat format : {FileFormat::kFelt, FileFormat::kSvg, FileFormat::kInkml}) {
@@ -81,7 +81,7 @@ TEST(OwnMaterials, TravelInEveryFormatThatHasASheet) {
   }
 }
 
-TEST(OwnMaterials, ABadOneIsNamedAndTheDrawingOpens) {
+TEST(DrawingMaterials, ABadOneIsNamedAndTheDrawingOpens) {
   StoredDrawing drawing = drawing_of("my-pen", "my-paper");
   const std::string good = write_material(my_paper());
   drawing.materials = {"kind = \"medium\"\nid = \"my-pen\"\nloudness = ", good, "hello"};
@@ -96,7 +96,7 @@ TEST(OwnMaterials, ABadOneIsNamedAndTheDrawingOpens) {
   }
 }
 
-TEST(OwnMaterials, TheGrainIsThatOfTheSheet) {
+TEST(DrawingMaterials, TheGrainIsThatOfTheSheet) {
   EXPECT_FALSE(grain_of(drawing_of("pencil", "")).value().is_smooth());  // paper
   EXPECT_TRUE(grain_of(drawing_of("pencil", "glass")).value().is_smooth());
   StoredDrawing drawing = drawing_of("pencil", "my-paper");
@@ -105,7 +105,7 @@ TEST(OwnMaterials, TheGrainIsThatOfTheSheet) {
   EXPECT_FALSE(grain_of(drawing).value().is_smooth());
 }
 
-TEST(OwnMaterials, WhatIsKnownHereCountsWhereTheDrawingSaysNothing) {
+TEST(DrawingMaterials, WhatIsKnownHereCountsWhereTheDrawingSaysNothing) {
   Materials here = Materials::built_in();
   here.put(my_paper());
   here.put(my_pen("my-pen"));
@@ -123,7 +123,7 @@ TEST(OwnMaterials, WhatIsKnownHereCountsWhereTheDrawingSaysNothing) {
 }
 
 // A picture of a part of the sheet, or one whose size nobody chose, names what it is drawn on.
-TEST(OwnMaterials, TheSheetIsNamedWithoutAPage) {
+TEST(DrawingMaterials, TheSheetIsNamedWithoutAPage) {
   const StoredDrawing drawing = drawing_of("pencil", "wood");
   WriteOptions part;
   part.area = Rect{0, 0, 50, 40};

@@ -1,11 +1,15 @@
-#include "felt/driver/calibrated_device.h"
+#include "felt/driver/open_device.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <memory>
+#include <mutex>
 #include <optional>
+#include <thread>
 #include <utility>
 
+#include "felt/driver/testing/scripted_driver.h"
 #include "felt/rt/testing/scripted_device.h"
 
 namespace felt {
@@ -17,10 +21,10 @@ PlaneCalibration leaning() {
   return *PlaneCalibration::from({Vec3{1, 0, 0}, Vec3{0, -c, s}, Vec3{0, s, c}}, {40, 30, -5});
 }
 
-TEST(CalibratedDevice, MapsPlacesInAndForcesOut) {
+TEST(OpenDevice, MapsPlacesInAndForcesOut) {
   ScriptedDevice inner;
   const PlaneCalibration map = leaning();
-  CalibratedDevice device(inner, map);
+  OpenDevice device(inner, map);
   inner.sample.position = map.to_device(Vec3{12, 34, -0.5});
   inner.sample.velocity = map.turn_to_device(Vec3{100, -50, 3});
   inner.sample.pressure = 0.25;
@@ -38,9 +42,9 @@ TEST(CalibratedDevice, MapsPlacesInAndForcesOut) {
 }
 
 // The same pen in the same hand leans more or less with how the board is set up before it.
-TEST(CalibratedDevice, ThePenLeansAgainstTheSheetNotTheDevice) {
+TEST(OpenDevice, ThePenLeansAgainstTheSheetNotTheDevice) {
   ScriptedDevice inner;
-  CalibratedDevice device(inner, leaning());
+  OpenDevice device(inner, leaning());
   EXPECT_EQ(device.read(1)->lean_deg, std::nullopt) << "no device, no lean";
   const PlaneCalibration map = leaning();
   inner.axis = map.rows()[2];  // out of the sheet
@@ -53,20 +57,20 @@ TEST(CalibratedDevice, ThePenLeansAgainstTheSheetNotTheDevice) {
   EXPECT_EQ(device.read(5)->lean_deg, 45.0);
 }
 
-TEST(CalibratedDevice, TheScaleOfTheSheetTurnsNoPen) {
+TEST(OpenDevice, TheScaleOfTheSheetTurnsNoPen) {
   ScriptedDevice inner;
   inner.axis = Vec3{1, 2, 4};
   const auto lean = [&](double scale) {
-    CalibratedDevice device(inner, *PlaneCalibration::from(leaning().rows(), {1, 2, 3}, scale));
+    OpenDevice device(inner, *PlaneCalibration::from(leaning().rows(), {1, 2, 3}, scale));
     return device.read(1)->lean_deg;
   };
   EXPECT_EQ(lean(0.5), lean(1.0));
   EXPECT_EQ(lean(2.0), lean(1.0));
 }
 
-TEST(CalibratedDevice, AnAxisWithoutDirectionIsNoLean) {
+TEST(OpenDevice, AnAxisWithoutDirectionIsNoLean) {
   ScriptedDevice inner;
-  CalibratedDevice device(inner, leaning());
+  OpenDevice device(inner, leaning());
   inner.sample.lean_deg = 12.0;
   EXPECT_EQ(device.read(1)->lean_deg, 12.0) << "what a device says by itself is kept";
   for (const Vec3& axis : {Vec3{}, Vec3{std::nan(""), 0, 1}, Vec3{HUGE_VAL, 0, 1}}) {
@@ -91,10 +95,10 @@ class BetweenTicks final : public Device {
   Capabilities none_;
 };
 
-TEST(CalibratedDevice, WhatWasBetweenTwoTicksIsMappedToo) {
+TEST(OpenDevice, WhatWasBetweenTwoTicksIsMappedToo) {
   BetweenTicks inner;
   const PlaneCalibration map = leaning();
-  CalibratedDevice device(inner, map);
+  OpenDevice device(inner, map);
   EXPECT_FALSE(device.between().has_value());
   inner.waits = PenSample{3, map.to_device(Vec3{7, 8, 9}), {}, 0.5, 1};
   const std::optional<PenSample> told = device.between();
@@ -104,9 +108,9 @@ TEST(CalibratedDevice, WhatWasBetweenTwoTicksIsMappedToo) {
   EXPECT_FALSE(device.between().has_value());
 }
 
-TEST(CalibratedDevice, FaultsAndStopsPassThrough) {
+TEST(OpenDevice, FaultsAndStopsPassThrough) {
   ScriptedDevice inner;
-  CalibratedDevice device(inner, leaning());
+  OpenDevice device(inner, leaning());
   EXPECT_EQ(device.name(), inner.name());
   inner.read_fault = DeviceFault::kDisconnected;
   EXPECT_EQ(device.read(1).error(), DeviceFault::kDisconnected);
@@ -116,24 +120,83 @@ TEST(CalibratedDevice, FaultsAndStopsPassThrough) {
   EXPECT_EQ(inner.stops, 1);
 }
 
-TEST(CalibratedDevice, APersonsProfileIsItsPlaneAndItsLimits) {
-  ScriptedDevice inner;
+std::unique_ptr<OpenDevice> opened(const std::shared_ptr<ScriptedArm>& arm,
+                                   const DeviceSetup& setup) {
+  ScriptedDriver driver(arm);
+  return *OpenDevice::open(driver, arm->descriptor, setup);
+}
+
+TEST(OpenDevice, AProfileIsItsPlaneAndItsLimits) {
+  const auto arm = std::make_shared<ScriptedArm>();
+  const Capabilities& can = arm->descriptor.capabilities;
+  const auto device = opened(arm, {});
+  const PlaneCalibration usual = ScriptedDriver(arm).default_plane(arm->descriptor, {});
+  EXPECT_EQ(device->plane(), usual);
+  EXPECT_EQ(device->capabilities(), usual.to_sheet(can));
   DeviceProfile profile;
-  const CalibratedDevice bare(inner, profile, leaning());
-  EXPECT_EQ(bare.calibration(), leaning());
-  EXPECT_EQ(bare.capabilities(), leaning().to_sheet(inner.capabilities()));
   profile.plane = PlaneCalibration::from(leaning().rows(), {1, 2, 3}, 2.0);
   profile.stiffness_cap_n_per_m = 100;
   profile.force_limit_n = 0.5;
-  const CalibratedDevice set(inner, profile, leaning());
-  EXPECT_EQ(set.calibration(), *profile.plane);
-  EXPECT_EQ(set.capabilities().max_stiffness_n_per_m, 50.0) << "100 N/m at the hand";
-  EXPECT_EQ(set.capabilities().advised_force_n, 0.5);
+  device->set_profile(profile);
+  EXPECT_EQ(device->plane(), *profile.plane);
+  EXPECT_EQ(device->default_plane(), usual);
+  EXPECT_EQ(device->capabilities().max_stiffness_n_per_m, 50.0) << "100 N/m at the hand";
+  EXPECT_EQ(device->capabilities().advised_force_n, 0.5);
+  EXPECT_EQ(device->device_capabilities(), can);
+  profile.serial = "OTHER-42";
+  device->set_profile(profile);
+  EXPECT_EQ(device->plane(), usual) << "that plane was set with another unit";
+  EXPECT_EQ(device->capabilities().advised_force_n, 0.5);
 }
 
-TEST(CalibratedDevice, TheSameFrameLeavesAllAsItIs) {
+TEST(OpenDevice, WithoutAPlaneOfTheUserTheReachIsOnThePage) {
+  const auto arm = std::make_shared<ScriptedArm>();
+  const auto device = opened(arm, {.page = Rect{0, 0, 300, 200}});
+  const Capabilities& can = device->capabilities();
+  EXPECT_NEAR(0.5 * (can.workspace_min.x + can.workspace_max.x), 150.0, 1e-9);
+  EXPECT_NEAR(0.5 * (can.workspace_min.y + can.workspace_max.y), 100.0, 1e-9);
+  EXPECT_EQ(device->plane().scale(), 1.0);
+}
+
+TEST(OpenDevice, ADeviceWithoutAFrameOfItsOwnHasNoPlane) {
+  const auto arm = std::make_shared<ScriptedArm>();
+  arm->descriptor.has_own_frame = false;
+  DeviceProfile profile;
+  profile.plane = leaning();
+  profile.force_limit_n = 0.5;
+  const auto device = opened(arm, {.profile = profile, .page = Rect{0, 0, 300, 200}});
+  EXPECT_EQ(device->plane(), PlaneCalibration());
+  EXPECT_EQ(device->capabilities().advised_force_n, 0.5);
+}
+
+TEST(OpenDevice, HomingAndStatusAreTheDevices) {
+  const auto arm = std::make_shared<ScriptedArm>();
+  arm->homing = Homing::kInkwell;
+  arm->vendor_words = "error 7";
+  const auto device = opened(arm, {.driver_lock = std::make_shared<std::timed_mutex>()});
+  EXPECT_EQ(device->homing(), Homing::kInkwell);
+  EXPECT_EQ(device->read(1).error(), DeviceFault::kNotCalibrated);
+  EXPECT_EQ(device->status().vendor_words.view(), "error 7");
+  ASSERT_TRUE(device->find_home());
+  EXPECT_EQ(device->homing(), Homing::kNone);
+  EXPECT_TRUE(device->read(2).has_value());
+}
+
+TEST(OpenDevice, IsAbandonedIfItsDriverHangs) {
+  const auto arm = std::make_shared<ScriptedArm>();
+  const auto lock = std::make_shared<std::timed_mutex>();
+  opened(arm, {.driver_lock = lock}).reset();
+  EXPECT_EQ(arm->closed, 1);
+  auto device = opened(arm, {.driver_lock = lock});
+  const std::lock_guard hanging(*lock);
+  std::thread([&device] { device.reset(); }).join();
+  EXPECT_EQ(arm->opened, 2);
+  EXPECT_EQ(arm->closed, 1) << "closing would hang, too";
+}
+
+TEST(OpenDevice, TheSameFrameLeavesAllAsItIs) {
   ScriptedDevice inner;
-  CalibratedDevice device(inner, PlaneCalibration{});
+  OpenDevice device(inner, PlaneCalibration{});
   inner.sample.position = {1.0 / 3.0, -2.0 / 7.0, 5.5};
   EXPECT_EQ(device.read(5).value(), inner.sample);
   EXPECT_EQ(device.capabilities(), inner.capabilities());

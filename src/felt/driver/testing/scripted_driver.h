@@ -7,17 +7,24 @@
 #include <string>
 #include <vector>
 
-#include "desktop/engine/studio.h"
-#include "felt/devices/simulated/simulated_stylus.h"
+#include "felt/driver/device_models.h"
 #include "felt/driver/driver.h"
 
-namespace felt::desktop {
+namespace felt {
 
-/// What a test says of an arm that a person holds: plugged in or not, where it is, what fails. The
-/// driver's thread looks at `is_plugged_in` only.
+/// What a test says of an arm that a person holds: plugged in or not, where it is, what fails. A
+/// thread that calls ScriptedDriver::find() reads `is_plugged_in` and `descriptor` only.
 struct ScriptedArm {
+  ScriptedArm() {
+    descriptor.id = "scripted:1";
+    descriptor.driver = "scripted";
+    descriptor.label = "Scripted arm";
+    descriptor.serial = "S1";
+    descriptor.capabilities = find_device_model("touch")->capabilities;
+  }
+
+  DeviceDescriptor descriptor;
   std::atomic<bool> is_plugged_in{true};
-  bool can_be_looked_for = true;
   Homing homing = Homing::kNone;
   bool home_is_found = true;  ///< when it is asked for
   std::string open_error = {};
@@ -33,7 +40,7 @@ struct ScriptedArm {
   std::vector<Finding> findings = {};
 };
 
-/// A driver of one such arm, "scripted:1".
+/// A driver of one such arm.
 class ScriptedDriver final : public Driver {
  public:
   explicit ScriptedDriver(std::shared_ptr<ScriptedArm> arm) : arm_(std::move(arm)) {}
@@ -42,7 +49,7 @@ class ScriptedDriver final : public Driver {
   [[nodiscard]] std::string_view label() const noexcept override { return "Scripted arms"; }
   std::vector<DeviceDescriptor> find() override {
     if (!arm_->is_plugged_in) return {};
-    return {descriptor(*arm_)};
+    return {arm_->descriptor};
   }
   Result<std::unique_ptr<DriverDevice>> open(const DeviceDescriptor&,
                                              const OpenOptions& options) override {
@@ -53,28 +60,17 @@ class ScriptedDriver final : public Driver {
   std::vector<Finding> diagnose(const SystemView&) override { return arm_->findings; }
 
  private:
-  static DeviceDescriptor descriptor(const ScriptedArm& arm) {
-    DeviceDescriptor device;
-    device.id = "scripted:1";
-    device.driver = "scripted";
-    device.label = "Scripted arm";
-    device.serial = "S1";
-    device.is_connected = arm.can_be_looked_for;
-    device.capabilities = find_stylus_preset("touch")->capabilities;
-    return device;
-  }
-
   class Arm final : public DriverDevice {
    public:
     explicit Arm(std::shared_ptr<ScriptedArm> arm)
-        : arm_(std::move(arm)), descriptor_(ScriptedDriver::descriptor(*arm_)) {
+        : arm_(std::move(arm)), descriptor_(arm_->descriptor) {
       ++arm_->opened;
     }
     Arm(const Arm&) = delete;
     Arm& operator=(const Arm&) = delete;
     ~Arm() override { ++arm_->closed; }
 
-    [[nodiscard]] std::string_view name() const noexcept override { return "scripted:1"; }
+    [[nodiscard]] std::string_view name() const noexcept override { return descriptor_.id; }
     [[nodiscard]] const Capabilities& capabilities() const noexcept override {
       return descriptor_.capabilities;
     }
@@ -128,11 +124,4 @@ class ScriptedDriver final : public Driver {
   std::shared_ptr<ScriptedArm> arm_;
 };
 
-/// A studio whose haptic loop does nothing by itself: the test turns it.
-inline StudioOptions by_hand() {
-  StudioOptions options;
-  options.live = false;
-  return options;
-}
-
-}  // namespace felt::desktop
+}  // namespace felt

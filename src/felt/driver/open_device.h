@@ -1,0 +1,100 @@
+#pragma once
+
+#include <chrono>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "felt/base/result.h"
+#include "felt/driver/device_profile.h"
+#include "felt/driver/driver.h"
+#include "felt/driver/plane_calibration.h"
+#include "felt/geometry/rect.h"
+#include "felt/rt/device.h"
+
+namespace felt {
+
+/// How a driver's device is opened and seen.
+struct DeviceSetup {
+  OpenOptions open = {};
+  /// What its user has set; planes that were set with another unit are ignored.
+  DeviceProfile profile = {};
+  /// Without a plane of the user, the middle of what the device reaches is put on the middle of
+  /// this page. Without a page the driver's default plane is used as it is.
+  std::optional<Rect> page = {};
+  /// Held while the device finds its home and while it is closed, if other threads talk to the same
+  /// driver.
+  std::shared_ptr<std::timed_mutex> driver_lock = {};
+};
+
+/// A device in use, as window, command line and device test see it: in the frame of the page and
+/// within the limits that its user has set. There is one between the servo and each device.
+///
+/// Positions and velocities are mapped into the page's frame, forces out of it by the inverse
+/// rotation, so that +z lifts the pen off the page however the plane is tilted. Pressure, buttons,
+/// times and faults pass unchanged. The tilt of a pen whose axis the device reports is measured
+/// against this plane; a tilt that the device reports by itself is kept otherwise.
+///
+/// Threads: read(), between(), write(), held_force() and stop() as in Device, and as real-time safe
+/// as the device's own; set_pen_down() any; the rest on the edit thread.
+class OpenDevice final : public Device {
+ public:
+  /// How long the destructor waits for the driver. A device whose driver does not come back is
+  /// abandoned (felt/rt/abandon.h).
+  static constexpr std::chrono::seconds kClosePatience{3};
+
+  /// Opens a device that the driver has found. Error: as Driver::open().
+  static Result<std::unique_ptr<OpenDevice>> open(Driver& driver, const DeviceDescriptor& found,
+                                                  const DeviceSetup& setup);
+  /// A device that its driver has opened, with Driver::default_plane().
+  OpenDevice(std::unique_ptr<DriverDevice> device, const PlaneCalibration& default_plane,
+             const DeviceSetup& setup);
+  /// A device without a driver, which must outlive this.
+  explicit OpenDevice(Device& device, const PlaneCalibration& plane = {});
+  ~OpenDevice() override;
+
+  [[nodiscard]] std::string_view name() const noexcept override { return device_.name(); }
+  /// Of the device in the page's frame, within the user's limits.
+  [[nodiscard]] const Capabilities& capabilities() const noexcept override { return capabilities_; }
+  tl::expected<PenSample, DeviceFault> read(std::int64_t now_ns) noexcept override;
+  std::optional<PenSample> between() noexcept override;
+  tl::expected<void, DeviceFault> write(const Force& force) noexcept override;
+  [[nodiscard]] std::optional<Force> held_force() const noexcept override;
+  [[nodiscard]] bool is_arm() const noexcept override { return device_.is_arm(); }
+  void stop() noexcept override { device_.stop(); }
+
+  /// From the device's frame to the page's; the identity for a device without a frame of its own.
+  [[nodiscard]] const PlaneCalibration& plane() const noexcept { return plane_; }
+  /// The plane until its user has set one.
+  [[nodiscard]] const PlaneCalibration& default_plane() const noexcept { return default_plane_; }
+  /// In the device's own frame, without the user's limits.
+  [[nodiscard]] const Capabilities& device_capabilities() const noexcept {
+    return device_.capabilities();
+  }
+  /// Changes plane and limits. While no loop runs.
+  void set_profile(DeviceProfile profile);
+
+  // As in DriverDevice; a device without a driver has its defaults.
+  [[nodiscard]] const DeviceDescriptor& descriptor() const noexcept;
+  [[nodiscard]] DeviceStatus status() noexcept;
+  [[nodiscard]] LoopHost* loop_host() noexcept;
+  bool set_pen_down(bool is_down) noexcept;
+  [[nodiscard]] Homing homing() noexcept;
+  [[nodiscard]] std::string homing_words();
+  Result<void> find_home();
+
+ private:
+  void map(PenSample& sample) const noexcept;
+
+  std::unique_ptr<DriverDevice> opened_;  // null: there is no driver
+  Device& device_;
+  std::shared_ptr<std::timed_mutex> driver_lock_;
+  PlaneCalibration default_plane_;
+  PlaneCalibration plane_;
+  bool is_mapped_ = false;  // plane_ is not the identity
+  Capabilities capabilities_;
+};
+
+}  // namespace felt
