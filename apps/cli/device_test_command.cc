@@ -78,7 +78,7 @@ std::string report_json(const ValidationReport& report) {
   return all.text() + "\n";
 }
 
-ValidationOptions options_of(const DeviceTestArguments& args) {
+ValidationOptions test_options_of(const DeviceTestArguments& args) {
   ValidationOptions options;
   options.program = "feltline " FELT_VERSION;
   options.level = args.level;
@@ -102,7 +102,7 @@ ValidationReport test_simulated(const StylusPreset& preset, const DeviceTestArgu
   device.capabilities = preset.capabilities;
   SimulatedSubject subject(stylus, stylus, device);
   VirtualTestLoop loop([&subject](std::int64_t now_ns) { subject.before_tick(now_ns); });
-  return validate(subject, loop, subject, options_of(args));
+  return validate(subject, loop, subject, test_options_of(args));
 }
 
 Result<ValidationReport> test_real(const DeviceTestArguments& args) {
@@ -112,7 +112,7 @@ Result<ValidationReport> test_real(const DeviceTestArguments& args) {
   DriverSubject subject(*device->driver, device->found, OpenOptions(), device->profile);
   ThreadTestLoop loop;
   ConsolePerson person(args.yes);
-  return validate(subject, loop, person, options_of(args));
+  return validate(subject, loop, person, test_options_of(args));
 }
 
 Result<void> write_report(const std::string& path, const ValidationReport& report) {

@@ -10,8 +10,8 @@
 #include "felt/base/atomic_file.h"
 #include "felt/base/read_file.h"
 #include "felt/devices/drivers.h"
-#include "felt/driver/testing/fake_system.h"
 #include "felt/driver/machine_checks.h"
+#include "felt/driver/testing/fake_system.h"
 
 namespace felt::cli {
 namespace {

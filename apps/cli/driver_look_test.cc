@@ -10,9 +10,9 @@
 namespace felt::cli {
 namespace {
 
-using testing::HasSubstr;
-using testing::IsEmpty;
-using testing::SizeIs;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using ::testing::SizeIs;
 using Manner = HostileDriver::Manner;
 
 using Drivers = std::vector<std::unique_ptr<Driver>>;
@@ -65,7 +65,7 @@ TEST(DriverLookTest, WhatADriverSaysComesBackAsItIs) {
   EXPECT_EQ(finding.level, FindingLevel::kProblem);
   EXPECT_EQ(finding.what, "It is \"broken\"\n");
   EXPECT_EQ(finding.details, "words\n\ttab");
-  EXPECT_THAT(finding.steps, testing::ElementsAre("a", "b\nc"));
+  EXPECT_THAT(finding.steps, ::testing::ElementsAre("a", "b\nc"));
   ASSERT_TRUE(finding.fix);
   EXPECT_EQ(finding.fix->activate, "z");
   EXPECT_FALSE(looks[0].findings[1].fix);

@@ -19,7 +19,7 @@ std::string folder_of(const std::string& path) {
   return path.substr(0, path.find_last_of('/') + 1);
 }
 
-tl::unexpected<Error> failed(const std::string& path, const Error& error) {
+tl::unexpected<Error> input_error(const std::string& path, const Error& error) {
   return fail(error.code, input_name(path) + ": " + error.message);
 }
 
@@ -72,7 +72,7 @@ Result<OpenedDrawing> apply_drawing(const Input& input, const ReadImport& read_i
 
 Result<OpenedDrawing> read_start(const std::string& path) {
   const Result<Input> input = Input::open(path);
-  if (!input) return failed(path, input.error());
+  if (!input) return input_error(path, input.error());
   if (!input->is_lines()) return read_whole(*input);
   return read_lines(*input).map([](const Sketch& sketch) {
     OpenedDrawing opened;
@@ -83,7 +83,7 @@ Result<OpenedDrawing> read_start(const std::string& path) {
 
 Result<Sketch> read_sketch(const std::string& path) {
   const Result<Input> input = Input::open_regular(path);
-  if (!input) return failed(path, input.error());
+  if (!input) return input_error(path, input.error());
   if (input->is_lines()) return read_lines(*input);
   return read_whole(*input).map(
       [](const OpenedDrawing& opened) { return visible_strokes(opened.drawing.document); });
@@ -91,7 +91,7 @@ Result<Sketch> read_sketch(const std::string& path) {
 
 Result<void> read_script_file(const std::string& path, ReplayRun& run) {
   const Result<Input> input = Input::open(path);
-  if (!input) return failed(path, input.error());
+  if (!input) return input_error(path, input.error());
   if (input->format() != FileFormat::kNdjson) {
     return fail(ErrorCode::kUnsupported, input->name() + ": is no script, which is .ndjson");
   }
@@ -100,7 +100,7 @@ Result<void> read_script_file(const std::string& path, ReplayRun& run) {
 
 Result<OpenedDrawing> apply_recording_file(const std::string& path, Session& session) {
   const Result<Input> input = Input::open(path);
-  if (!input) return failed(path, input.error());
+  if (!input) return input_error(path, input.error());
   const ReadImport read_import = [folder = folder_of(path)](const std::string& import) {
     return read_sketch(import.rfind('/', 0) == 0 ? import : folder + import);
   };

@@ -11,11 +11,11 @@
 #include <string>
 #include <vector>
 
+#include "felt/autosave/working_store.h"
 #include "felt/base/check.h"
 #include "felt/document/visible_strokes.h"
 #include "felt/io/svg/svg_writer.h"
 #include "felt/store/felt_file.h"
-#include "felt/autosave/working_store.h"
 #include "ink.h"
 
 namespace felt::bench {

@@ -129,12 +129,6 @@ class Hand {
   int count_ = 0;
 };
 
-bool has_tool(const Session& session, std::string_view id) {
-  const auto tools = session.tools();
-  return std::any_of(tools.begin(), tools.end(),
-                     [id](const auto& tool) { return tool->info().id == id; });
-}
-
 void choose(Session& session, std::string_view id) {
   (void)session.apply({0, SelectTool{std::string(id)}});
 }

@@ -34,7 +34,7 @@ std::string text_of(const Sketch& sketch) {
   return text;
 }
 
-class DesktopTablet : public testing::Test {
+class DesktopTablet : public ::testing::Test {
  protected:
   DesktopTablet() : recording_path_(folder_.filePath(QStringLiteral("recording.ndjson"))) {
     StudioOptions options;

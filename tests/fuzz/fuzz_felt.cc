@@ -7,8 +7,8 @@
 #include <cstring>
 #include <string>
 
-#include "felt/store/crc32c.h"
 #include "felt/autosave/edit_blob.h"
+#include "felt/store/crc32c.h"
 #include "felt/store/felt_file.h"
 #include "felt/store/felt_recording.h"
 #include "felt/store/felt_salvage.h"

@@ -87,13 +87,13 @@ TEST(FitChecker, UndeclaredKinkIsABreakAndDeclaredOneIsACorner) {
   const std::vector<Segment> segments{line({0, 0}, {20, 0}), line({20, 0}, {20, 20})};
 
   const Report undeclared = check_stroke(right_angle, curve(segments), kTolerance);
-  EXPECT_THAT(undeclared.breaks, testing::ElementsAre(1, 1, 1));
+  EXPECT_THAT(undeclared.breaks, ::testing::ElementsAre(1, 1, 1));
   EXPECT_NEAR(undeclared.max_smooth_turn_deg, 90.0, 1e-9);
   EXPECT_EQ(undeclared.kinks, 1);
   EXPECT_FALSE(undeclared.clean());
 
   const Report declared = check_stroke(right_angle, curve(segments, {true}), kTolerance);
-  EXPECT_THAT(declared.breaks, testing::ElementsAre(0, 0, 0));
+  EXPECT_THAT(declared.breaks, ::testing::ElementsAre(0, 0, 0));
   EXPECT_EQ(declared.corners, 1);
   EXPECT_EQ(declared.kinks, 0);
   EXPECT_TRUE(declared.clean());
@@ -106,10 +106,10 @@ TEST(FitChecker, SmallBreaksAreCountedByTheirSize) {
     return check_stroke(ink({{0, 0}, {10, 0}, end}),
                         curve({line({0, 0}, {10, 0}), line({10, 0}, end)}), kTolerance);
   };
-  EXPECT_THAT(turned_by(1e-4).breaks, testing::ElementsAre(0, 0, 0));
-  EXPECT_THAT(turned_by(0.1).breaks, testing::ElementsAre(1, 0, 0));
-  EXPECT_THAT(turned_by(10).breaks, testing::ElementsAre(1, 1, 0));
-  EXPECT_THAT(turned_by(40).breaks, testing::ElementsAre(1, 1, 1));
+  EXPECT_THAT(turned_by(1e-4).breaks, ::testing::ElementsAre(0, 0, 0));
+  EXPECT_THAT(turned_by(0.1).breaks, ::testing::ElementsAre(1, 0, 0));
+  EXPECT_THAT(turned_by(10).breaks, ::testing::ElementsAre(1, 1, 0));
+  EXPECT_THAT(turned_by(40).breaks, ::testing::ElementsAre(1, 1, 1));
 }
 
 TEST(FitChecker, ZeroHandlesAndPointSegmentsDoNotHideABreak) {
@@ -119,14 +119,14 @@ TEST(FitChecker, ZeroHandlesAndPointSegmentsDoNotHideABreak) {
   const Report r =
       check_stroke(ink({{0, 0}, {10, 0}, {10, 10}}), curve({no_handles, point, up}), kTolerance);
   EXPECT_EQ(r.degenerate_segments, 1);
-  EXPECT_THAT(r.breaks, testing::ElementsAre(1, 1, 1));
+  EXPECT_THAT(r.breaks, ::testing::ElementsAre(1, 1, 1));
 }
 
 TEST(FitChecker, CuspInsideASegmentIsAKink) {
   const Segment cusp{Point{0, 0}, {20, 20}, {0, 20}, {20, 0}};  // the classic: f' = 0 at 1/2
   const Report r = check_stroke(ink({{0, 0}, {10, 15}, {20, 0}}), curve({cusp}), kTolerance);
   EXPECT_EQ(r.kinks, 1);
-  EXPECT_THAT(r.breaks, testing::ElementsAre(0, 0, 0));
+  EXPECT_THAT(r.breaks, ::testing::ElementsAre(0, 0, 0));
 }
 
 TEST(FitChecker, GapBetweenSegmentsIsNotClean) {
@@ -189,7 +189,7 @@ TEST(FitChecker, CornerWhereTheInkIsStraightIsWeak) {
                    curve({line({0, 0}, {30, 0}), line({30, 0}, {60, 0})}, {true}), kTolerance);
   EXPECT_EQ(r.corners, 1);
   EXPECT_EQ(r.corners_bend_less, 1);
-  for (const auto& by_limit : r.weak_corners) EXPECT_THAT(by_limit, testing::Each(1));
+  for (const auto& by_limit : r.weak_corners) EXPECT_THAT(by_limit, ::testing::Each(1));
   EXPECT_EQ(r.corners_near_end, 0);
 }
 
@@ -199,7 +199,8 @@ TEST(FitChecker, InkTurnIsMeasuredBetweenTheArms) {
   const Ink bent = ink(joined(ink_along({0, 0}, {30, 0}, 0.7), ink_along({30, 0}, end, 0.7)));
   const Report r =
       check_stroke(bent, curve({line({0, 0}, {30, 0}), line({30, 0}, end)}, {true}), kTolerance);
-  for (const auto& by_limit : r.weak_corners) EXPECT_THAT(by_limit, testing::ElementsAre(0, 0, 1));
+  for (const auto& by_limit : r.weak_corners)
+    EXPECT_THAT(by_limit, ::testing::ElementsAre(0, 0, 1));
 }
 
 TEST(FitChecker, RoundBendLooksLessOfACornerTheShorterTheArm) {
@@ -217,8 +218,8 @@ TEST(FitChecker, RoundBendLooksLessOfACornerTheShorterTheArm) {
   const FitCurve split = curve(
       {{arc[0], q01, 0.5 * (q01 + q12), middle}, {middle, 0.5 * (q12 + q23), q23, arc[3]}}, {true});
   const Report r = check_stroke(round, split, kTolerance);
-  EXPECT_THAT(r.weak_corners[0], testing::ElementsAre(1, 1, 1)) << "14 degrees";
-  EXPECT_THAT(r.weak_corners[1], testing::ElementsAre(1, 1, 1)) << "29 degrees";
+  EXPECT_THAT(r.weak_corners[0], ::testing::ElementsAre(1, 1, 1)) << "14 degrees";
+  EXPECT_THAT(r.weak_corners[1], ::testing::ElementsAre(1, 1, 1)) << "29 degrees";
 }
 
 TEST(FitChecker, CornerAtTheEndOfTheInkIsReported) {
@@ -293,7 +294,7 @@ TEST(Report, QuantileOfOvershootIsOverStrokes) {
 TEST(FitFiles, BadLineIsNamed) {
   std::istringstream raw("{\"id\":\"a\",\"points\":[]}\n{oops\n");
   EXPECT_THAT([&] { read_inks(raw, 1.0); },
-              testing::ThrowsMessage<std::runtime_error>(testing::StartsWith("line 2:")));
+              testing::ThrowsMessage<std::runtime_error>(::testing::StartsWith("line 2:")));
 }
 
 }  // namespace

@@ -10,8 +10,8 @@
 #include <ctime>
 #include <random>
 
-#include "desktop/canvas/testing/canvas_sitting.h"
 #include "desktop/canvas/settings_keys.h"
+#include "desktop/canvas/testing/canvas_sitting.h"
 #include "desktop/engine/settings.h"
 #include "felt/material/materials.h"
 

@@ -4,14 +4,14 @@
 
 #include <QMap>
 
-#include "desktop/canvas/testing/canvas_sitting.h"
 #include "desktop/canvas/settings_keys.h"
+#include "desktop/canvas/testing/canvas_sitting.h"
 #include "desktop/engine/settings.h"
 
 namespace felt::desktop {
 namespace {
 
-class ViewActions : public testing::Test {
+class ViewActions : public ::testing::Test {
  protected:
   void SetUp() override { add_view_actions(actions, sitting.canvas); }
   void run(const char* name) {

@@ -134,7 +134,7 @@ struct Sitting {
   Vec3 middle, hand;
 };
 
-class Benches : public testing::TestWithParam<std::string_view> {};
+class Benches : public ::testing::TestWithParam<std::string_view> {};
 
 TEST_P(Benches, UnpluggedMidLineTheInkIsKeptAndItComesBackWithoutForce) {
   Sitting at(GetParam(), {{InjectedFault::kUnplugged, 2000 * kMs, 3500 * kMs, 1.0}});
@@ -193,11 +193,12 @@ TEST_P(Benches, ForcesThatItSwitchesOffEndNoLine) {
   }
 }
 
-std::string name_of_param(const testing::TestParamInfo<std::string_view>& param) {
+std::string name_of_param(const ::testing::TestParamInfo<std::string_view>& param) {
   return std::string(param.param);
 }
 
-INSTANTIATE_TEST_SUITE_P(Drivers, Benches, testing::ValuesIn(driver_bench_names()), name_of_param);
+INSTANTIATE_TEST_SUITE_P(Drivers, Benches, ::testing::ValuesIn(driver_bench_names()),
+                         name_of_param);
 
 }  // namespace
 }  // namespace felt::desktop

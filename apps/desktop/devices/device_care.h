@@ -8,9 +8,9 @@
 #include <memory>
 #include <optional>
 
+#include "desktop/devices/device_notice.h"
 #include "desktop/engine/driver_watch.h"
 #include "desktop/engine/studio.h"
-#include "desktop/devices/device_notice.h"
 
 namespace felt::desktop {
 

@@ -8,10 +8,10 @@
 #include <QWidget>
 #include <memory>
 
-#include "desktop/engine/studio.h"
 #include "desktop/devices/device_care.h"
 #include "desktop/devices/device_settings.h"
 #include "desktop/devices/test_pad.h"
+#include "desktop/engine/studio.h"
 
 namespace felt::desktop {
 

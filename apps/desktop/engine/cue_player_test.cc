@@ -86,7 +86,7 @@ class TapeDriver final : public Driver {
   Tape& tape_;
 };
 
-class CuePlayerTest : public testing::Test {
+class CuePlayerTest : public ::testing::Test {
  public:
   CuePlayerTest() : studio_(options()) {
     Settings::the().reset(QString::fromLatin1(kCueDeviceKey));

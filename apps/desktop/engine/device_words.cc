@@ -5,7 +5,7 @@
 namespace felt::desktop {
 namespace {
 
-QString translated(const char* text) {
+QString device_text(const char* text) {
   return QCoreApplication::translate("DeviceWords", text);
 }
 
@@ -24,18 +24,19 @@ QString vendor_words(const DeviceStatus& status) {
 QString words_for(DeviceFault fault) {
   switch (fault) {
     case DeviceFault::kDisconnected:
-      return translated(QT_TRANSLATE_NOOP("DeviceWords", "the device is not connected any more"));
+      return device_text(QT_TRANSLATE_NOOP("DeviceWords", "the device is not connected any more"));
     case DeviceFault::kNotCalibrated:
-      return translated(
+      return device_text(
           QT_TRANSLATE_NOOP("DeviceWords", "the device does not know where its arm is"));
     case DeviceFault::kForcesOff:
-      return translated(QT_TRANSLATE_NOOP("DeviceWords", "the device has switched its forces off"));
+      return device_text(
+          QT_TRANSLATE_NOOP("DeviceWords", "the device has switched its forces off"));
     case DeviceFault::kOverheated:
-      return translated(QT_TRANSLATE_NOOP("DeviceWords", "its motors are warm"));
+      return device_text(QT_TRANSLATE_NOOP("DeviceWords", "its motors are warm"));
     case DeviceFault::kBadData:
-      return translated(QT_TRANSLATE_NOOP("DeviceWords", "the device says what cannot be"));
+      return device_text(QT_TRANSLATE_NOOP("DeviceWords", "the device says what cannot be"));
     case DeviceFault::kOther:
-      return translated(QT_TRANSLATE_NOOP("DeviceWords", "the device reports a fault"));
+      return device_text(QT_TRANSLATE_NOOP("DeviceWords", "the device reports a fault"));
   }
   return {};
 }
@@ -46,37 +47,37 @@ DeviceWords words_for(DeviceFault fault, const QString& device, const DeviceStat
   words.details = vendor_words(status);
   switch (fault) {
     case DeviceFault::kDisconnected:
-      words.what = translated(QT_TRANSLATE_NOOP("DeviceWords", "%1 is not connected any more."));
-      words.to_do = translated(QT_TRANSLATE_NOOP(
+      words.what = device_text(QT_TRANSLATE_NOOP("DeviceWords", "%1 is not connected any more."));
+      words.to_do = device_text(QT_TRANSLATE_NOOP(
           "DeviceWords",
           "Draw on with mouse or tablet; nothing is lost. Look at its cable and its power."));
       break;
     case DeviceFault::kNotCalibrated:
       words.what =
-          translated(QT_TRANSLATE_NOOP("DeviceWords", "%1 does not know where its arm is."));
-      words.to_do = translated(QT_TRANSLATE_NOOP(
+          device_text(QT_TRANSLATE_NOOP("DeviceWords", "%1 does not know where its arm is."));
+      words.to_do = device_text(QT_TRANSLATE_NOOP(
           "DeviceWords", "Draw on with mouse or tablet until it has found its home."));
       break;
     case DeviceFault::kForcesOff:
-      words.what = translated(QT_TRANSLATE_NOOP("DeviceWords", "%1 has switched its forces off."));
-      words.to_do = translated(QT_TRANSLATE_NOOP(
+      words.what = device_text(QT_TRANSLATE_NOOP("DeviceWords", "%1 has switched its forces off."));
+      words.to_do = device_text(QT_TRANSLATE_NOOP(
           "DeviceWords",
           "Its button or its own guard did that. Draw on without forces, or switch them on again "
           "there and here."));
       break;
     case DeviceFault::kOverheated:
-      words.what = translated(QT_TRANSLATE_NOOP("DeviceWords", "The motors of %1 are warm."));
-      words.to_do = translated(QT_TRANSLATE_NOOP(
+      words.what = device_text(QT_TRANSLATE_NOOP("DeviceWords", "The motors of %1 are warm."));
+      words.to_do = device_text(QT_TRANSLATE_NOOP(
           "DeviceWords",
           "Draw on without forces. After some minutes of rest they can be switched on again."));
       break;
     case DeviceFault::kBadData:
     case DeviceFault::kOther:
       words.what = fault == DeviceFault::kBadData
-                       ? translated(QT_TRANSLATE_NOOP("DeviceWords", "%1 says what cannot be."))
-                       : translated(QT_TRANSLATE_NOOP("DeviceWords", "%1 reports a fault."));
-      words.to_do = draws ? translated(QT_TRANSLATE_NOOP("DeviceWords", "Draw on without forces."))
-                          : translated(QT_TRANSLATE_NOOP(
+                       ? device_text(QT_TRANSLATE_NOOP("DeviceWords", "%1 says what cannot be."))
+                       : device_text(QT_TRANSLATE_NOOP("DeviceWords", "%1 reports a fault."));
+      words.to_do = draws ? device_text(QT_TRANSLATE_NOOP("DeviceWords", "Draw on without forces."))
+                          : device_text(QT_TRANSLATE_NOOP(
                                 "DeviceWords",
                                 "Draw on with mouse or tablet. Look at its cable, switch "
                                 "it off and on, and try again."));

@@ -56,7 +56,7 @@ void KeptOptions::restore() {
     for (const OptionSpec& row : tool->info().options) {
       const std::string id = owner + "." + std::string(row.id);
       if (row.is_momentary) continue;
-      const auto value = value_of(settings.value(key_of(id)), row, studio_.materials());
+      const auto value = value_of(settings.value(option_key(id)), row, studio_.materials());
       if (value && studio_.session().option(id) != *value) studio_.apply(SetOption{id, *value});
     }
   }
@@ -76,8 +76,8 @@ void KeptOptions::store(const QString& id) {
       if (owner + "." + std::string(row.id) != name) continue;
       if (row.is_momentary) return;
       if (*now == default_value(as_at_first(tool->info().kind, row)))
-        return settings.reset(key_of(name));
-      return settings.set(key_of(name), stored_as(*now));
+        return settings.reset(option_key(name));
+      return settings.set(option_key(name), stored_as(*now));
     }
   }
 }

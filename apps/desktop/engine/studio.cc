@@ -24,10 +24,6 @@ constexpr std::int64_t kNearNs = 100'000'000;     // since the pen was moved
 constexpr std::int64_t kRestingNs = 500'000'000;  // likewise
 constexpr std::int64_t kTurnNs = 4'000'000;       // of a studio that is not live
 
-QString text_of(const Error& error) {
-  return QString::fromStdString(error.message);
-}
-
 /// What a hand that senses no pressure stands for, by the tool's own option where it has one.
 double absent_pressure(const Session& session) {
   const Result<OptionValue> value =

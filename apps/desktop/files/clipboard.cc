@@ -15,9 +15,9 @@
 #include "felt/document/visible_strokes.h"
 #include "felt/formats/drawing_reader.h"
 #include "felt/io/limits.h"
-#include "felt/io/xml/material_texts.h"
 #include "felt/io/ndjson/ndjson_writer.h"
 #include "felt/io/svg/svg_writer.h"
+#include "felt/io/xml/material_texts.h"
 #include "felt/render/page.h"
 #include "felt/render/view.h"
 

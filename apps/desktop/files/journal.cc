@@ -6,8 +6,8 @@
 #include <utility>
 #include <variant>
 
-#include "felt/material/material_file.h"
 #include "felt/autosave/folder_lock.h"
+#include "felt/material/material_file.h"
 
 namespace felt::desktop {
 namespace {

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <string>
 
-#include "felt/session/session_medium.h"
 #include "felt/replay/script_feed.h"
+#include "felt/session/session_medium.h"
 
 namespace felt::desktop {
 namespace {

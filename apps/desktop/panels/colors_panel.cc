@@ -30,7 +30,7 @@ constexpr double kFaint = 3.0;  // WCAG 2.2, 1.4.11: what is less is hard to see
 constexpr int kSamplePx = 28;
 const char* const kColor = "sheet.color";
 
-QString text_of(Rgba color) {
+QString hex_of(Rgba color) {
   return QString::fromStdString(color_to_text(color));
 }
 
@@ -44,7 +44,7 @@ std::vector<NamedColor> stored_colors(const char* key) {
 
 void store_colors(const char* key, const std::vector<NamedColor>& colors) {
   QStringList texts;
-  for (const NamedColor& entry : colors) texts.push_back(text_of(entry.color));
+  for (const NamedColor& entry : colors) texts.push_back(hex_of(entry.color));
   Settings::the().set(QString::fromLatin1(key), texts);
 }
 
@@ -259,7 +259,7 @@ void ColorsPanel::follow() {
   field_->show_color(qcolor(now));
   sample_->setPixmap(sample_of(now, devicePixelRatioF()));
   if (!number_->hasFocus() || !number_->isModified()) {
-    number_->setText(text_of({now.r, now.g, now.b}));
+    number_->setText(hex_of({now.r, now.g, now.b}));
   }
   opacity_->setValue(static_cast<int>(std::lround(now.a / 2.55)));
   recent_->mark(now);

@@ -13,8 +13,8 @@
 #include <random>
 
 #include "desktop/engine/settings.h"
-#include "desktop/panels/testing/panels_fixture.h"
 #include "desktop/panels/settings_keys.h"
+#include "desktop/panels/testing/panels_fixture.h"
 #include "felt/stroke/color_text.h"
 
 namespace felt::desktop {

@@ -8,7 +8,7 @@
 namespace felt::desktop {
 namespace {
 
-QString edit_text(const char* english) {
+QString menu_text(const char* english) {
   return QCoreApplication::translate("EditActions", english);
 }
 
@@ -44,12 +44,12 @@ class UndoTexts : public QObject {
     undo_->setEnabled(history.can_undo() || now.gesture);
     redo_->setEnabled(history.can_redo() && !now.gesture);
     undo_->setText(history.can_undo() && !now.gesture
-                       ? edit_text(QT_TRANSLATE_NOOP("EditActions", "&Undo %1"))
+                       ? menu_text(QT_TRANSLATE_NOOP("EditActions", "&Undo %1"))
                              .arg(edit_text(history.undo_label()))
-                       : edit_text(QT_TRANSLATE_NOOP("EditActions", "&Undo")));
-    redo_->setText(history.can_redo() ? edit_text(QT_TRANSLATE_NOOP("EditActions", "&Redo %1"))
+                       : menu_text(QT_TRANSLATE_NOOP("EditActions", "&Undo")));
+    redo_->setText(history.can_redo() ? menu_text(QT_TRANSLATE_NOOP("EditActions", "&Redo %1"))
                                             .arg(edit_text(history.redo_label()))
-                                      : edit_text(QT_TRANSLATE_NOOP("EditActions", "&Redo")));
+                                      : menu_text(QT_TRANSLATE_NOOP("EditActions", "&Redo")));
   }
 
   QAction* undo_;
@@ -60,23 +60,23 @@ class UndoTexts : public QObject {
 
 void add_history(Actions& actions, Studio& studio) {
   QAction* undo =
-      actions.add(QStringLiteral("edit.undo"), edit_text(QT_TRANSLATE_NOOP("EditActions", "&Undo")),
+      actions.add(QStringLiteral("edit.undo"), menu_text(QT_TRANSLATE_NOOP("EditActions", "&Undo")),
                   {QKeySequence(Qt::CTRL | Qt::Key_Z)},
-                  edit_text(QT_TRANSLATE_NOOP("EditActions", "Takes the last step back.")),
+                  menu_text(QT_TRANSLATE_NOOP("EditActions", "Takes the last step back.")),
                   [&studio] { studio.apply(UndoEvent{}); });
   undo->setIcon(icon_of("undo"));
   QAction* redo = actions.add(
-      QStringLiteral("edit.redo"), edit_text(QT_TRANSLATE_NOOP("EditActions", "&Redo")),
+      QStringLiteral("edit.redo"), menu_text(QT_TRANSLATE_NOOP("EditActions", "&Redo")),
       {QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_Z), QKeySequence(Qt::CTRL | Qt::Key_Y)},
-      edit_text(QT_TRANSLATE_NOOP("EditActions", "Does again what was taken back.")),
+      menu_text(QT_TRANSLATE_NOOP("EditActions", "Does again what was taken back.")),
       [&studio] { studio.apply(RedoEvent{}); });
   redo->setIcon(icon_of("redo"));
   new UndoTexts(undo, redo, studio, &actions);
   QAction* cancel =
       actions.add(QStringLiteral("edit.cancel"),
-                  edit_text(QT_TRANSLATE_NOOP("EditActions", "&Cancel or select nothing")),
+                  menu_text(QT_TRANSLATE_NOOP("EditActions", "&Cancel or select nothing")),
                   {QKeySequence(Qt::Key_Escape)},
-                  edit_text(QT_TRANSLATE_NOOP(
+                  menu_text(QT_TRANSLATE_NOOP(
                       "EditActions", "Cancels what the pen is doing, or clears the selection.")),
                   [&studio] {
                     const Session& session = studio.session();
@@ -92,15 +92,15 @@ void add_history(Actions& actions, Studio& studio) {
 
 void add_selected(Actions& actions, Studio& studio) {
   QAction* remove = actions.add(
-      QStringLiteral("edit.delete"), edit_text(QT_TRANSLATE_NOOP("EditActions", "De&lete")),
+      QStringLiteral("edit.delete"), menu_text(QT_TRANSLATE_NOOP("EditActions", "De&lete")),
       {QKeySequence(Qt::Key_Delete), QKeySequence(Qt::Key_Backspace)},
-      edit_text(QT_TRANSLATE_NOOP("EditActions", "Removes the lines that are selected.")),
+      menu_text(QT_TRANSLATE_NOOP("EditActions", "Removes the lines that are selected.")),
       [&studio] { studio.apply(DeleteEvent{}); });
   remove->setIcon(icon_of("delete"));
   QAction* copy = actions.add(
-      QStringLiteral("edit.duplicate"), edit_text(QT_TRANSLATE_NOOP("EditActions", "&Duplicate")),
+      QStringLiteral("edit.duplicate"), menu_text(QT_TRANSLATE_NOOP("EditActions", "&Duplicate")),
       {QKeySequence(Qt::CTRL | Qt::Key_D)},
-      edit_text(
+      menu_text(
           QT_TRANSLATE_NOOP("EditActions", "Copies the selected lines, a little beside them.")),
       [&studio] { studio.apply(DuplicateEvent{}); });
   copy->setIcon(icon_of("duplicate"));
@@ -117,23 +117,23 @@ void add_selecting(Actions& actions, Studio& studio) {
   using What = SelectStrokes::What;
   actions
       .add(QStringLiteral("edit.select_all"),
-           edit_text(QT_TRANSLATE_NOOP("EditActions", "Select &all")),
+           menu_text(QT_TRANSLATE_NOOP("EditActions", "Select &all")),
            {QKeySequence(Qt::CTRL | Qt::Key_A)},
-           edit_text(
+           menu_text(
                QT_TRANSLATE_NOOP("EditActions", "Selects all lines of visible, unlocked layers.")),
            [&studio] { studio.apply(SelectStrokes{What::kAll}); })
       ->setIcon(icon_of("select-all"));
   QAction* none = actions.add(QStringLiteral("edit.select_none"),
-                              edit_text(QT_TRANSLATE_NOOP("EditActions", "Select &none")),
+                              menu_text(QT_TRANSLATE_NOOP("EditActions", "Select &none")),
                               {QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_A)},
-                              edit_text(QT_TRANSLATE_NOOP("EditActions", "Selects nothing.")),
+                              menu_text(QT_TRANSLATE_NOOP("EditActions", "Selects nothing.")),
                               [&studio] { studio.apply(SelectStrokes{What::kNone}); });
   none->setIcon(icon_of("select-none"));
   actions
       .add(QStringLiteral("edit.invert_selection"),
-           edit_text(QT_TRANSLATE_NOOP("EditActions", "&Invert selection")),
+           menu_text(QT_TRANSLATE_NOOP("EditActions", "&Invert selection")),
            {QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_I)},
-           edit_text(QT_TRANSLATE_NOOP("EditActions",
+           menu_text(QT_TRANSLATE_NOOP("EditActions",
                                        "Selects all lines but those that are selected now.")),
            [&studio] { studio.apply(SelectStrokes{What::kInvert}); })
       ->setIcon(icon_of("select-invert"));

@@ -14,7 +14,7 @@
 namespace felt::desktop {
 namespace {
 
-QString text(const char* english) {
+QString tool_text(const char* english) {
   return QCoreApplication::translate("ToolActions", english);
 }
 

@@ -103,7 +103,7 @@ TEST(ToolActions, SizesClimbAndFallWithinTheRangeOfEveryTool) {
 // Its thinnest line never comes to be broader than its broadest one, and the keys work until the
 // very end, where a sentence says so.
 TEST(ToolActions, TheSizeOfThePencilIsTheLineOfAMouse) {
-  Desk desk;
+  ToolDesk desk;
   const auto size = [&desk] { return desk.studio.session().tool().size().value(); };
   const double thin = desk.number("pencil.min_width_mm"),
                broad = desk.number("pencil.max_width_mm");

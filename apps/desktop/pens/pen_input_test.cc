@@ -36,7 +36,7 @@ const QPointingDevice& pen_device(QPointingDevice::PointerType end) {
   return end == QPointingDevice::PointerType::Eraser ? *eraser : *pen;
 }
 
-class PenInputTest : public testing::Test {
+class PenInputTest : public ::testing::Test {
  protected:
   PenInputTest() : studio_(options()), canvas_(studio_), input_(canvas_) {
     set_defaults();

@@ -5,7 +5,7 @@
 #include <QTemporaryDir>
 
 int main(int argc, char** argv) {
-  testing::InitGoogleTest(&argc, argv);
+  ::testing::InitGoogleTest(&argc, argv);
   // No display, and nobody's settings, whatever the environment says; nor those of a test that runs
   // at the same time.
   const QTemporaryDir home;

@@ -6,9 +6,9 @@
 #include <QPointer>
 
 #include "desktop/canvas/canvas.h"
+#include "desktop/devices/device_care.h"
 #include "desktop/engine/actions.h"
 #include "desktop/engine/studio.h"
-#include "desktop/devices/device_care.h"
 #include "desktop/files/file_actions.h"
 #include "desktop/materials/material_desk.h"
 #include "desktop/materials/material_editor.h"

@@ -33,25 +33,25 @@ constexpr Row kRows[] = {
     {"dialog", "NAME", nullptr},
 };
 
-QString translated(const char* text) {
+QString option_text(const char* text) {
   return QCoreApplication::translate("Arguments", text);
 }
 
 void add_options(QCommandLineParser& parser) {
   parser.setApplicationDescription(
-      translated(QT_TRANSLATE_NOOP("Arguments", "Feltline: draw, and feel what you draw.")));
+      option_text(QT_TRANSLATE_NOOP("Arguments", "Feltline: draw, and feel what you draw.")));
   parser.addHelpOption();
   parser.addVersionOption();
   for (const Row& row : kRows) {
     QCommandLineOption option(QString::fromLatin1(row.name),
-                              row.help ? translated(row.help) : QString(),
+                              row.help ? option_text(row.help) : QString(),
                               QString::fromLatin1(row.value));
     if (!row.help) option.setFlags(QCommandLineOption::HiddenFromHelp);
     parser.addOption(option);
   }
   parser.addPositionalArgument(
       QStringLiteral("FILE"),
-      translated(QT_TRANSLATE_NOOP("Arguments", "Drawings to open: .felt, .svg, .ndjson.")),
+      option_text(QT_TRANSLATE_NOOP("Arguments", "Drawings to open: .felt, .svg, .ndjson.")),
       QStringLiteral("[FILE...]"));
 }
 
@@ -87,7 +87,7 @@ std::optional<QString> read_arguments(const QStringList& arguments, StartOptions
   options.picture = picture_of(parser);
   const QSize size = options.picture.size;
   if (size.width() < 100 || size.height() < 100 || size.width() > 8000 || size.height() > 8000) {
-    return translated(QT_TRANSLATE_NOOP("Arguments", "--size is WIDTHxHEIGHT, from 100 to 8000"));
+    return option_text(QT_TRANSLATE_NOOP("Arguments", "--size is WIDTHxHEIGHT, from 100 to 8000"));
   }
   return std::nullopt;
 }
@@ -96,7 +96,7 @@ QString help_text() {
   QCommandLineParser parser;
   add_options(parser);
   return parser.helpText() + QLatin1Char('\n') +
-         translated(QT_TRANSLATE_NOOP("Arguments", "Examples:")) +
+         option_text(QT_TRANSLATE_NOOP("Arguments", "Examples:")) +
          QStringLiteral(
              "\n"
              "  feltline-desktop\n"

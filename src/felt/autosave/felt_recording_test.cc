@@ -8,11 +8,11 @@
 #include <cstring>
 #include <random>
 
-#include "felt/session/session.h"
-#include "felt/store/felt_file.h"
 #include "felt/autosave/recovery.h"
 #include "felt/autosave/testing/saver_test_desk.h"
 #include "felt/autosave/working_store.h"
+#include "felt/session/session.h"
+#include "felt/store/felt_file.h"
 #include "felt/tools/tool.h"
 
 namespace felt {

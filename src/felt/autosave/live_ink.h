@@ -8,11 +8,11 @@
 #include <string_view>
 #include <vector>
 
+#include "felt/autosave/working_store.h"
 #include "felt/document/document.h"
 #include "felt/document/selection.h"
 #include "felt/haptics/pen_sample.h"
 #include "felt/session/event.h"
-#include "felt/autosave/working_store.h"
 #include "felt/tools/contact.h"
 
 namespace felt {

@@ -11,14 +11,14 @@
 #include <system_error>
 #include <utility>
 
-#include "felt/io/events/event_reader.h"
-#include "felt/session/session.h"
-#include "felt/store/byte_stream.h"
 #include "felt/autosave/edit_blob.h"
 #include "felt/autosave/live_ink.h"
 #include "felt/autosave/store_reader.h"
 #include "felt/autosave/working_rows.h"
 #include "felt/autosave/working_store.h"
+#include "felt/io/events/event_reader.h"
+#include "felt/session/session.h"
+#include "felt/store/byte_stream.h"
 #include "felt/tools/tool.h"
 
 namespace felt {

@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
+#include "felt/autosave/folder_lock.h"
 #include "felt/base/result.h"
 #include "felt/store/felt_file.h"
-#include "felt/autosave/folder_lock.h"
 
 namespace felt {
 

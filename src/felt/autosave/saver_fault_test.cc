@@ -3,10 +3,10 @@
 
 #include <thread>
 
-#include "felt/store/testing/faulty_vfs.h"
 #include "felt/autosave/saver.h"
 #include "felt/autosave/testing/saver_test_desk.h"
 #include "felt/autosave/working_store.h"
+#include "felt/store/testing/faulty_vfs.h"
 
 namespace felt {
 namespace {

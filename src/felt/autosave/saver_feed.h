@@ -3,8 +3,8 @@
 #include <cstdint>
 #include <string>
 
-#include "felt/session/session.h"
 #include "felt/autosave/saver.h"
+#include "felt/session/session.h"
 
 namespace felt {
 

@@ -6,9 +6,9 @@
 #include <string_view>
 #include <vector>
 
+#include "felt/autosave/working_store.h"
 #include "felt/base/result.h"
 #include "felt/store/felt_file.h"
-#include "felt/autosave/working_store.h"
 
 namespace felt {
 

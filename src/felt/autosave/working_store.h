@@ -6,10 +6,10 @@
 #include <string>
 #include <string_view>
 
+#include "felt/autosave/folder_lock.h"
 #include "felt/base/result.h"
 #include "felt/document/edit.h"
 #include "felt/store/felt_file.h"
-#include "felt/autosave/folder_lock.h"
 
 struct sqlite3;
 

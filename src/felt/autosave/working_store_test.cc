@@ -6,8 +6,8 @@
 #include <filesystem>
 #include <random>
 
-#include "felt/document/edit_builder.h"
 #include "felt/autosave/recovery.h"
+#include "felt/document/edit_builder.h"
 #include "felt/stroke/testing/random_stroke.h"
 
 namespace felt {

@@ -12,10 +12,10 @@
 namespace felt {
 
 /// Row and column of a square cell of a grid over the page.
-using GridCell = std::pair<std::int64_t, std::int64_t>;
+using CellAddress = std::pair<std::int64_t, std::int64_t>;
 /// The cells that hold something, in order of rows.
 template <class Entry>
-using CellGrid = std::map<GridCell, std::vector<Entry>>;
+using CellGrid = std::map<CellAddress, std::vector<Entry>>;
 
 /// Returns the row or column of a coordinate. Everything farther out than 10^12 cells is in the
 /// last one.
@@ -24,7 +24,7 @@ inline std::int64_t grid_line(double mm, double cell_mm) noexcept {
   return static_cast<std::int64_t>(std::clamp(std::floor(mm / cell_mm), -kLastLine, kLastLine));
 }
 
-inline GridCell grid_cell(Point p, double cell_mm) noexcept {
+inline CellAddress grid_cell(Point p, double cell_mm) noexcept {
   return {grid_line(p.y, cell_mm), grid_line(p.x, cell_mm)};
 }
 

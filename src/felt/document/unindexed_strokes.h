@@ -40,7 +40,7 @@ class UnindexedStrokes {
   using Grid = CellGrid<Entry>;
   struct Place {
     std::size_t grid = 0;
-    GridCell cell;
+    CellAddress cell;
   };
   static constexpr std::size_t kGrids = 8;
 

@@ -15,7 +15,7 @@
 namespace felt {
 namespace {
 
-using testing::HasSubstr;
+using ::testing::HasSubstr;
 using Names = std::vector<std::string>;
 
 // Both come with every glibc; nothing in this program needs the second.

@@ -97,7 +97,7 @@ TEST(EvdevPort, SaysWhatTheSystemSays) {
 
 /// A named pipe in the place of the node: events as the kernel writes them, and none of its ioctls.
 TEST(EvdevPort, ReadsWhatTheKernelWrites) {
-  std::string folder = testing::TempDir() + "evdev-XXXXXX";
+  std::string folder = ::testing::TempDir() + "evdev-XXXXXX";
   ASSERT_NE(mkdtemp(folder.data()), nullptr);
   const std::string path = folder + "/event0";
   ASSERT_EQ(mkfifo(path.c_str(), 0600), 0);
@@ -127,7 +127,7 @@ TEST(EvdevPort, ReadsWhatTheKernelWrites) {
 }
 
 TEST(HidrawPort, ReadsAndWritesReports) {
-  std::string folder = testing::TempDir() + "hidraw-XXXXXX";
+  std::string folder = ::testing::TempDir() + "hidraw-XXXXXX";
   ASSERT_NE(mkdtemp(folder.data()), nullptr);
   const std::string path = folder + "/hidraw0";
   ASSERT_EQ(mkfifo(path.c_str(), 0600), 0);

@@ -8,8 +8,8 @@
 namespace felt {
 namespace {
 
-using testing::ElementsAre;
-using testing::HasSubstr;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
 
 constexpr const char* kOrdinaryLimits =
     "Limit                     Soft Limit           Hard Limit           Units     \n"
@@ -96,7 +96,7 @@ TEST(MachineChecksTest, FoldersThatCannotBeWritten) {
   homeless.set_environment("HOME", "/nonexistent").add_folder("/tmp").forbid("/");
   const std::vector<Finding> others = diagnose_machine(homeless);
   const Finding& without_home = about(others, "cannot be kept");
-  EXPECT_THAT(without_home.steps, ElementsAre(testing::Not(HasSubstr("chown"))));
+  EXPECT_THAT(without_home.steps, ElementsAre(::testing::Not(HasSubstr("chown"))));
   FakeSystem nowhere;
   EXPECT_EQ(about(diagnose_machine(nowhere), "home folder").level, FindingLevel::kProblem);
 }

@@ -19,7 +19,7 @@ TEST(FileFormat, AnotherEndingIsAnErrorThatListsThem) {
   for (const char* path : {"a", "", ".felt", "folder/.felt", "a.doc", "felt", "a.felt/b"}) {
     const auto format = format_of_path(path);
     ASSERT_FALSE(format) << path;
-    EXPECT_THAT(format.error().message, testing::HasSubstr(".inkml"));
+    EXPECT_THAT(format.error().message, ::testing::HasSubstr(".inkml"));
   }
 }
 

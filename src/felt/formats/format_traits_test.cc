@@ -33,7 +33,7 @@ TEST(FormatTraits, NamesAreUnderstoodInEitherCaseAndWithADot) {
   for (const char* name : {"", ".", "doc", "felt "}) {
     const auto format = format_of_name(name);
     ASSERT_FALSE(format) << name;
-    EXPECT_THAT(format.error().message, testing::HasSubstr("felt, svg"));
+    EXPECT_THAT(format.error().message, ::testing::HasSubstr("felt, svg"));
   }
 }
 
@@ -48,7 +48,7 @@ TEST(FormatTraits, WhatIsWrittenAndReadIsWhatTheTableSays) {
     const auto read = parse_drawing(*bytes, "x" + std::string(row.endings.front()));
     EXPECT_EQ(read.has_value(), row.reads) << row.name;
     if (!read) {
-      EXPECT_THAT(read.error().message, testing::HasSubstr("not read"));
+      EXPECT_THAT(read.error().message, ::testing::HasSubstr("not read"));
     }
   }
 }
@@ -56,9 +56,9 @@ TEST(FormatTraits, WhatIsWrittenAndReadIsWhatTheTableSays) {
 TEST(FormatTraits, TheDocumentationShowsThisTable) {
   const auto page = read_file("docs/formats/README.md", 1 << 20);
   ASSERT_TRUE(page) << page.error().message;
-  EXPECT_THAT(*page, testing::HasSubstr(format_table_markdown()));
+  EXPECT_THAT(*page, ::testing::HasSubstr(format_table_markdown()));
   for (const FormatTraits& row : format_table()) {
-    EXPECT_THAT(*page, testing::HasSubstr(std::string(row.kept))) << row.name;
+    EXPECT_THAT(*page, ::testing::HasSubstr(std::string(row.kept))) << row.name;
   }
 }
 

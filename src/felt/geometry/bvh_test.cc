@@ -61,7 +61,7 @@ void expect_right(const SegmentBvh& tree, const SegmentBvh::Query& query) {
   EXPECT_EQ(hit.nearest.point, evaluate(tree.curve(hit.handle), hit.nearest.t));
 }
 
-class BvhOfSize : public testing::TestWithParam<std::size_t> {};
+class BvhOfSize : public ::testing::TestWithParam<std::size_t> {};
 
 TEST_P(BvhOfSize, AgreesWithBruteForce) {
   std::mt19937_64 random(GetParam());
@@ -126,7 +126,7 @@ TEST_P(BvhOfSize, StaysRightWhenSegmentsAreRefittedAndErased) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Bvh, BvhOfSize,
-                         testing::Values(0, 1, 2, 7, 8, 9, 63, 64, 65, 100, 511, 513, 1500));
+                         ::testing::Values(0, 1, 2, 7, 8, 9, 63, 64, 65, 100, 511, 513, 1500));
 
 TEST(Bvh, AnEmptyTreeFindsNothing) {
   const SegmentBvh tree;

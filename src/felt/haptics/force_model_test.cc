@@ -4,14 +4,14 @@
 
 #include <string_view>
 
-#include "felt/haptics/compose.h"
 #include "felt/haptics/bricks/damping.h"
 #include "felt/haptics/bricks/drawing_feel.h"
-#include "felt/haptics/testing/feel_rig.h"
 #include "felt/haptics/bricks/spring.h"
 #include "felt/haptics/bricks/stabiliser.h"
 #include "felt/haptics/bricks/tether.h"
 #include "felt/haptics/bricks/well.h"
+#include "felt/haptics/compose.h"
+#include "felt/haptics/testing/feel_rig.h"
 
 namespace felt {
 namespace {

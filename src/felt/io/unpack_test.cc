@@ -9,7 +9,7 @@
 namespace felt {
 namespace {
 
-using testing::HasSubstr;
+using ::testing::HasSubstr;
 
 /// A zip archive of these files, made by the library that we read with.
 std::string zip_of(const std::vector<std::pair<std::string, std::string>>& files) {

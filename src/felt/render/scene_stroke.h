@@ -20,7 +20,7 @@ struct OrderBlock {
 };
 
 /// Strokes of about the same size whose middles lie in the same square of the sheet.
-struct GridCell {
+struct StrokeCell {
   std::vector<SceneStroke*> strokes;
 };
 
@@ -35,7 +35,7 @@ struct SceneStroke {
   OrderBlock* block = nullptr;
   std::size_t slot = 0;
   // Of StrokeGrid.
-  GridCell* cell = nullptr;
+  StrokeCell* cell = nullptr;
   std::size_t cell_slot = 0;
 
   /// Its place in the drawing order of its layer, 0 is the lowest.

@@ -16,7 +16,7 @@ std::int64_t column(double mm, int level) noexcept {
       std::floor(std::clamp(std::ldexp(mm, -level), -kFarthest, kFarthest)));
 }
 
-void find_in(const GridCell& cell, const Rect& area, std::vector<const SceneStroke*>& found) {
+void find_in(const StrokeCell& cell, const Rect& area, std::vector<const SceneStroke*>& found) {
   for (const SceneStroke* stroke : cell.strokes) {
     if (area.intersects(stroke->box)) found.push_back(stroke);
   }
@@ -36,7 +36,7 @@ StrokeGrid::Place StrokeGrid::place_of(const Rect& box, int level) noexcept {
 
 void StrokeGrid::add(SceneStroke& stroke) {
   const int level = level_of(stroke.box);
-  GridCell& cell = levels_[level].cells[place_of(stroke.box, level)];
+  StrokeCell& cell = levels_[level].cells[place_of(stroke.box, level)];
   stroke.cell = &cell;
   stroke.cell_slot = cell.strokes.size();
   cell.strokes.push_back(&stroke);

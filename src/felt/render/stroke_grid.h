@@ -23,7 +23,7 @@ class StrokeGrid {
  private:
   using Place = std::pair<std::int64_t, std::int64_t>;  // row, column
   struct Level {
-    std::map<Place, GridCell> cells;
+    std::map<Place, StrokeCell> cells;
   };
 
   static int level_of(const Rect& box) noexcept;

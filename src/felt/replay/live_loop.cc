@@ -29,7 +29,7 @@ LiveLoop::LiveLoop(std::unique_ptr<OpenDevice> device, double force_limit_n)
 }
 
 Result<std::unique_ptr<LiveLoop>> LiveLoop::start(const RealDevice& device, const Rect& page,
-                                                 double force_limit_n, const MayMove& may_move) {
+                                                  double force_limit_n, const MayMove& may_move) {
   Result<std::unique_ptr<OpenDevice>> opened =
       OpenDevice::open(*device.driver, device.found, {.profile = device.profile, .page = page});
   if (!opened) return tl::unexpected(opened.error());

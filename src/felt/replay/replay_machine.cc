@@ -4,9 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "felt/document/visible_strokes.h"
-#include "felt/formats/line_drawing.h"
-#include "felt/material/materials.h"
+#include "felt/replay/option_text.h"
 #include "felt/session/session_medium.h"
 #include "felt/tools/medium_line.h"
 #include "felt/tools/pressing.h"
@@ -29,35 +27,6 @@ double drawing_number(const Session& session, std::string_view option, double ot
   const Result<OptionValue> value = session.option(drawing_option(session, option));
   const double* number = value ? std::get_if<double>(&*value) : nullptr;
   return number ? *number : otherwise;
-}
-
-/// An input that is no stream of lines.
-Result<OpenedDrawing> read_whole(const Input& input) {
-  Result<OpenedDrawing> opened = input.read_drawing({});
-  if (opened) return opened;
-  return fail(opened.error().code, input.name() + ": " + opened.error().message);
-}
-
-/// A script must be told of every line that is wrong: what it draws depends on it.
-Result<Sketch> read_lines(const Input& input) {
-  LineReader reader(input.reader());
-  LineBatch batch;
-  LineStrokes strokes;
-  Sketch sketch;
-  for (;;) {
-    const Result<bool> more = reader.fill(batch, kBatchBytes);
-    if (!more) return fail(more.error().code, input.name() + ": " + more.error().message);
-    if (!*more) return sketch;
-    for (std::size_t i = 0; i < batch.size(); ++i) {
-      const NdjsonLine line = batch.line(i);
-      Result<std::optional<SketchStroke>> stroke = strokes.read(line);
-      if (!stroke) {
-        return fail(stroke.error().code,
-                    fmt::format("{}:{}: {}", input.name(), line.number(), stroke.error().message));
-      }
-      if (*stroke) sketch.push_back(**std::move(stroke));
-    }
-  }
 }
 
 bool presses(const HandEvent& aim) {
@@ -128,9 +97,8 @@ bool ReplayMachine::handle_turn() {
 
 HandScriptOptions ReplayMachine::hand_options() const {
   HandScriptOptions options = settings_.script;
-  const SurfaceMaterial& sheet = probe_.sheet().material();
-  const Medium* medium = probe_.materials().find_medium(drawing_medium(probe_));
-  set_surface(options, sheet, probe_.device(), medium);
+  set_surface(options, probe_.sheet().material(), probe_.device(),
+              probe_.materials().find_medium(drawing_medium(probe_)));
   return options;
 }
 

@@ -11,8 +11,9 @@ void __rtsan_realtime_exit();
 
 namespace felt {
 
-/// How many RealtimeScopes this thread is in. The interposer of tests/devices/rt reads it. Its model is
-/// initial-exec, so that reading it calls nothing, not even where the library is in a plug-in.
+/// How many RealtimeScopes this thread is in. The interposer of tests/devices/rt reads it. Its
+/// model is initial-exec, so that reading it calls nothing, not even where the library is in a
+/// plug-in.
 #if defined(__GNUC__)
 __attribute__((tls_model("initial-exec")))
 #endif

@@ -76,7 +76,7 @@ constexpr RealtimeOptions kImpatient{.fifo_priority = 0,
                                      .stop_patience_ns = 20'000'000};
 
 /// Calls may hang with a host and without.
-class HangingLoop : public testing::TestWithParam<bool> {
+class HangingLoop : public ::testing::TestWithParam<bool> {
  protected:
   void hang() {
     ASSERT_TRUE(loop->start().has_value());
@@ -130,7 +130,7 @@ TEST_P(HangingLoop, AbandonedItMayComeBackAtAnyTime) {
   wait_until([&] { return call.stops == 1; });
 }
 
-INSTANTIATE_TEST_SUITE_P(OwnThreadAndHost, HangingLoop, testing::Bool(),
+INSTANTIATE_TEST_SUITE_P(OwnThreadAndHost, HangingLoop, ::testing::Bool(),
                          [](const auto& which) { return which.param ? "Host" : "OwnThread"; });
 
 }  // namespace

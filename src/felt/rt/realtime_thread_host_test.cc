@@ -12,7 +12,7 @@
 namespace felt {
 namespace {
 
-using testing::HasSubstr;
+using ::testing::HasSubstr;
 
 // A maker's scheduler: calls about every 0.2 ms, until it is told to stop or has had enough.
 class FakeHost final : public LoopHost {
@@ -81,7 +81,7 @@ struct Push {
   Force operator()(const PenSample&, ForceMemory&) const noexcept { return {0, 0, 1.0}; }
 };
 
-class HostedLoop : public testing::Test {
+class HostedLoop : public ::testing::Test {
  protected:
   // There is a force to be taken away.
   void press_until_there_is_force(RealtimeThread& loop) {

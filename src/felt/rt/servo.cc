@@ -1,4 +1,5 @@
-// The tick. Everything here runs on the haptic thread; tests/devices/rt looks at this object's symbols.
+// The tick. Everything here runs on the haptic thread; tests/devices/rt looks at this object's
+// symbols.
 #include "felt/rt/servo.h"
 
 #include <algorithm>

@@ -15,7 +15,7 @@
 namespace felt {
 namespace {
 
-using testing::HasSubstr;
+using ::testing::HasSubstr;
 
 /// A pen of some mass on a spring that a hand holds, pushed by forces: enough of a device to feel.
 class SpringPen final : public Device, public HandInput {

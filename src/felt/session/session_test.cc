@@ -8,13 +8,13 @@
 #include <utility>
 
 #include "felt/material/material_file.h"
-#include "felt/session/testing/fake_tools.h"
 #include "felt/session/old_defaults.h"
+#include "felt/session/testing/fake_tools.h"
 
 namespace felt {
 namespace {
 
-using testing::HasSubstr;
+using ::testing::HasSubstr;
 
 constexpr std::int64_t kTickNs = 1'000'000;
 

@@ -54,7 +54,7 @@ float steepest(const std::vector<float>& sound) {
 struct Leg {
   double mm_per_s, push_n, seconds;
 };
-std::vector<float> sound_of(const RubbingPair& pair, const std::vector<Leg>& legs) {
+std::vector<float> sound_of_legs(const RubbingPair& pair, const std::vector<Leg>& legs) {
   RubbingSound sound;
   sound.set_pair(pair);
   std::vector<float> all;
@@ -87,9 +87,9 @@ TEST(RubbingSound, IsSilentInTheAirAtRestAndBeforeTheFirstSample) {
   RubbingSound sound;
   sound.set_pair(pair_of("canvas", "chalk"));
   EXPECT_TRUE(is_zero(rendered(sound, 0.1)));
-  EXPECT_TRUE(is_zero(sound_of(pair_of("canvas", "chalk"), {{200.0, 0.0, 1.0}})));
+  EXPECT_TRUE(is_zero(sound_of_legs(pair_of("canvas", "chalk"), {{200.0, 0.0, 1.0}})));
   // A pen that came down and stands has been heard to come down, no more.
-  const auto stands = sound_of(pair_of("canvas", "chalk"), {{0.0, 0.0, 0.1}, {0.0, 1.0, 0.5}});
+  const auto stands = sound_of_legs(pair_of("canvas", "chalk"), {{0.0, 0.0, 0.1}, {0.0, 1.0, 0.5}});
   EXPECT_FALSE(is_zero(stands));
   EXPECT_TRUE(is_zero(after(stands, 0.15)));
 }
@@ -99,7 +99,7 @@ TEST(RubbingSound, IsSilent50MsAfterThePenIsLiftedOrStandsOnEveryPair) {
     for (const Medium& medium : media()) {
       SCOPED_TRACE(surface.id + " " + medium.id);
       for (const Leg& end : {Leg{300.0, 0.0, 0.3}, Leg{0.0, 1.5, 0.3}}) {
-        const auto all = sound_of(rubbing_pair(surface, medium), {{300.0, 1.5, 0.2}, end});
+        const auto all = sound_of_legs(rubbing_pair(surface, medium), {{300.0, 1.5, 0.2}, end});
         EXPECT_GT(rms_of(all), 1e-4);
         EXPECT_TRUE(is_zero(after(all, 0.2 + RubVoice::kSilentAfterS)));
       }
@@ -123,12 +123,12 @@ TEST(RubbingSound, BeginningAndEndingAddNoLeap) {
   for (const char* medium : {"pencil", "chalk", "eraser"}) {
     SCOPED_TRACE(medium);
     const RubbingPair pair = pair_of("blackboard", medium);
-    const float steady = steepest(after(sound_of(pair, {{300.0, 1.6, 2.0}}), 0.1));
+    const float steady = steepest(after(sound_of_legs(pair, {{300.0, 1.6, 2.0}}), 0.1));
     std::vector<Leg> legs;
     for (int i = 0; i < 40; ++i) {
       legs.insert(legs.end(), {{300.0, 1.6, 0.03}, {300.0, 0.0, 0.03}, {0.0, 1.6, 0.03}});
     }
-    EXPECT_LE(steepest(sound_of(pair, legs)), 1.1F * steady);
+    EXPECT_LE(steepest(sound_of_legs(pair, legs)), 1.1F * steady);
   }
 }
 
@@ -148,16 +148,16 @@ TEST(RubbingSound, ATouchIsModest) {
     sound.push({50 * kMs, {}, 1.0, 0.0});
     const float touch = peak(rendered(sound, 0.05));
     EXPECT_GT(touch, 0.005F) << medium;
-    EXPECT_LT(touch, 1.5F * peak(after(sound_of(pair, {{150.0, 1.0, 1.0}}), 0.1))) << medium;
+    EXPECT_LT(touch, 1.5F * peak(after(sound_of_legs(pair, {{150.0, 1.0, 1.0}}), 0.1))) << medium;
   }
 }
 
 TEST(RubbingSound, TheSameCallsGiveTheSameSamples) {
   const std::vector<Leg> legs{
       {80.0, 0.4, 0.2}, {300.0, 1.2, 0.2}, {50.0, 0.0, 0.1}, {9.0, 2.0, 0.2}};
-  const auto once = sound_of(pair_of("wood", "felt-tip"), legs);
-  EXPECT_EQ(once, sound_of(pair_of("wood", "felt-tip"), legs));
-  EXPECT_NE(once, sound_of(pair_of("wood", "pencil"), legs));
+  const auto once = sound_of_legs(pair_of("wood", "felt-tip"), legs);
+  EXPECT_EQ(once, sound_of_legs(pair_of("wood", "felt-tip"), legs));
+  EXPECT_NE(once, sound_of_legs(pair_of("wood", "pencil"), legs));
   // In whatever pieces it is asked for.
   RubbingSound whole, pieces;
   for (RubbingSound* sound : {&whole, &pieces}) {

@@ -11,7 +11,7 @@ constexpr std::uint32_t kPolynomial = 0x82f63b78;  // 0x1edc6f41, bits reversed
 /// Table k: what a byte does to the checksum when k more bytes follow it in the same word.
 using Tables = std::array<std::array<std::uint32_t, 256>, 8>;
 
-constexpr Tables make_tables() {
+constexpr Tables make_crc_tables() {
   Tables tables{};
   for (std::uint32_t i = 0; i < 256; ++i) {
     std::uint32_t c = i;
@@ -27,7 +27,7 @@ constexpr Tables make_tables() {
   return tables;
 }
 
-constexpr Tables kCrcTables = make_tables();
+constexpr Tables kCrcTables = make_crc_tables();
 
 }  // namespace
 

@@ -327,7 +327,7 @@ Result<Stroke> read_stroke_blob(std::string_view bytes) {
   }
   const std::string_view shape = bytes.substr(0, bytes.size() - kChecksumBytes);
   if (ByteReader(bytes.substr(shape.size())).u32() != crc32c(shape)) {
-    return invalid_data("is invalid_data: its checksum is not that of its bytes");
+    return invalid_data("is damaged: its checksum is not that of its bytes");
   }
   ByteReader in(shape.substr(1));
   StrokeData data;

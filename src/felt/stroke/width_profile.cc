@@ -10,7 +10,7 @@ bool follows_width(const WidthKnot& knot) noexcept {
 }
 
 /// Whether tone_of_width() is linear there.
-bool is_in_range(double tone) noexcept {
+bool is_tone(double tone) noexcept {
   return tone > 0.0 && tone < 1.0;
 }
 
@@ -53,8 +53,8 @@ WidthKnot knot_at(std::span<const WidthKnot> profile, double u) noexcept {
   if (profile.empty()) return {u, 0.0, 0.0};
   const Between at = place(profile, u);
   const double width_mm = at.of(at.a.width_mm, at.b.width_mm);
-  const bool follows = is_in_range(at.a.tone) && is_in_range(at.b.tone) && follows_width(at.a) &&
-                       follows_width(at.b);
+  const bool follows =
+      is_tone(at.a.tone) && is_tone(at.b.tone) && follows_width(at.a) && follows_width(at.b);
   return {u, width_mm, follows ? tone_of_width(width_mm) : at.tone()};
 }
 

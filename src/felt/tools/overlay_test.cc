@@ -5,7 +5,7 @@
 namespace felt {
 namespace {
 
-/// A small_ring of two segments.
+/// A ring of two segments.
 Stroke small_ring() {
   StrokeData data;
   data.points = {{1, 0}, {1, 1.3}, {-1, 1.3}, {-1, 0}, {-1, -1.3}, {1, -1.3}, {1, 0}};

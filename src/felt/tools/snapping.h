@@ -5,8 +5,8 @@
 #include <string_view>
 
 #include "felt/document/stroke_index.h"
-#include "felt/haptics/pen_sample.h"
 #include "felt/haptics/bricks/well.h"
+#include "felt/haptics/pen_sample.h"
 
 namespace felt {
 

@@ -23,7 +23,7 @@ TEST(ShownPlane, OfAnotherUnitIsNotUsed) {
     const Vec3 shown = device.profile.plane->to_sheet(driver.device().capabilities).workspace_min;
     auto loop = LiveLoop::start(device, {0, 0, 297, 210}, 3.0, {});
     ASSERT_TRUE(loop) << loop.error().message;
-    EXPECT_EQ((*loop)->capabilities().workspace_min == shown, same);
+    EXPECT_EQ((*loop)->device().capabilities().workspace_min == shown, same);
     EXPECT_TRUE((*loop)->stop());
     DriverSubject subject(driver, driver.device(), {}, device.profile);
     ASSERT_TRUE(subject.open());

@@ -16,10 +16,10 @@
 namespace felt {
 namespace {
 
-using testing::ElementsAre;
-using testing::HasSubstr;
-using testing::IsEmpty;
-using testing::Not;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using ::testing::Not;
 
 ValidationOptions quick(std::uint64_t seed = 1) {
   ValidationOptions options;
@@ -197,16 +197,17 @@ TEST(ValidatorTest, JitterIsFound) {
 TEST(ValidatorTest, ALateForceIsFound) {
   const ValidationReport report =
       test({.plant = [](BadDevice& device) { device.late_ticks = 80; }});
-  EXPECT_THAT(ids_with(report, Verdict::kFailed), testing::Contains("step")) << report_text(report);
+  EXPECT_THAT(ids_with(report, Verdict::kFailed), ::testing::Contains("step"))
+      << report_text(report);
 }
 
 TEST(ValidatorTest, SamplesThatAreNoNumbersOrOutOfTimeAreFound) {
   EXPECT_THAT(ids_with(test({.faults = always(InjectedFault::kNotFinite)}), Verdict::kFailed),
-              testing::Contains("places"));
+              ::testing::Contains("places"));
   const ValidationReport frozen = test({.plant = [](BadDevice& device) {
     device.bend_sample = [](PenSample& sample) { sample.time_ns = 7; };
   }});
-  EXPECT_THAT(ids_with(frozen, Verdict::kFailed), testing::Contains("sample_times"));
+  EXPECT_THAT(ids_with(frozen, Verdict::kFailed), ::testing::Contains("sample_times"));
 }
 
 TEST(ValidatorTest, FiguresThatMakeNoSenseAreFound) {
@@ -253,7 +254,7 @@ TEST(ValidatorTest, WithoutConsentNoForceAtAll) {
   const ValidationReport report = test_with({PersonTask::kAgreeToForces}, largest_n);
   EXPECT_EQ(largest_n, 0.0);
   EXPECT_TRUE(report.passed());
-  EXPECT_THAT(ids_with(report, Verdict::kNotPossible), testing::Contains("force_felt"));
+  EXPECT_THAT(ids_with(report, Verdict::kNotPossible), ::testing::Contains("force_felt"));
 }
 
 TEST(ValidatorTest, NeverMoreThanTheTestsForce) {
@@ -268,7 +269,7 @@ TEST(ValidatorTest, NobodyToUnplugIt) {
   const ValidationReport report = test_with({PersonTask::kUnplug}, largest_n);
   EXPECT_THAT(ids_with(report, Verdict::kNotPossible), ElementsAre("unplugging"));
   const ValidationReport left = test_with({PersonTask::kReplug}, largest_n);
-  EXPECT_THAT(ids_with(left, Verdict::kNotPossible), testing::Contains("unplugging"));
+  EXPECT_THAT(ids_with(left, Verdict::kNotPossible), ::testing::Contains("unplugging"));
 }
 
 TEST(ValidatorTest, InterruptedAtAnyMomentTheForceIsGone) {

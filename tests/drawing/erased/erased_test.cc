@@ -8,8 +8,8 @@
 
 #include "felt/geometry/polyline.h"
 #include "felt/render/raster.h"
-#include "felt/tools/testing/desk.h"
 #include "felt/tools/eraser/eraser_tool.h"
+#include "felt/tools/testing/desk.h"
 
 namespace felt {
 namespace {

@@ -5,8 +5,8 @@
 
 #include "felt/devices/simulated/felt_stroke.h"
 #include "felt/haptics/bricks/drawing_feel.h"
-#include "tests/drawing/materials/feel_features.h"
 #include "tests/devices/stability/stability_cell.h"
+#include "tests/drawing/materials/feel_features.h"
 
 namespace felt {
 namespace {

@@ -7,8 +7,8 @@
 #include <numbers>
 #include <utility>
 
-#include "felt/devices/simulated/samples/drawings.h"
 #include "felt/devices/simulated/random.h"
+#include "felt/devices/simulated/samples/drawings.h"
 
 namespace felt::snap_test {
 namespace {

@@ -13,9 +13,9 @@
 #include "felt/io/picture/png.h"
 #include "felt/io/svg/svg_import.h"
 #include "felt/render/page.h"
-#include "tests/support/scratch_path.h"
 #include "tests/formats/svg/scene_picture.h"
 #include "tests/formats/svg/suite.h"
+#include "tests/support/scratch_path.h"
 
 namespace felt::testing {
 namespace {

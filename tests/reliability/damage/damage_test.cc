@@ -8,15 +8,15 @@
 #include <filesystem>
 #include <map>
 
+#include "felt/autosave/recovery.h"
+#include "felt/autosave/working_store.h"
 #include "felt/base/atomic_file.h"
 #include "felt/base/read_file.h"
 #include "felt/formats/drawing_reader.h"
 #include "felt/formats/drawing_writer.h"
 #include "felt/formats/testing/random_drawing.h"
 #include "felt/store/felt_salvage.h"
-#include "felt/autosave/recovery.h"
 #include "felt/store/stroke_blob.h"
-#include "felt/autosave/working_store.h"
 #include "tests/reliability/damage/damages.h"
 
 namespace felt::damage {

@@ -9,11 +9,11 @@
 #include <memory>
 #include <thread>
 
+#include "felt/autosave/saver.h"
+#include "felt/autosave/saver_feed.h"
 #include "felt/devices/simulated/simulated_stylus.h"
 #include "felt/devices/simulated/stylus_presets.h"
 #include "felt/session/session.h"
-#include "felt/autosave/saver.h"
-#include "felt/autosave/saver_feed.h"
 #include "felt/stroke/testing/random_stroke.h"
 #include "felt/tools/tool.h"
 #include "tests/reliability/kill/kill_shared.h"

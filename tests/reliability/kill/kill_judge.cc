@@ -7,8 +7,8 @@
 #include <cstring>
 #include <optional>
 
-#include "felt/session/session.h"
 #include "felt/autosave/recovery.h"
+#include "felt/session/session.h"
 #include "felt/tools/tool.h"
 #include "tests/reliability/kill/kill_shared.h"
 

@@ -20,8 +20,8 @@
 #include <random>
 #include <string_view>
 
-#include "felt/store/felt_file.h"
 #include "felt/autosave/recovery.h"
+#include "felt/store/felt_file.h"
 #include "tests/reliability/kill/kill_shared.h"
 
 namespace felt::kill {

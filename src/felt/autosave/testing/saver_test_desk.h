@@ -11,10 +11,10 @@
 #include <string>
 #include <utility>
 
-#include "felt/session/session.h"
 #include "felt/autosave/recovery.h"
 #include "felt/autosave/saver.h"
 #include "felt/autosave/saver_feed.h"
+#include "felt/session/session.h"
 #include "felt/stroke/testing/random_stroke.h"
 #include "felt/tools/tool.h"
 

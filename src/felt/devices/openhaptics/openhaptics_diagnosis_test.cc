@@ -9,9 +9,9 @@
 namespace felt {
 namespace {
 
-using testing::ElementsAre;
-using testing::HasSubstr;
-using testing::IsEmpty;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
 
 constexpr const char* kUsb = "/sys/devices/pci0000:00/usb1/1-4";
 
@@ -166,7 +166,7 @@ TEST(OpenHapticsDiagnosis, ADeviceThatMayNotBeUsed) {
   EXPECT_THAT(all_steps(*problem), HasSubstr("feltline doctor --fix"));
   EXPECT_THAT(all_steps(*problem), HasSubstr("usermod -aG plugdev ada"));
   system.set_user("ada", {"plugdev"});
-  EXPECT_THAT(all_steps(*worst(look(system))), testing::Not(HasSubstr("usermod")));
+  EXPECT_THAT(all_steps(*worst(look(system))), ::testing::Not(HasSubstr("usermod")));
   system.forbid("/dev/hidraw1").allow("/dev/hidraw0");
   EXPECT_EQ(worst(look(system)), nullptr) << "that is another device";
 }

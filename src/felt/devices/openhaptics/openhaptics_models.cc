@@ -15,7 +15,7 @@ constexpr double kLargestMm = 2000.0;  // of a workspace, from the origin, that 
 constexpr double kSmallestMm = 10.0;   // of one of its sides
 
 struct Word {
-  std::string_view word;  // ascii_lower case
+  std::string_view word;  // lower case
   std::string_view model;
 };
 

@@ -10,8 +10,8 @@
 #include <string>
 #include <vector>
 
-#include "felt/devices/simulated/samples/drawings.h"
 #include "felt/devices/simulated/hand_path.h"
+#include "felt/devices/simulated/samples/drawings.h"
 #include "felt/devices/simulated/samples/sample_sets.h"
 
 namespace felt {

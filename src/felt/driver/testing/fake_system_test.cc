@@ -6,9 +6,9 @@
 namespace felt {
 namespace {
 
-using testing::ElementsAre;
-using testing::HasSubstr;
-using testing::IsEmpty;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
 
 TEST(FakeSystemTest, IsEmptyAtFirst) {
   const FakeSystem system;
@@ -60,10 +60,10 @@ TEST(FakeSystemTest, WhatIsForbiddenIsThereAllTheSame) {
 
 TEST(ThisSystemTest, SeesThisMachine) {
   const SystemView& system = this_system();
-  EXPECT_THAT(system.list("/proc/self"), testing::Contains("limits"));
+  EXPECT_THAT(system.list("/proc/self"), ::testing::Contains("limits"));
   EXPECT_THAT(system.read("/proc/self/limits").value_or(""), HasSubstr("Max realtime priority"));
   EXPECT_FALSE(system.user().empty());
-  EXPECT_THAT(system.groups(), testing::Not(IsEmpty()));
+  EXPECT_THAT(system.groups(), ::testing::Not(IsEmpty()));
   const Result<void> library = system.try_library("libno-such-library-of-feltline.so");
   ASSERT_FALSE(library);
   EXPECT_THAT(library.error().message, HasSubstr("libno-such-library-of-feltline.so"));

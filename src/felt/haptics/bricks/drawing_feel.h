@@ -1,11 +1,11 @@
 #pragma once
 
 #include "felt/geometry/height_field.h"
-#include "felt/haptics/capabilities.h"
-#include "felt/haptics/compose.h"
 #include "felt/haptics/bricks/friction.h"
 #include "felt/haptics/bricks/plane.h"
 #include "felt/haptics/bricks/texture.h"
+#include "felt/haptics/capabilities.h"
+#include "felt/haptics/compose.h"
 #include "felt/material/materials.h"
 #include "felt/material/relief.h"
 

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "felt/haptics/known_velocity.h"
 #include "felt/haptics/bricks/spring.h"
+#include "felt/haptics/known_velocity.h"
 
 namespace felt {
 namespace {

@@ -6,7 +6,7 @@
 namespace felt {
 namespace {
 
-using testing::HasSubstr;
+using ::testing::HasSubstr;
 
 /// The first line of `text`.
 struct Read {

@@ -70,7 +70,7 @@ rc::Gen<double> numbers() {
   });
 }
 
-rc::Gen<std::string> texts() {
+rc::Gen<std::string> event_texts() {
   return rc::gen::map(
       rc::gen::nonEmpty(rc::gen::container<std::vector<std::string>>(rc::gen::element<std::string>(
           "a", ".", "\"", "\\", "\n", "\x01", "\xC3\xA9", "\xF0\x9F\x96\x8B", "/"))),
@@ -85,7 +85,7 @@ OptionValue any_value() {
   const int kind = *rc::gen::inRange(0, 3);
   if (kind == 0) return *numbers();
   if (kind == 1) return *rc::gen::arbitrary<bool>();
-  return *texts();
+  return *event_texts();
 }
 
 Vec3 any_place() {
@@ -107,7 +107,7 @@ LayerEvent any_layer_event() {
   LayerEvent event{static_cast<Do>(*rc::gen::inRange(0, 11)), {}, {}};
   if (event.what != Do::kAdd) event.layer.value = *rc::gen::positive<std::uint64_t>();
   const bool is_named = event.what == Do::kAdd ? *rc::gen::arbitrary<bool>() : false;
-  if (is_named || event.what == Do::kRename) event.name = *texts();
+  if (is_named || event.what == Do::kRename) event.name = *event_texts();
   if (event.what == Do::kMove) event.index = *rc::gen::arbitrary<std::uint32_t>();
   return event;
 }
@@ -135,10 +135,10 @@ Event any_event(std::int64_t time_ns) {
   Event event{time_ns, {}};
   switch (*rc::gen::inRange(0, 13)) {
     case 0:
-      event.what = SelectTool{*texts()};
+      event.what = SelectTool{*event_texts()};
       break;
     case 1:
-      event.what = SetOption{*texts(), any_value()};
+      event.what = SetOption{*event_texts(), any_value()};
       break;
     case 2:
       event.what =
@@ -173,7 +173,7 @@ Event any_event(std::int64_t time_ns) {
       event.what = any_device();
       break;
     default:
-      event.what = ImportEvent{*texts(), *rc::gen::arbitrary<bool>()};
+      event.what = ImportEvent{*event_texts(), *rc::gen::arbitrary<bool>()};
   }
   return event;
 }

@@ -19,7 +19,7 @@ namespace {
 
 using Next = NumberList::Next;
 
-void append_number(std::string& out, double value) {
+void append_shortest(std::string& out, double value) {
   std::array<char, 32> text;
   out.append(text.data(), std::to_chars(text.data(), text.data() + text.size(), value).ptr);
 }
@@ -122,9 +122,9 @@ Result<void> append_model(std::string& out, std::string_view id, const Stroke& s
   out += d.closed ? " felt:closed=\"true\"" : "";
   out += " felt:points=\"";
   for (const Point& p : d.points) {
-    append_number(out, p.x);
+    append_shortest(out, p.x);
     out += ' ';
-    append_number(out, p.y);
+    append_shortest(out, p.y);
     out += ' ';
   }
   out.back() = '"';
@@ -132,16 +132,16 @@ Result<void> append_model(std::string& out, std::string_view id, const Stroke& s
   for (const JointKind kind : d.joints) out += kind == JointKind::kSmooth ? 's' : 'c';
   out += "\" felt:widths=\"";
   for (const WidthKnot& knot : d.widths) {
-    append_number(out, knot.u);
+    append_shortest(out, knot.u);
     out += ' ';
-    append_number(out, knot.width_mm);
+    append_shortest(out, knot.width_mm);
     out += ' ';
   }
   out.back() = '"';
   if (has_own_tone(d.widths)) {
     out += " felt:tones=\"";
     for (const WidthKnot& knot : d.widths) {
-      append_number(out, knot.tone);
+      append_shortest(out, knot.tone);
       out += ' ';
     }
     out.back() = '"';
@@ -187,9 +187,9 @@ namespace {
 
 std::string page_text(const SheetPage& page) {
   std::string text;
-  append_number(text, page.width_mm);
+  append_shortest(text, page.width_mm);
   text += ' ';
-  append_number(text, page.height_mm);
+  append_shortest(text, page.height_mm);
   text += ' ' + color_to_text(page.paper);
   return text;
 }

@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
-#include "felt/io/testing/import_checks.h"
 #include "felt/io/inkml/inkml_import.h"
+#include "felt/io/testing/import_checks.h"
 #include "felt/io/testing/random_layers.h"
 #include "felt/stroke/outline/flatten.h"
 

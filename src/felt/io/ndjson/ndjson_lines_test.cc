@@ -8,8 +8,8 @@
 namespace felt {
 namespace {
 
-using testing::ElementsAre;
-using testing::IsEmpty;
+using ::testing::ElementsAre;
+using ::testing::IsEmpty;
 
 /// Lines as "number:text", a line that was too long as "number!".
 std::vector<std::string> lines_of(LineReader& reader, std::size_t enough_bytes) {

@@ -10,7 +10,7 @@
 namespace felt {
 namespace {
 
-using testing::HasSubstr;
+using ::testing::HasSubstr;
 using namespace std::string_literals;
 
 /// The first line of `text` as a raw stroke, or the message of the error.

@@ -21,7 +21,7 @@ namespace {
 constexpr double kPointsPerMm = 72.0 / 25.4;
 constexpr double kMostPoints = 14'400.0;
 constexpr double kClipMarginMm = 1e6;
-constexpr double kStepsPerMm = 1e3;  // of coordinates: 1e-3 mm
+constexpr double kPdfStepsPerMm = 1e3;  // of coordinates: 1e-3 mm
 constexpr double kHairMm = 5e-4;
 
 /// A value to four places without trailing zeros, and a space.
@@ -40,7 +40,7 @@ void append_grid_steps(std::string& out, double mm) {
   std::array<char, 24> text;
   out.append(
       text.data(),
-      std::to_chars(text.data(), text.data() + text.size(), std::llround(mm * kStepsPerMm)).ptr);
+      std::to_chars(text.data(), text.data() + text.size(), std::llround(mm * kPdfStepsPerMm)).ptr);
   out += ' ';
 }
 
@@ -54,7 +54,7 @@ class Content {
     std::array<char, 160> text{};
     // The scale needs more digits than the rest: 14400 points are a long way.
     std::snprintf(text.data(), text.size(), "%.*f 0 0 %.*f ", kMatrixDigits,
-                  kPointsPerMm / kStepsPerMm, kMatrixDigits, -kPointsPerMm / kStepsPerMm);
+                  kPointsPerMm / kPdfStepsPerMm, kMatrixDigits, -kPointsPerMm / kPdfStepsPerMm);
     out_ += text.data();
     append_pdf_number(out_, -area.x0 * kPointsPerMm);
     append_pdf_number(out_, area.y1 * kPointsPerMm);
@@ -154,12 +154,12 @@ class Masks {
     const Rect area = mask.area.inflated(-kHairMm);
     std::string place = "q ";
     for (const double v : {area.width(), 0.0, 0.0, -area.height(), area.x0, area.y1}) {
-      append_pdf_number(place, kStepsPerMm * v);
+      append_pdf_number(place, kPdfStepsPerMm * v);
     }
     place += "cm /P Do Q\n";
     std::string group = "<< /Type /XObject /Subtype /Form /BBox [";
     for (const double v : {mask.area.x0, mask.area.y0, mask.area.x1, mask.area.y1}) {
-      append_pdf_number(group, kStepsPerMm * v);
+      append_pdf_number(group, kPdfStepsPerMm * v);
     }
     group +=
         "] /Group << /S /Transparency /CS /DeviceGray /I true >> /Resources << /XObject << /P " +

@@ -49,7 +49,7 @@ void on_read(png_structp png, png_bytep data, std::size_t size) {
   session->in.remove_prefix(size);
 }
 
-std::uint8_t straight(std::uint8_t c, std::uint8_t a) noexcept {
+std::uint8_t unmultiplied(std::uint8_t c, std::uint8_t a) noexcept {
   return a == 0 ? std::uint8_t{0} : static_cast<std::uint8_t>(std::min(255, (c * 255 + a / 2) / a));
 }
 
@@ -71,8 +71,8 @@ void load_row(const Image& image, int y, bool alpha, std::vector<std::uint8_t>& 
   row.clear();
   for (std::size_t x = 0; x < width; ++x, p += 4) {
     if (alpha) {
-      row.insert(row.end(),
-                 {straight(p[0], p[3]), straight(p[1], p[3]), straight(p[2], p[3]), p[3]});
+      row.insert(row.end(), {unmultiplied(p[0], p[3]), unmultiplied(p[1], p[3]),
+                             unmultiplied(p[2], p[3]), p[3]});
     } else {
       row.insert(row.end(), {p[0], p[1], p[2]});
     }

@@ -7,7 +7,7 @@
 namespace felt {
 namespace {
 
-using testing::HasSubstr;
+using ::testing::HasSubstr;
 
 std::string parse_error(const std::string& line) {
   LineReader reader(read_text(line));

@@ -7,9 +7,12 @@
 #include "felt/io/svg/svg_import.h"
 #include "felt/io/svg/svg_limits.h"
 #include "felt/io/svg/svg_writer.h"
+#include "felt/io/testing/import_checks.h"
 
 namespace felt {
 namespace {
+
+using testing::notice_lines;
 
 using ::testing::HasSubstr;
 

@@ -7,12 +7,15 @@
 
 #include "felt/io/svg/svg_length.h"
 #include "felt/io/svg/svg_writer.h"
+#include "felt/io/testing/import_checks.h"
 #include "felt/io/unpack.h"
 #include "felt/stroke/testing/random_stroke.h"
 #include "felt/stroke/width_profile.h"
 
 namespace felt {
 namespace {
+
+using testing::notice_lines;
 
 using ::testing::HasSubstr;
 

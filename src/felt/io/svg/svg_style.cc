@@ -132,7 +132,7 @@ bool is_color(SvgProperty p) noexcept {
 
 /// Sets an inherited property: `read` gives the value or none where it has an error.
 template <class T, class Read>
-void apply(std::string_view value, T& computed, const T& initial, Read read) {
+void compute(std::string_view value, T& computed, const T& initial, Read read) {
   if (value.empty() || is_inherit(value)) return;
   if (is_initial(value)) {
     computed = initial;
@@ -216,17 +216,17 @@ std::optional<double> font_size(std::string_view value, double parent, const Svg
 
 void apply_paint(const SvgDeclared& d, SvgStyle& s) {
   const SvgStyle initial;
-  apply(d[SvgProperty::kColor], s.color, initial.color, svg_color);
-  apply(d[SvgProperty::kFill], s.fill, initial.fill, svg_paint);
-  apply(d[SvgProperty::kStroke], s.stroke, initial.stroke, svg_paint);
-  apply(d[SvgProperty::kFillOpacity], s.fill_opacity, 1.0, svg_share);
-  apply(d[SvgProperty::kStrokeOpacity], s.stroke_opacity, 1.0, svg_share);
-  apply(d[SvgProperty::kFillRule], s.even_odd, false, [](std::string_view v) {
+  compute(d[SvgProperty::kColor], s.color, initial.color, svg_color);
+  compute(d[SvgProperty::kFill], s.fill, initial.fill, svg_paint);
+  compute(d[SvgProperty::kStroke], s.stroke, initial.stroke, svg_paint);
+  compute(d[SvgProperty::kFillOpacity], s.fill_opacity, 1.0, svg_share);
+  compute(d[SvgProperty::kStrokeOpacity], s.stroke_opacity, 1.0, svg_share);
+  compute(d[SvgProperty::kFillRule], s.even_odd, false, [](std::string_view v) {
     return v == "evenodd"   ? std::optional(true)
            : v == "nonzero" ? std::optional(false)
                             : std::nullopt;
   });
-  apply(d[SvgProperty::kVisibility], s.visible, true, [](std::string_view v) {
+  compute(d[SvgProperty::kVisibility], s.visible, true, [](std::string_view v) {
     return v == "visible"                       ? std::optional(true)
            : (v == "hidden" || v == "collapse") ? std::optional(false)
                                                 : std::nullopt;
@@ -234,33 +234,33 @@ void apply_paint(const SvgDeclared& d, SvgStyle& s) {
   const auto marks = [](std::string_view v) { return std::optional(v != "none"); };
   for (const SvgProperty p : {SvgProperty::kMarker, SvgProperty::kMarkerStart,
                               SvgProperty::kMarkerMid, SvgProperty::kMarkerEnd}) {
-    apply(d[p], s.has_marker, false, marks);
+    compute(d[p], s.has_marker, false, marks);
   }
-  apply(d[SvgProperty::kPaintOrder], s.reorders_paint, false, [](std::string_view v) {
+  compute(d[SvgProperty::kPaintOrder], s.reorders_paint, false, [](std::string_view v) {
     return std::optional(v != "normal" && v.substr(0, 4) != "fill");
   });
 }
 
 void apply_line(const SvgDeclared& d, SvgStyle& s, const SvgUnits& units) {
   const auto length = [&](std::string_view v) { return svg_length(v, SvgAxis::kDiagonal, units); };
-  apply(d[SvgProperty::kStrokeWidth], s.stroke_width, 1.0, [&](std::string_view v) {
+  compute(d[SvgProperty::kStrokeWidth], s.stroke_width, 1.0, [&](std::string_view v) {
     const std::optional<double> width = length(v);
     return width && *width >= 0.0 ? width : std::nullopt;
   });
-  apply(d[SvgProperty::kStrokeLinecap], s.cap, SvgCap::kButt, cap_of);
-  apply(d[SvgProperty::kStrokeLinejoin], s.join, SvgJoin::kMiter, join_of);
-  apply(d[SvgProperty::kStrokeMiterlimit], s.miter_limit, 4.0, [](std::string_view v) {
+  compute(d[SvgProperty::kStrokeLinecap], s.cap, SvgCap::kButt, cap_of);
+  compute(d[SvgProperty::kStrokeLinejoin], s.join, SvgJoin::kMiter, join_of);
+  compute(d[SvgProperty::kStrokeMiterlimit], s.miter_limit, 4.0, [](std::string_view v) {
     const std::optional<double> limit = plain_number(v);
     return limit && *limit >= 1.0 ? limit : std::nullopt;
   });
   using Dashes = std::shared_ptr<const std::vector<double>>;
-  apply(d[SvgProperty::kStrokeDasharray], s.dashes, Dashes(),
-        [&](std::string_view v) -> std::optional<Dashes> {
-          std::optional<std::vector<double>> list = dash_list(v, units);
-          if (!list || list->empty()) return Dashes();
-          return std::make_shared<const std::vector<double>>(*std::move(list));
-        });
-  apply(d[SvgProperty::kStrokeDashoffset], s.dash_offset, 0.0, length);
+  compute(d[SvgProperty::kStrokeDasharray], s.dashes, Dashes(),
+          [&](std::string_view v) -> std::optional<Dashes> {
+            std::optional<std::vector<double>> list = dash_list(v, units);
+            if (!list || list->empty()) return Dashes();
+            return std::make_shared<const std::vector<double>>(*std::move(list));
+          });
+  compute(d[SvgProperty::kStrokeDashoffset], s.dash_offset, 0.0, length);
 }
 
 }  // namespace
@@ -370,7 +370,7 @@ bool svg_declared(const pugi::xml_node& node, SvgStyleSheet& sheet, std::string&
 SvgStyle svg_style(const SvgDeclared& declared, const SvgStyle& parent, SvgUnits units) {
   SvgStyle s = parent;
   units.font_size = parent.font_size;
-  apply(declared[SvgProperty::kFontSize], s.font_size, 16.0, [&](std::string_view v) {
+  compute(declared[SvgProperty::kFontSize], s.font_size, 16.0, [&](std::string_view v) {
     const std::optional<double> size = font_size(v, parent.font_size, units);
     return size && *size >= 0.0 ? size : std::nullopt;
   });

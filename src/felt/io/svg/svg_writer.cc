@@ -135,7 +135,8 @@ Result<std::unique_ptr<DrawingParts>> svg_parts(DrawingView drawing, const SvgOp
   const std::optional<SheetPage> page = drawing.page;
   const Result<std::string> model = svg_model_text(drawing);
   if (!model) return tl::unexpected(model.error());
-  const Rect area = page ? page->area() : picture_area(drawing.ink(), options.sheet, options.margin_mm);
+  const Rect area =
+      page ? page->area() : picture_area(drawing.ink(), options.sheet, options.margin_mm);
   std::string head;
   append_svg_head(head, area, page ? page->paper : options.paper, *model);
   return std::make_unique<SvgParts>(std::move(drawing), options, area, std::move(head), true);

@@ -9,8 +9,8 @@
 #include "felt/base/result.h"
 #include "felt/geometry/rect.h"
 #include "felt/io/drawing_parts.h"
-#include "felt/io/picture/grain_mask.h"
 #include "felt/io/layered_sketch.h"
+#include "felt/io/picture/grain_mask.h"
 #include "felt/stroke/sketch.h"
 
 namespace felt {

@@ -19,6 +19,13 @@ inline std::vector<std::string> texts(const ImportReport& report) {
   return all;
 }
 
+/// Returns all notices, one a line.
+inline std::string notice_lines(const ImportedDrawing& drawing) {
+  std::string lines;
+  for (const std::string& text : texts(drawing.report)) lines += text + "\n";
+  return lines;
+}
+
 inline const Stroke& only_stroke(const ImportedDrawing& d) {
   EXPECT_EQ(d.drawing.layers.size(), 1u);
   EXPECT_EQ(d.drawing.layers[0].strokes.size(), 1u);

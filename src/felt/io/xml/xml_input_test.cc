@@ -5,7 +5,7 @@
 namespace felt {
 namespace {
 
-using testing::HasSubstr;
+using ::testing::HasSubstr;
 
 std::string error_of(std::string_view text, const XmlLimits& limits = {}) {
   const Result<XmlInput> input = XmlInput::parse(text, limits);

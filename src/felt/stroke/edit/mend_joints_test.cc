@@ -5,8 +5,8 @@
 #include <cmath>
 #include <cstdint>
 
-#include "felt/stroke/testing/fit_oracle.h"
 #include "felt/stroke/fit/ink_fitter.h"
+#include "felt/stroke/testing/fit_oracle.h"
 #include "felt/stroke/testing/random_stroke.h"
 #include "felt/stroke/testing/test_ink.h"
 

@@ -4,9 +4,9 @@
 
 #include <cmath>
 
-#include "felt/haptics/testing/feel_rig.h"
 #include "felt/haptics/safety/safety_chain.h"
 #include "felt/haptics/safety/safety_limits.h"
+#include "felt/haptics/testing/feel_rig.h"
 #include "felt/tools/testing/desk.h"
 
 namespace felt {

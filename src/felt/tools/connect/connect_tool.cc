@@ -12,12 +12,13 @@
 namespace felt {
 namespace {
 
-constexpr std::array<ToolUse, 1> kUses = {{{.hint = "Drag the end of a line to another end.",
-                                            .first_modifier = "the end stays where you let it go",
-                                            .size = "grab_radius_mm",
-                                            .path = ToolPath::kFromEnd}}};
-constexpr std::array<std::string_view, 3> kEdits = {"Connect", "Close", "Move end"};
-constexpr ToolInfo kInfo{
+constexpr std::array<ToolUse, 1> kConnectUses = {
+    {{.hint = "Drag the end of a line to another end.",
+      .first_modifier = "the end stays where you let it go",
+      .size = "grab_radius_mm",
+      .path = ToolPath::kFromEnd}}};
+constexpr std::array<std::string_view, 3> kConnectEdits = {"Connect", "Close", "Move end"};
+constexpr ToolInfo kConnectInfo{
     .id = "connect",
     .label = "Connect",
     .help =
@@ -26,8 +27,8 @@ constexpr ToolInfo kInfo{
     .shortcut = 'c',
     .options = kConnectOptions,
     .kind = ToolKind::kEdits,
-    .uses = kUses,
-    .edits = kEdits,
+    .uses = kConnectUses,
+    .edits = kConnectEdits,
     .act = {.title = "Connect",
             .caption = "Drag one end onto another: they snap, and become one line.",
             .seconds = 16.0}};

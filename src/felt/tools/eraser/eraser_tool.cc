@@ -7,21 +7,21 @@
 namespace felt {
 namespace {
 
-constexpr std::array<ToolUse, 1> kUses = {{{.hint = "Rub out what the ring touches.",
-                                            .first_modifier = "up to the crossings",
-                                            .second_modifier = "whole lines",
-                                            .size = "radius_mm",
-                                            .path = ToolPath::kAcross}}};
-constexpr std::array<std::string_view, 1> kEdits = {"Erase"};
-constexpr ToolInfo kInfo{
+constexpr std::array<ToolUse, 1> kEraserUses = {{{.hint = "Rub out what the ring touches.",
+                                                  .first_modifier = "up to the crossings",
+                                                  .second_modifier = "whole lines",
+                                                  .size = "radius_mm",
+                                                  .path = ToolPath::kAcross}}};
+constexpr std::array<std::string_view, 1> kEraserEdits = {"Erase"};
+constexpr ToolInfo kEraserInfo{
     .id = "eraser",
     .label = "Eraser",
     .help = "Erases what it covers, lines up to their next crossings, or whole lines.",
     .shortcut = 'e',
     .options = kEraserOptions,
     .kind = ToolKind::kErases,
-    .uses = kUses,
-    .edits = kEdits,
+    .uses = kEraserUses,
+    .edits = kEraserEdits,
     .act = {.title = "Erase",
             .caption = "Rub away what is covered, a line up to its next crossing, or all of it.",
             .seconds = 14.0}};

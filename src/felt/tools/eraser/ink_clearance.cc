@@ -47,8 +47,8 @@ void append_profile(const std::vector<Place>& places, std::size_t first, std::si
 }
 
 /// The profile of a stroke with the breakpoints in `replaced` exchanged for `narrowed`.
-std::vector<WidthKnot> combined(const Stroke& stroke, const ParameterSet& replaced,
-                                std::vector<WidthKnot> narrowed) {
+std::vector<WidthKnot> with_narrowed(const Stroke& stroke, const ParameterSet& replaced,
+                                     std::vector<WidthKnot> narrowed) {
   constexpr double kSame = 1e-9;
   for (const WidthKnot& k : stroke.widths()) {
     if (!replaced.contains({k.u, k.u})) narrowed.push_back(k);
@@ -270,7 +270,7 @@ InkClearance::Result InkClearance::result() const {
     add_hole(part.places.front().u, part.places.back().u, replaced);
     narrowed.insert(narrowed.end(), knots.begin(), knots.end());
   }
-  if (!narrowed.empty()) result.widths = combined(*stroke_, replaced, std::move(narrowed));
+  if (!narrowed.empty()) result.widths = with_narrowed(*stroke_, replaced, std::move(narrowed));
   return result;
 }
 

@@ -4,9 +4,9 @@
 
 #include "felt/geometry/polygon.h"
 #include "felt/stroke/edit/point_marks.h"
-#include "felt/tools/testing/desk.h"
 #include "felt/tools/lasso/lasso_force.h"
 #include "felt/tools/lasso/lasso_tool.h"
+#include "felt/tools/testing/desk.h"
 
 namespace felt {
 namespace {

@@ -9,19 +9,20 @@
 namespace felt {
 namespace {
 
-constexpr std::array<ToolUse, 1> kUses = {{{.hint = "Draw round what you mean, or click a line.",
-                                            .first_modifier = "adds",
-                                            .second_modifier = "takes away",
-                                            .size = "click_radius_mm",
-                                            .path = ToolPath::kAround}}};
-constexpr ToolInfo kInfo{
+constexpr std::array<ToolUse, 1> kLassoUses = {
+    {{.hint = "Draw round what you mean, or click a line.",
+      .first_modifier = "adds",
+      .second_modifier = "takes away",
+      .size = "click_radius_mm",
+      .path = ToolPath::kAround}}};
+constexpr ToolInfo kLassoInfo{
     .id = "lasso",
     .label = "Lasso",
     .help = "Selects what a line is drawn round; a short touch takes a line.",
     .shortcut = 'v',
     .options = kLassoOptions,
     .kind = ToolKind::kSelects,
-    .uses = kUses,
+    .uses = kLassoUses,
     .act = {.title = "Select",
             .caption = "Draw a loop around lines to select them; touch one to take it.",
             .seconds = 10.0}};

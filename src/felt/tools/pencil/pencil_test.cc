@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "felt/base/constants.h"
 #include "felt/tools/pencil/pencil_force.h"
 #include "felt/tools/testing/desk.h"
 

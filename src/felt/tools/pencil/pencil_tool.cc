@@ -14,20 +14,20 @@ namespace {
 
 using Row = PencilOption::Row;
 
-constexpr std::array<ToolUse, 1> kUses = {
+constexpr std::array<ToolUse, 1> kPencilUses = {
     {{.hint = "Draw; press harder for a broader line. End on a line’s end to join it.",
       .size = "max_width_mm",
       .path = ToolPath::kFree}}};
-constexpr std::array<std::string_view, 1> kEdits = {"Draw"};
-constexpr ToolInfo kInfo{
+constexpr std::array<std::string_view, 1> kPencilEdits = {"Draw"};
+constexpr ToolInfo kPencilInfo{
     .id = "pencil",
     .label = "Pencil",
     .help = "Draws lines; pressing harder draws them broader.",
     .shortcut = 'p',
     .options = kPencilOptions,
     .kind = ToolKind::kDraws,
-    .uses = kUses,
-    .edits = kEdits,
+    .uses = kPencilUses,
+    .edits = kPencilEdits,
     .act = {.title = "Draw",
             .caption = "Lines become smooth curves while you draw; press harder for a broader one. "
                        "Near its start, an outline snaps shut.",
@@ -45,7 +45,7 @@ std::unique_ptr<Tool> make_pencil() {
   return std::make_unique<PencilTool>();
 }
 
-PencilTool::PencilTool() : GestureTool(kInfo), settings_(pencil_settings(options())) {}
+PencilTool::PencilTool() : GestureTool(kPencilInfo), settings_(pencil_settings(options())) {}
 
 ToolResult PencilTool::hover(const PenSample& sample, const Scene& scene) {
   pen_point_ = on_sheet(sample.position);

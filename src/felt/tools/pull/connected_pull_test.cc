@@ -20,7 +20,7 @@ using testing::Pen;
 using testing::straight_stroke;
 using testing::way;
 
-struct ConnectedPull {
+struct PullFixture {
   Desk desk;
   PullTool tool;
   Pen pen{tool, desk};
@@ -37,7 +37,7 @@ constexpr Rgba kPullRed{200, 0, 0, 255};
 
 TEST(ConnectedPull, R33_PullingASharedEndTakesTheOtherLineAlong) {
   for (const char* mode : {"brush", "sweep"}) {
-    ConnectedPull p;
+    PullFixture p;
     ASSERT_TRUE(p.tool.set_option("mode", std::string(mode)));
     const StrokeId line = p.add({0, 0}, {80, 0}), red = p.add({80, 0}, {80, 90}, kPullRed);
     const Document before = p.desk.document;
@@ -54,7 +54,7 @@ TEST(ConnectedPull, R33_PullingASharedEndTakesTheOtherLineAlong) {
 }
 
 TEST(ConnectedPull, R33_PullingElsewhereLeavesTheSharedEndWhereItIs) {
-  ConnectedPull p;
+  PullFixture p;
   const StrokeId line = p.add({0, 0}, {80, 0}), red = p.add({80, 0}, {80, 90}, kPullRed);
   const Stroke before = p.at(red);
   p.pen.line(way({40, 0}, {40, 15}));
@@ -63,7 +63,7 @@ TEST(ConnectedPull, R33_PullingElsewhereLeavesTheSharedEndWhereItIs) {
 }
 
 TEST(ConnectedPull, R33_AnEndInTheMiddleStaysOnTheLineThatIsPulled) {
-  ConnectedPull p;
+  PullFixture p;
   const StrokeId line = p.add({0, 0}, {80, 0}), post = p.add({40, 70}, {40, 0}, kPullRed);
   const StrokeId far = p.add({5, 70}, {5, 0}, kPullRed);
   const Stroke unmoved = p.at(far);
@@ -80,7 +80,7 @@ TEST(ConnectedPull, R33_AnEndInTheMiddleStaysOnTheLineThatIsPulled) {
 }
 
 TEST(ConnectedPull, R33_TheLineThatAPulledEndStandsOnFollows) {
-  ConnectedPull p;
+  PullFixture p;
   const StrokeId base = p.add({0, 0}, {80, 0}, kPullRed), post = p.add({40, 70}, {40, 0});
   p.pen.line(way({40, 0.5}, {40, -14.5}));
   const Stroke& moved = p.at(post);
@@ -93,7 +93,7 @@ TEST(ConnectedPull, R33_TheLineThatAPulledEndStandsOnFollows) {
 }
 
 TEST(ConnectedPull, R33_AnEndOnALockedLineIsHeld) {
-  ConnectedPull p;
+  PullFixture p;
   p.desk.apply({"Layer", {}, {{{2}, std::nullopt, LayerState{"Other"}, 0, 1}}});
   const StrokeId line = p.add({0, 0}, {80, 0});
   p.desk.layer = LayerId{2};
@@ -171,7 +171,7 @@ TEST(ConnectedPull, ASampleMakesOneMapOfTheLineHoweverManyStandOnIt) {
   for (int k = 1; k <= kSamples; ++k) {
     EditBuilder edit(desk.document);
     edit.replace(line, std::make_shared<const Stroke>(pull.at({0, -0.5 * k}).value()));
-    Edit whole = std::move(edit).build("ConnectedPull");
+    Edit whole = std::move(edit).build("Pull");
     connected.complete(whole, desk.scene());
     EXPECT_EQ(whole.changes.size(), 41u);
   }
@@ -192,7 +192,7 @@ TEST(ConnectedPull, WhatDoesNotChangeIsNotMadeAgain) {
 }
 
 TEST(ConnectedPull, ThePreviewShowsTheFollowersToo) {
-  ConnectedPull p;
+  PullFixture p;
   p.add({0, 0}, {80, 0});
   p.add({80, 0}, {80, 90}, kPullRed);
   p.pen.up({80, 0});

@@ -6,8 +6,8 @@
 
 #include "felt/document/edit.h"
 #include "felt/document/stroke_index.h"
-#include "felt/haptics/pen_sample.h"
 #include "felt/haptics/bricks/spring.h"
+#include "felt/haptics/pen_sample.h"
 #include "felt/tools/overlay.h"
 #include "felt/tools/scene.h"
 

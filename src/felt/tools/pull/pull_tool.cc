@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::string_view kPullHint = "Drag a line to bend it; it goes back as you go back.";
 constexpr std::string_view kEnds = "ends and corners go along, or stay";
-constexpr std::array<ToolUse, 4> kUses = {{
+constexpr std::array<ToolUse, 4> kPullUses = {{
     {.mode = "push",
      .hint = "Push lines away from the side of the pen.",
      .size = "nib_radius_mm",
@@ -25,16 +25,16 @@ constexpr std::array<ToolUse, 4> kUses = {{
     {.mode = "sweep", .hint = kPullHint, .first_modifier = kEnds, .size = "grab_radius_mm"},
     {.hint = kPullHint, .first_modifier = kEnds, .size = "radius_mm"},
 }};
-constexpr std::array<std::string_view, 3> kEdits = {"Pull", "Push", "Redraw"};
-constexpr ToolInfo kInfo{
+constexpr std::array<std::string_view, 3> kPullEdits = {"Pull", "Push", "Redraw"};
+constexpr ToolInfo kPullInfo{
     .id = "pull",
     .label = "Pull",
     .help = "Corrects lines: take hold of one and pull it into shape, or push it from outside.",
     .shortcut = 'a',
     .options = kPullOptions,
     .kind = ToolKind::kEdits,
-    .uses = kUses,
-    .edits = kEdits,
+    .uses = kPullUses,
+    .edits = kPullEdits,
     .act = {.title = "Pull and push",
             .caption = "A line is not quite right? Take hold of it and pull. It resists like a "
                        "wire, the more the further you go.",

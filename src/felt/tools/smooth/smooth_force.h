@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "felt/haptics/compose.h"
 #include "felt/haptics/bricks/drawing_feel.h"
+#include "felt/haptics/compose.h"
 #include "felt/tools/feel_id.h"
 #include "felt/tools/scene.h"
 

@@ -4,10 +4,10 @@
 #include <cmath>
 
 #include "felt/haptics/testing/feel_rig.h"
-#include "felt/tools/testing/desk.h"
-#include "felt/tools/smooth/testing/jitter_ink.h"
 #include "felt/tools/smooth/smooth_force.h"
 #include "felt/tools/smooth/smooth_tool.h"
+#include "felt/tools/smooth/testing/jitter_ink.h"
+#include "felt/tools/testing/desk.h"
 
 namespace felt {
 namespace {

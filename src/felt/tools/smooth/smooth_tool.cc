@@ -12,24 +12,24 @@
 namespace felt {
 namespace {
 
-constexpr std::array<ToolUse, 1> kUses = {
+constexpr std::array<ToolUse, 1> kSmoothUses = {
     {{.hint = "Rub along a line to iron the tremor out; press to iron harder.",
       .size = "radius_mm",
       .path = ToolPath::kAlong}}};
-constexpr std::array<std::string_view, 1> kEdits = {"Smooth"};
-constexpr ToolInfo kInfo{
+constexpr std::array<std::string_view, 1> kSmoothEdits = {"Smooth"};
+constexpr ToolInfo kSmoothInfo{
     .id = "smooth",
     .label = "Smooth",
     .help = "Irons the jitter out of lines and leaves their shape.",
     .shortcut = 's',
     .options = kSmoothOptions,
     .kind = ToolKind::kEdits,
-    .uses = kUses,
-    .edits = kEdits,
+    .uses = kSmoothUses,
+    .edits = kSmoothEdits,
     .act = {.title = "Smooth",
             .caption = "Rub along a shaky line: the jitter goes, the shape stays.",
             .seconds = 16.0}};
-constexpr const char* kLabel = "Smooth";
+constexpr const char* kSmoothLabel = "Smooth";
 /// The iron stands at most this far apart along the line between two samples.
 constexpr double kIronStepMm = 1.0;
 constexpr double kMostIronSteps = 100.0;

@@ -6,9 +6,9 @@
 #include <numbers>
 #include <span>
 
-#include "felt/haptics/compose.h"
 #include "felt/haptics/bricks/drawing_feel.h"
 #include "felt/haptics/bricks/tether.h"
+#include "felt/haptics/compose.h"
 #include "felt/tools/feel_id.h"
 #include "felt/tools/scene.h"
 #include "felt/tools/transform/transform_drag.h"

@@ -10,15 +10,15 @@
 namespace felt {
 namespace {
 
-constexpr std::array<ToolUse, 1> kUses = {
+constexpr std::array<ToolUse, 1> kTransformUses = {
     {{.hint = "Drag inside to move, a corner to scale, outside it to turn.",
       .first_modifier = "along one axis, in steps of 15°",
       .second_modifier = "a copy",
       .size = "grab_radius_mm",
       .path = ToolPath::kAway}}};
-constexpr std::array<std::string_view, 5> kEdits = {"Move", "Rotate", "Scale", "Stretch",
-                                                    "Duplicate"};
-constexpr ToolInfo kInfo{
+constexpr std::array<std::string_view, 5> kTransformEdits = {"Move", "Rotate", "Scale", "Stretch",
+                                                             "Duplicate"};
+constexpr ToolInfo kTransformInfo{
     .id = "transform",
     .label = "Transform",
     .help =
@@ -27,8 +27,8 @@ constexpr ToolInfo kInfo{
     .shortcut = 't',
     .options = kTransformOptions,
     .kind = ToolKind::kTransforms,
-    .uses = kUses,
-    .edits = kEdits,
+    .uses = kTransformUses,
+    .edits = kTransformEdits,
     .act = {.title = "Move and turn",
             .caption = "Drag what is selected. Lines that lead out of it hold it back, and you "
                        "feel how much.",

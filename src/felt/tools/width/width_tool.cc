@@ -12,31 +12,31 @@ namespace felt {
 namespace {
 
 constexpr std::string_view kHint = "Rub a line to make it broader or thinner.";
-constexpr std::array<ToolUse, 2> kUses = {{{.mode = "scale",
-                                            .hint = kHint,
-                                            .first_modifier = "thinner",
-                                            .second_modifier = "thicker",
-                                            .size = "reach_mm",
-                                            .path = ToolPath::kAway},
-                                           {.hint = kHint,
-                                            .first_modifier = "thinner",
-                                            .second_modifier = "thicker",
-                                            .size = "reach_mm",
-                                            .path = ToolPath::kAlong}}};
-constexpr std::array<std::string_view, 1> kEdits = {"Width"};
-constexpr ToolInfo kInfo{
+constexpr std::array<ToolUse, 2> kWidthUses = {{{.mode = "scale",
+                                                 .hint = kHint,
+                                                 .first_modifier = "thinner",
+                                                 .second_modifier = "thicker",
+                                                 .size = "reach_mm",
+                                                 .path = ToolPath::kAway},
+                                                {.hint = kHint,
+                                                 .first_modifier = "thinner",
+                                                 .second_modifier = "thicker",
+                                                 .size = "reach_mm",
+                                                 .path = ToolPath::kAlong}}};
+constexpr std::array<std::string_view, 1> kWidthEdits = {"Width"};
+constexpr ToolInfo kWidthInfo{
     .id = "width",
     .label = "Width",
     .help = "Makes lines broader and thinner, here and there or as a whole.",
     .shortcut = 'w',
     .options = kWidthOptions,
     .kind = ToolKind::kEdits,
-    .uses = kUses,
-    .edits = kEdits,
+    .uses = kWidthUses,
+    .edits = kWidthEdits,
     .act = {.title = "Width",
             .caption = "Press on a line to make it broader, after it was drawn.",
             .seconds = 14.0}};
-constexpr std::string_view kLabel = "Width";
+constexpr std::string_view kWidthLabel = "Width";
 /// The brush works at most this far apart along the line between two samples.
 constexpr double kBrushStepMm = 1.0;
 constexpr double kMostBrushSteps = 200.0;  // no hand goes that far in a sample

@@ -171,7 +171,7 @@ class Episode {
 
 TEST(CueFaults, AThousandSeedsBreakNoRule) {
   std::size_t unplugged = 0, refusals = 0;
-  for (std::uint64_t seed = 1; seed <= kSeeds && !testing::Test::HasFailure(); ++seed) {
+  for (std::uint64_t seed = 1; seed <= kSeeds && !::testing::Test::HasFailure(); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Episode episode(seed);
     episode.run();

@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "felt/driver/evdev_port.h"
-#include "felt/driver/testing/fake_system.h"
 #include "felt/driver/hidraw_port.h"
+#include "felt/driver/testing/fake_system.h"
 
 namespace felt {
 

@@ -26,9 +26,9 @@
 namespace felt {
 namespace {
 
-using testing::HasSubstr;
+using ::testing::HasSubstr;
 
-class OpenHaptics : public testing::Test {
+class OpenHaptics : public ::testing::Test {
  protected:
   OpenHaptics() { plug_in(); }
 

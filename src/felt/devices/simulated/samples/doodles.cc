@@ -4,8 +4,8 @@
 #include <string_view>
 #include <utility>
 
-#include "felt/devices/simulated/samples/drawings.h"
 #include "felt/devices/simulated/random.h"
+#include "felt/devices/simulated/samples/drawings.h"
 
 namespace felt {
 namespace {
