@@ -13,7 +13,7 @@ namespace {
 constexpr double kFreeHandleMm = 0.1;
 
 /// What divided segments keep, so that rounding does not bring them below I5.
-constexpr double kShortestMm = 1.001 * kMinSegmentMm;
+constexpr double kMinStrandSegmentMm = 1.001 * kMinSegmentMm;
 
 double handle_compliance(double length_mm, JointKind joint) noexcept {
   return joint == JointKind::kSmooth ? std::min(1.0, length_mm / kFreeHandleMm) : 1.0;
@@ -65,7 +65,8 @@ bool Strand::divide(int i, double t) {
   if (whole.p[2] == whole.p[3]) b.p[2] = b.p[3];
   const double shortest = std::min(control_length(a), control_length(b));
   const double handle = std::min(distance(a.p[2], a.p[3]), distance(b.p[0], b.p[1]));
-  if (!(shortest >= kShortestMm && handle >= kStandingMm)) return false;  // a sliver, or a cusp
+  if (!(shortest >= kMinStrandSegmentMm && handle >= kStandingMm))
+    return false;  // a sliver, or a cusp
 
   const auto at = points_.begin() + 3 * static_cast<std::ptrdiff_t>(i);
   std::copy(a.p.begin() + 1, a.p.begin() + 3, at + 1);

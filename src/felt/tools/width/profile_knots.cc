@@ -12,7 +12,7 @@ namespace {
 constexpr std::size_t kMaxRun = 200;
 
 /// The slopes from a knot that pass within a tolerance of the knots so far.
-struct Slopes {
+struct KnotSlopes {
   double low = -std::numeric_limits<double>::infinity();
   double high = std::numeric_limits<double>::infinity();
 
@@ -26,7 +26,7 @@ struct Slopes {
 
 /// The farthest knot after `i` to which a straight line does.
 std::size_t farthest(std::span<const ProfileKnot> knots, std::size_t i, double tolerance_mm) {
-  Slopes widths, tones;
+  KnotSlopes widths, tones;
   const WidthKnot from = knots[i].knot;
   const std::size_t end = std::min(knots.size(), i + kMaxRun);
   std::size_t best = i + 1;
