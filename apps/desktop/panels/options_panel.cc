@@ -206,12 +206,11 @@ void OptionsPanel::add_row(Page& page, QVBoxLayout* lines, const ToolInfo& tool,
   auto* row = new OptionRow(as_at_first(tool.kind, spec), page.widget);
   lines->addWidget(row);
   page.rows.push_back(row);
-  connect(row, &OptionRow::chosen, this,
-          [this, row, id = id_of(tool, spec)](const OptionValue& value) {
-            const Result<OptionValue> now = studio_.session().option(id);
-            if (now && *now == value) return;
-            studio_.apply(SetOption{id, value});
-          });
+  connect(row, &OptionRow::chosen, this, [this, id = id_of(tool, spec)](const OptionValue& value) {
+    const Result<OptionValue> now = studio_.session().option(id);
+    if (now && *now == value) return;
+    studio_.apply(SetOption{id, value});
+  });
 }
 
 void OptionsPanel::follow(const QString& id) {
