@@ -111,10 +111,10 @@ void PixelWatch::run() {
     }
     const std::int64_t before_ns = now_ns();
     const bool is_ink = screen_->light(x_, y_) <= paper - kInkDarker;
-    const std::int64_t now_ns = now_ns();
-    looking_ns_ += now_ns - before_ns;
+    const std::int64_t after_ns = now_ns();
+    looking_ns_ += after_ns - before_ns;
     ++looks_;
-    if (is_ink && order == order_) seen_ns_ = now_ns;
+    if (is_ink && order == order_) seen_ns_ = after_ns;
     std::this_thread::sleep_for(kPause);
   }
 }
