@@ -93,7 +93,7 @@ Result<void> read_script_file(const std::string& path, ReplayRun& run) {
   const Result<Input> input = Input::open(path);
   if (!input) return input_error(path, input.error());
   if (input->format() != FileFormat::kNdjson) {
-    return fail(ErrorCode::kUnsupported, input->name() + ": is no script, which is .ndjson");
+    return fail(ErrorCode::kUnsupported, input->name() + ": not an event script (.ndjson)");
   }
   return run.script(input->name(), folder_of(path), input->reader());
 }
@@ -107,7 +107,7 @@ Result<OpenedDrawing> apply_recording_file(const std::string& path, Session& ses
   if (input->format() == FileFormat::kFelt) return apply_drawing(*input, read_import, session);
   if (input->format() != FileFormat::kNdjson) {
     return fail(ErrorCode::kUnsupported,
-                input->name() + ": is no script, which is .ndjson, and no drawing of Feltline");
+                input->name() + ": neither an event script (.ndjson) nor a .felt file");
   }
   if (Result<void> done = apply_script(input->name(), input->reader(), read_import, session);
       !done) {

@@ -8,20 +8,26 @@ die() { printf './dev new tool: %s\n' "$*" >&2; exit 2; }
 name=${1:-}
 [[ $name =~ ^[a-z][a-z0-9]*(_[a-z0-9]+)*$ ]] || die "a name is lower-case letters, digits and _: '$name'"
 folder=src/felt/tools/$name
+[ ${#name} -le 40 ] || die "a name has at most 40 characters"
 [ ! -e "$folder" ] || die "$folder is there already"
 words=${name//_/ }
 label=${words^}  # "my_tool" becomes "My tool" and MyTool
 camel=$(sed -E 's/(^|_)([a-z0-9])/\U\2/g' <<<"$name")
 
+# The folder appears whole, and before the lists name it.
+making=build/new_tool.$$
+trap 'rm -rf "$making"' EXIT
+
 fill() { sed "s/NAME/$name/g; s/Name/$camel/g; s/LABEL/$label/g" "$1"; }
 
 (cd cmake/new/tool && find . -name '*.in' ! -name words.in) | while read -r template; do
-  file=$folder/${template#./}
+  file=$making/${template#./}
   file=${file//NAME/$name}
   mkdir -p "$(dirname "$file")"
   fill "cmake/new/tool/$template" >"${file%.in}"
 done
-! command -v clang-format-14 >/dev/null || clang-format-14 -i "$folder"/*.h "$folder"/*.cc
+! command -v clang-format-14 >/dev/null || clang-format-14 -i "$making"/*.h "$making"/*.cc
+mv "$making" "$folder"
 
 # insert_include LINE FILE: in the order of the #includes of FILE.
 insert_include() {

@@ -30,7 +30,7 @@ std::optional<CueEvent> CueWatch::look(const Session& session, const PenSample& 
   session.draw(overlay_);
   const bool is_down = session.gesture_in_work();
   const bool was_down = std::exchange(is_down_, is_down);
-  // Erasing on empty paper is no mistake, nor is a tap with a tool that selects.
+  // A tool that erases or selects may touch empty paper without an error cue.
   const bool takes = session.tool().info().kind == ToolKind::kEdits;
 
   const bool snapped = is_in_snap_ring(overlay_, at, snaps_ ? kLetGo : 1.0) && is_down;

@@ -5,8 +5,8 @@
 
 namespace felt::desktop {
 
-/// Returns a text of the tools' tables (label, help, hint, choice) in the user's language, or as it
-/// is if there is no translation. Qt's main thread, as all of these.
+/// Returns a text of the tools' tables (label, help, hint, choice) in the user's language, or
+/// unchanged if it has no translation. Call these functions on Qt's main thread only.
 QString translated(std::string_view text);
 
 /// Returns a choice of an option as the user reads it: "On-curve" for "on-curve".

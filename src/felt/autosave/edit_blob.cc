@@ -14,7 +14,7 @@ namespace {
 constexpr std::uint8_t kVersion = 1;
 constexpr std::size_t kMaxNameBytes = 4096;
 constexpr std::uint8_t kIsThere = 1, kVisible = 2, kLocked = 4;  // flags
-constexpr std::size_t kLeastChangeBytes = 9;
+constexpr std::size_t kMinChangeBytes = 9;
 
 Result<void> write_stroke(ByteWriter& out, const StrokeChange& c) {
   out.u64(c.id.value);
@@ -124,10 +124,10 @@ Result<Edit> parse(std::string_view bytes) {
   Edit edit;
   edit.label = std::string(in.text(kMaxNameBytes));
   const std::uint32_t layers = in.u32();
-  if (!in.has(layers, kLeastChangeBytes)) return invalid_data("the edit is cut off");
+  if (!in.has(layers, kMinChangeBytes)) return invalid_data("the edit is cut off");
   for (std::uint32_t i = 0; i < layers; ++i) edit.layers.push_back(read_layer(in));
   const std::uint32_t strokes = in.u32();
-  if (!in.has(strokes, kLeastChangeBytes)) return invalid_data("the edit is cut off");
+  if (!in.has(strokes, kMinChangeBytes)) return invalid_data("the edit is cut off");
   edit.changes.reserve(strokes);
   for (std::uint32_t i = 0; i < strokes; ++i) {
     Result<StrokeChange> change = read_stroke(in);

@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::size_t kMaxTextBytes = 1 << 16;
 constexpr std::size_t kMaxHeadBytes = std::size_t{1} << 30;
-constexpr std::size_t kLeastLayerBytes = 13, kLeastRunStrokeBytes = 12;
+constexpr std::size_t kMinLayerBytes = 13, kMinRunStrokeBytes = 12;
 constexpr std::uint8_t kRowVisible = 1, kRowLocked = 2;
 
 /// All of a drawing but strokes and layers, as a drawing of its own.
@@ -32,7 +32,7 @@ Result<void> append_sheet(ByteWriter& out, StoredDrawing drawing) {
 /// The layers of a base, as an edit of the document that every drawing starts as.
 Result<void> read_layers(ByteReader& in, Document& document) {
   const std::uint32_t count = in.u32();
-  if (!in.has(count, kLeastLayerBytes) || count == 0) return invalid_data("the layers are cut off");
+  if (!in.has(count, kMinLayerBytes) || count == 0) return invalid_data("the layers are cut off");
   const Layer& first = document.layers().front();
   Edit edit;
   edit.layers.push_back({first.id, first.state(), std::nullopt, 0, 0});
@@ -137,7 +137,7 @@ Result<BaseRun> read_base_run(std::string_view bytes) {
   ByteReader in(bytes);
   BaseRun run{{in.u64()}, {}};
   const std::uint32_t count = in.u32();
-  if (!in.has(count, kLeastRunStrokeBytes)) return invalid_data("the strokes are cut off");
+  if (!in.has(count, kMinRunStrokeBytes)) return invalid_data("the strokes are cut off");
   run.strokes.reserve(count);
   for (std::uint32_t i = 0; i < count; ++i) {
     const StrokeId id{in.u64()};

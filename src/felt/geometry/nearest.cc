@@ -142,7 +142,9 @@ class NearestSearch {
     offer(0.0, d.c[0]);
     offer(1.0, d.c[6]);
     // Not cleared: it is filled before it is read, and often not needed.
-    std::array<CurvePiece, kMaxHalvings> waiting;  // NOLINT(cppcoreguidelines-pro-type-member-init)
+    // Not initialised, because this is the hot path: pieces are written before they are read.
+    // NOLINTNEXTLINE(cppcoreguidelines-pro-type-member-init)
+    std::array<CurvePiece, kMaxHalvings> waiting;
     unsigned count = 0;
     CurvePiece piece = root_;
     while (--pieces_left > 0 && !(found_ && limit_ <= zero)) {
