@@ -22,20 +22,19 @@ constexpr double kGapUnits = 8.0;
 constexpr double kCaptionUnits = 16.0;
 constexpr double kCaptionSize = 7.5;
 
-/// Where two sketches differ.
-Rect difference(const Sketch& a, const Sketch& b) {
-  std::map<std::string, const Stroke*> left;
+/// Where two documents differ.
+Rect difference(const Document& a, const Document& b) {
   Rect box;
-  for (const SketchStroke& stroke : a) left.emplace(stroke.id, &stroke.stroke);
-  for (const SketchStroke& stroke : b) {
-    const auto found = left.find(stroke.id);
-    if (found != left.end() && *found->second == stroke.stroke) {
-      left.erase(found);
-      continue;
+  const auto add = [&box](const Document& from, const Document& other) {
+    for (const Layer& layer : from.layers()) {
+      for (const StrokeId id : layer.strokes) {
+        const StrokePtr stroke = from.find(id), its = other.find(id);
+        if (!its || *its != *stroke) box.extend(stroke->bounds());
+      }
     }
-    box.extend(stroke.stroke.bounds());
-  }
-  for (const auto& [id, stroke] : left) box.extend(stroke->bounds());
+  };
+  add(a, b);
+  add(b, a);
   return box;
 }
 
@@ -68,7 +67,7 @@ void ActPictures::see(const Session& session, const PenSample& pen) {
     is_over_ = in_work_.has_value();
     return;
   }
-  if (!before_) before_ = SessionView{session.sketch(), {}, std::nullopt};
+  if (!before_) before_ = SessionView{session.document(), {}, std::nullopt};
   in_work_ = view_of(session, on_sheet(pen.position));
 }
 
@@ -76,11 +75,11 @@ Result<Image> ActPictures::draw(const Session& after, int width_px) const {
   if (!before_ || !in_work_) return fail(ErrorCode::kInvalidData, tool_ + " never touched");
   std::array<SessionView, 3> views{*before_, *in_work_, view_of(after, std::nullopt)};
   // Where nothing was changed, what is selected is what came of it.
-  if (!(views[0].sketch == views[2].sketch)) views[2].overlay.clear();
+  if (!(views[0].document == views[2].document)) views[2].overlay.clear();
   constexpr std::array kCaptions{"before", "in work", "after"};
-  Rect box = difference(before_->sketch, views[2].sketch);
+  Rect box = difference(before_->document, views[2].document);
   SessionView shown = *in_work_;
-  shown.sketch.clear();
+  shown.document = {};
   box.extend(bounds_of(shown));
   PictureOptions picture;
   picture.paper = kPaper;

@@ -8,7 +8,6 @@
 #include "given_files.h"
 #include "input.h"
 #include "sketch_input.h"
-#include "sketch_output.h"
 
 namespace felt::cli {
 namespace {
@@ -48,26 +47,26 @@ void convert_lines(const Input& input, const ConvertArguments& args, Format form
   if (!args.layers.empty() && args.layers != "all" && args.layers != "visible") {
     return console.error(input.name() + ": .ndjson has no layers to choose from");
   }
-  Result<std::unique_ptr<SketchOutput>> output = open_sketch_output(args.output, format, picture);
+  Result<DrawingOutput> output = DrawingOutput::create(args.output, format, picture);
   if (!output) return console.error(output.error().message);
   bool empty = true;
-  const bool read = for_each_piece(input, format, console, [&](const SketchPiece& piece) {
+  const bool read = for_each_piece(input, format, console, [&](const EncodedStrokes& piece) {
     empty = false;
-    const Result<void> appended = (*output)->append(piece);
+    const Result<void> appended = output->append(piece);
     if (!appended) console.error(appended.error().message);
     return appended.has_value();
   });
   // A good older file is worth more than an empty new one.
   if (!read || (empty && console.failed())) return;
-  if (Result<void> done = (*output)->finish(); !done) console.error(done.error().message);
+  if (Result<void> done = output->finish(); !done) console.error(done.error().message);
 }
 
 /// Says what becomes of hidden layers in a format that cannot hide them.
-void note_hidden_layers(const OpenedDrawing& opened, Format format, const std::string& output,
+void note_hidden_layers(const Document& document, Format format, const std::string& output,
                         Console& console) {
   if (format != Format::kNdjson && format != Format::kXopp) return;
   std::size_t strokes = 0;
-  for (const Layer& layer : opened.drawing.document.layers()) {
+  for (const Layer& layer : document.layers()) {
     if (!layer.visible) strokes += layer.strokes.size();
   }
   if (strokes == 0) return;
@@ -78,7 +77,7 @@ void note_hidden_layers(const OpenedDrawing& opened, Format format, const std::s
 
 void convert_whole(const Input& input, const ConvertArguments& args, Format format,
                    const PictureOptions& picture, Console& console) {
-  Result<OpenedDrawing> opened = input.read_drawing({.salvage = args.salvage});
+  Result<Imported> opened = input.read_drawing({.salvage = args.salvage});
   if (!opened) return console.error(input.name() + ": " + opened.error().message);
   if (!tell_notices(input.name(), opened->report, console)) return;
   // A drawing of ours may be empty; of others, a good older file is worth more than nothing.
@@ -89,8 +88,8 @@ void convert_whole(const Input& input, const ConvertArguments& args, Format form
       choose_layers(args.layers, opened->drawing)
           .and_then([&] { return DrawingOutput::create(args.output, format, picture); })
           .and_then([&](DrawingOutput output) {
-            note_hidden_layers(*opened, format, args.output, console);
-            return output.write(*std::move(opened));
+            note_hidden_layers(opened->drawing.document, format, args.output, console);
+            return output.write(std::move(opened->drawing));
           });
   if (!done) console.error(done.error().message);
 }

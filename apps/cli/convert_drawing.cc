@@ -2,40 +2,40 @@
 
 #include <algorithm>
 #include <charconv>
+#include <span>
 #include <utility>
 #include <vector>
 
-#include "felt/formats/layered_drawing.h"
+#include "felt/io/drawing_builder.h"
 
 namespace felt::cli {
 namespace {
 
 /// The layer of a number or a name; layers.size() where there is none.
-std::size_t find_layer(std::string_view text, const std::vector<SketchLayer>& layers) {
+std::size_t find_layer(std::string_view text, std::span<const Layer> layers) {
   std::size_t number = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
   if (error == std::errc() && end == text.data() + text.size()) {
     return number >= 1 && number <= layers.size() ? number - 1 : layers.size();
   }
-  const auto named = std::find_if(layers.begin(), layers.end(),
-                                  [text](const SketchLayer& l) { return l.name == text; });
+  const auto named =
+      std::find_if(layers.begin(), layers.end(), [text](const Layer& l) { return l.name == text; });
   return static_cast<std::size_t>(named - layers.begin());
 }
 
-tl::unexpected<Error> no_layer(std::string_view text, const std::vector<SketchLayer>& layers) {
-  constexpr std::size_t kMostNamed = 20;
+tl::unexpected<Error> no_layer(std::string_view text, std::span<const Layer> layers) {
+  constexpr std::size_t kMaxNamed = 20;
   std::string there;
-  for (std::size_t i = 0; i < std::min(layers.size(), kMostNamed); ++i) {
+  for (std::size_t i = 0; i < std::min(layers.size(), kMaxNamed); ++i) {
     there += (i > 0 ? ", " : "") + std::to_string(i + 1) + " '" + layers[i].name + "'";
   }
-  if (layers.size() > kMostNamed) there += ", ...";
+  if (layers.size() > kMaxNamed) there += ", ...";
   return fail(ErrorCode::kNotFound,
               "--layers: there is no layer '" + std::string(text) + "'; there are " + there);
 }
 
 /// Which layers stay, by their place.
-Result<std::vector<bool>> chosen_layers(const std::string& text,
-                                        const std::vector<SketchLayer>& layers) {
+Result<std::vector<bool>> chosen_layers(const std::string& text, std::span<const Layer> layers) {
   std::vector<bool> chosen(layers.size(), text == "all");
   if (text == "all") return chosen;
   if (text == "visible") {
@@ -59,20 +59,19 @@ Result<std::vector<bool>> chosen_layers(const std::string& text,
 
 }  // namespace
 
-Result<void> choose_layers(const std::string& text, StoredDrawing& drawing) {
+Result<void> choose_layers(const std::string& text, Drawing& drawing) {
   if (text.empty()) return {};
-  LayeredSketch sketch = layered_sketch(drawing);
-  const Result<std::vector<bool>> chosen = chosen_layers(text, sketch.layers);
+  const Document& document = drawing.document;
+  const Result<std::vector<bool>> chosen = chosen_layers(text, document.layers());
   if (!chosen) return tl::unexpected(chosen.error());
-  LayeredSketch kept;
-  kept.page = sketch.page;
-  for (std::size_t i = 0; i < sketch.layers.size(); ++i) {
+  DrawingBuilder builder;
+  for (std::size_t i = 0; i < document.layers().size(); ++i) {
     if (!(*chosen)[i]) continue;
-    kept.layers.push_back(std::move(sketch.layers[i]));
-    kept.layers.back().visible = true;
+    const Layer& layer = document.layers()[i];
+    const std::size_t kept = builder.add_layer({layer.name, true, layer.locked});
+    for (const StrokeId id : layer.strokes) builder.add(kept, document.find(id), id);
   }
-  StoredDrawing result = stored_drawing(std::move(kept));
-  drawing.document = std::move(result.document);
+  drawing.document = std::move(builder).build().document;
   drawing.layer = {};
   return {};
 }

@@ -9,6 +9,8 @@
 #include "act_pictures.h"
 #include "commands.h"
 #include "demo_scripts.h"
+#include "drawing_output.h"
+#include "felt/document/visible_strokes.h"
 #include "felt/io/picture/png.h"
 #include "felt/render/page.h"
 #include "felt/replay/replay_run.h"
@@ -16,7 +18,6 @@
 #include "forces_file.h"
 #include "print.h"
 #include "replay_arguments.h"
-#include "sketch_output.h"
 #include "text_table.h"
 
 namespace felt::cli {
@@ -113,24 +114,24 @@ Result<void> make_folder(const std::string& folder) {
   return fail(ErrorCode::kIo, folder + ": is no folder");
 }
 
-Result<void> write_picture(const std::string& path, const Sketch& sketch,
+Result<void> write_picture(const std::string& path, const Document& document,
                            const PictureOptions& picture) {
   const Result<Format> format = format_of_path(path);
   if (!format) return tl::unexpected(format.error());
-  Result<std::unique_ptr<SketchOutput>> output = open_sketch_output(path, *format, picture);
+  Result<DrawingOutput> output = DrawingOutput::create(path, *format, picture);
   if (!output) return tl::unexpected(output.error());
-  return write_strokes(sketch, *format, **output);
+  return output->append(document).and_then([&] { return output->finish(); });
 }
 
-Result<void> write_pictures(const DemoArguments& args, const Sketch& sketch) {
+Result<void> write_pictures(const DemoArguments& args, const Document& document) {
   PictureOptions picture;
-  picture.sheet = ink_bounds(sketch).inflated(kDemoMarginMm);
+  picture.sheet = ink_bounds(document).inflated(kDemoMarginMm);
   picture.dpi = kMmPerInch * args.size_px / picture.sheet->width();
   for (const char* name : {"sketch.ndjson", "sketch.svg"}) {
-    if (Result<void> done = write_picture(path_in(args, name), sketch, picture); !done) return done;
+    if (auto done = write_picture(path_in(args, name), document, picture); !done) return done;
   }
   picture.paper = kDemoPaper;
-  return write_picture(path_in(args, "sketch.png"), sketch, picture);
+  return write_picture(path_in(args, "sketch.png"), document, picture);
 }
 
 Result<void> write_plot(const DemoArguments& args, DemoRecorder& recorder) {
@@ -181,7 +182,7 @@ Result<void> play_acts(const DemoArguments& args, Console& console, DemoRecorder
     summary.add(act.name, stats);
   }
   console.end_progress();
-  if (Result<void> done = write_pictures(args, machine.session().sketch()); !done) return done;
+  if (Result<void> done = write_pictures(args, machine.session().document()); !done) return done;
   if (Result<void> done = write_plot(args, recorder); !done) return done;
   if (Result<void> done = recorder.forces.finish(); !done) return done;
   summary.print();

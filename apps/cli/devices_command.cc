@@ -6,7 +6,6 @@
 #include "commands.h"
 #include "driver_look.h"
 #include "felt/devices/drivers.h"
-#include "felt/devices/simulated/simulated_hand.h"
 #include "felt/devices/simulated/stylus_presets.h"
 #include "felt/io/ndjson/json_text.h"
 #include "print.h"

@@ -6,11 +6,16 @@
 #include <thread>
 #include <utility>
 
+#include "felt/document/visible_strokes.h"
 #include "felt/formats/drawing_writer.h"
 #include "felt/formats/format_traits.h"
-#include "felt/formats/layered_drawing.h"
 #include "felt/formats/line_drawing.h"
+#include "felt/io/drawing_builder.h"
+#include "felt/io/ndjson/ndjson_writer.h"
+#include "felt/io/picture/png.h"
+#include "felt/io/svg/svg_text.h"
 #include "felt/io/svg/svg_writer.h"
+#include "felt/render/page.h"
 #include "ordered_pipeline.h"
 
 namespace felt::cli {
@@ -18,25 +23,26 @@ namespace {
 
 constexpr double kMarginMm = 5.0;
 
-/// All ink and a margin, as the streaming outputs show it.
-Rect ink_area(const StoredDrawing& drawing, Format format) {
-  const Rect ink = view_of(drawing, LayerChoice::kVisible).ink();
+/// All ink and a margin, as strokes by themselves are shown.
+Rect ink_area(const Drawing& drawing, Format format) {
+  const Rect ink = ink_bounds(drawing.document);
   if (format == Format::kSvg) return picture_area(ink, std::nullopt, kMarginMm);
   return (ink.empty() ? Rect{0.0, 0.0, 0.0, 0.0} : ink).inflated(kMarginMm);
 }
 
-/// The part that a picture shows; none: the page, which becomes the sheet that was asked for.
-Result<std::optional<Rect>> shown_area(OpenedDrawing& opened, Format format,
+/// The part that a picture shows; none: the page, which becomes the one that was asked for.
+Result<std::optional<Rect>> shown_area(Drawing& drawing, Format format,
                                        const PictureOptions& picture) {
   const bool is_picture = traits_of(format).picture;
   if (!picture.sheet) {
-    const bool whole_ink = is_picture && (picture.fit || !opened.has_page);
-    return whole_ink ? std::optional(ink_area(opened.drawing, format)) : std::nullopt;
+    const bool whole_ink = is_picture && (picture.fit || !drawing.has_page);
+    return whole_ink ? std::optional(ink_area(drawing, format)) : std::nullopt;
   }
-  Result<SheetPage> page = sheet_page(*picture.sheet, opened.drawing.page.paper);
+  Result<SheetPage> page = sheet_page(*picture.sheet, drawing.page.paper);
   if (page) {
-    page->surface = opened.drawing.page.surface;
-    opened.drawing.page = *page;
+    page->surface = drawing.page.surface;
+    drawing.page = *page;
+    drawing.has_page = true;
     return std::nullopt;
   }
   if (!is_picture) return tl::unexpected(page.error());
@@ -44,19 +50,19 @@ Result<std::optional<Rect>> shown_area(OpenedDrawing& opened, Format format,
 }
 
 /// How it is written; its page becomes the one that was asked for.
-Result<WriteOptions> write_options(OpenedDrawing& opened, Format format, PictureOptions picture) {
-  if (auto ok = use_surface_of(opened.drawing, picture); !ok) return tl::unexpected(ok.error());
+Result<WriteOptions> write_options(Drawing& drawing, Format format, PictureOptions picture) {
+  if (auto ok = use_surface_of(drawing, picture); !ok) return tl::unexpected(ok.error());
   WriteOptions options;
   if (picture.wants_grain) options.grain_print = GrainPrint{picture.grain, picture.grain_dpi};
   options.dpi = picture.dpi;
   options.grain = picture.grain;
-  options.no_page = !opened.has_page && !picture.sheet;
-  const Result<std::optional<Rect>> area = shown_area(opened, format, picture);
+  const bool came_with_page = drawing.has_page;
+  const Result<std::optional<Rect>> area = shown_area(drawing, format, picture);
   if (!area) return tl::unexpected(area.error());
   options.area = *area;
   if (picture.paper) {
-    opened.drawing.page.paper = *picture.paper;
-  } else if (!opened.has_page && format != Format::kPng) {
+    drawing.page.paper = *picture.paper;
+  } else if (!came_with_page && format != Format::kPng) {
     options.paper = Rgba{255, 255, 255, 0};
   }
   return options;
@@ -105,6 +111,22 @@ Result<void> write_in_order(DrawingParts& parts, const std::string& name, Output
 
 }  // namespace
 
+Result<void> encode(const NamedStroke& stroke, std::int64_t number, Format format,
+                    EncodedStrokes& out) {
+  if (format == Format::kSvg) {
+    const Result<void> done =
+        append_svg_stroke(out.text, stroke.id, stroke.stroke, static_cast<std::size_t>(number),
+                          SvgOptions{}.tolerance_mm);
+    if (!done) return done;
+  } else if (Result<void> fits = check_sketch_numbers(stroke.stroke.data()); !fits) {
+    return fits;
+  } else {
+    append_sketch_line(out.text, stroke.id, stroke.stroke.data());
+  }
+  out.bounds.extend(stroke.stroke.bounds());
+  return {};
+}
+
 DrawingOutput::DrawingOutput(std::string path, Format format, PictureOptions picture, Output output)
     : path_(std::move(path)),
       format_(format),
@@ -113,30 +135,106 @@ DrawingOutput::DrawingOutput(std::string path, Format format, PictureOptions pic
 
 Result<DrawingOutput> DrawingOutput::create(const std::string& path, Format format,
                                             const PictureOptions& picture) {
-  Result<Output> output = Output::create(path);
+  Result<Output> output =
+      format == Format::kSvg ? Output::create_for_overwrite(path) : Output::create(path);
   if (!output) return tl::unexpected(output.error());
   return DrawingOutput(path, format, picture, *std::move(output));
 }
 
-Result<void> DrawingOutput::write(OpenedDrawing drawing) {
+Result<void> DrawingOutput::write(Drawing drawing) {
   const Result<WriteOptions> options = write_options(drawing, format_, picture_);
   if (!options) return tl::unexpected(options.error());
   const std::string name = path_ == "-" ? "stdout" : path_;
   if (format_ == Format::kFelt) {
-    const Result<std::string> bytes = drawing_bytes(drawing.drawing, format_, *options);
+    const Result<std::string> bytes = drawing_bytes(drawing, format_, *options);
     if (!bytes) return tl::unexpected(with_context(bytes.error(), name));
     return output_.save(*bytes);
   }
   // Lines as a stream of them is written, without a header: what `convert` gives does not depend
   // on what it was given.
-  Result<std::unique_ptr<DrawingParts>> parts =
-      format_ == Format::kNdjson
-          ? line_parts(view_of(drawing.drawing, LayerChoice::kVisible), LineHeader::kLeftOut)
-          : drawing_parts(drawing.drawing, format_, *options);
+  Result<std::unique_ptr<DrawingParts>> parts = format_ == Format::kNdjson
+                                                    ? line_parts(drawing, LineHeader::kLeftOut)
+                                                    : drawing_parts(drawing, format_, *options);
   if (!parts) return tl::unexpected(with_context(parts.error(), name));
   if (is_compressed_name(path_)) parts = gzip_parts(*std::move(parts));
   if (auto ok = write_in_order(**parts, name, output_); !ok) return ok;
   return output_.commit();
+}
+
+Result<void> DrawingOutput::append(const EncodedStrokes& strokes) {
+  if (format_ == Format::kNdjson) return output_.write(strokes.text);
+  ink_.extend(strokes.bounds);
+  if (format_ != Format::kSvg) return spool_.add_lines(strokes.text);
+  return begin_svg().and_then([&] { return output_.write(strokes.text); });
+}
+
+Result<void> DrawingOutput::append(const Document& document) {
+  EncodedStrokes strokes;
+  std::int64_t number = 0;
+  for (const Layer& layer : document.layers()) {
+    if (!layer.visible) continue;
+    for (const StrokeId id : layer.strokes) {
+      const NamedStroke stroke{stroke_name(id), *document.find(id)};
+      if (auto ok = encode(stroke, ++number, format_, strokes); !ok) {
+        return tl::unexpected(with_context(ok.error(), "stroke " + stroke.id + " of the sketch"));
+      }
+    }
+  }
+  return append(strokes);
+}
+
+Result<void> DrawingOutput::finish() {
+  if (format_ == Format::kNdjson) return output_.commit();
+  if (format_ == Format::kSvg) return finish_svg();
+  return format_ == Format::kPng ? finish_png() : finish_drawing();
+}
+
+/// The head says how large the picture is, which is known at last: its place is kept free.
+Result<void> DrawingOutput::begin_svg() {
+  if (std::exchange(has_begun_, true)) return {};
+  std::string text(kSvgHeadBytes, ' ');
+  append_svg_group_begin(text);
+  return output_.write(text);
+}
+
+Result<void> DrawingOutput::finish_svg() {
+  std::string head, tail;
+  append_svg_head(head, picture_area(ink_, picture_.sheet, kMarginMm),
+                  picture_.paper.value_or(Rgba{255, 255, 255, 0}));
+  append_svg_group_end(tail);
+  append_svg_tail(tail);
+  return begin_svg()
+      .and_then([&] { return output_.write(tail); })
+      .and_then([&] { return output_.overwrite(head); })
+      .and_then([&] { return output_.commit(); });
+}
+
+Result<void> DrawingOutput::finish_png() {
+  PageOptions options;
+  options.dpi = picture_.dpi;
+  options.sheet = picture_.sheet.value_or(ink_.inflated(kMarginMm));
+  options.paper = picture_.paper.value_or(options.paper);
+  options.grain = picture_.grain;
+  Result<PagePainter> page = PagePainter::create(ink_, options);
+  if (!page) return tl::unexpected(page.error());
+  const Result<void> drawn = spool_.for_each([&](const NamedStroke& named) -> Result<void> {
+    page->draw(named.stroke);
+    return {};
+  });
+  if (!drawn) return drawn;
+  return encode_png(page->image(), options.dpi).and_then([&](const std::string& bytes) {
+    return output_.write_all(bytes);
+  });
+}
+
+Result<void> DrawingOutput::finish_drawing() {
+  DrawingBuilder builder;
+  const std::size_t layer = builder.add_layer({"Ink"});
+  const Result<void> read = spool_.for_each([&](NamedStroke named) -> Result<void> {
+    builder.add(layer, std::move(named.stroke), named.id);
+    return {};
+  });
+  return read ? write(std::move(builder).build()) : read;
 }
 
 }  // namespace felt::cli

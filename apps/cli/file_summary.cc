@@ -55,15 +55,15 @@ const char* kind_of(const FileSummary& s) {
   return s.is_sketch ? "sketch" : "raw";
 }
 
-std::string page_text(const OpenedDrawing& opened) {
+std::string page_text(const Imported& opened) {
   const SheetPage& page = opened.drawing.page;
-  return opened.has_page ? fmt::format("{} x {} mm, {}", number(page.width_mm),
-                                       number(page.height_mm), color_to_text(page.paper))
-                         : "none";
+  return opened.drawing.has_page ? fmt::format("{} x {} mm, {}", number(page.width_mm),
+                                               number(page.height_mm), color_to_text(page.paper))
+                                 : "none";
 }
 
 /// A line for each layer, the lowest first: what --layers calls it, its name and how it is seen.
-std::string layers_text(const OpenedDrawing& opened) {
+std::string layers_text(const Imported& opened) {
   std::string text;
   int place = 0;
   for (const Layer& layer : opened.drawing.document.layers()) {
@@ -74,7 +74,7 @@ std::string layers_text(const OpenedDrawing& opened) {
   return text;
 }
 
-std::string layers_json(const OpenedDrawing& opened) {
+std::string layers_json(const Imported& opened) {
   std::vector<std::string> layers;
   for (const Layer& layer : opened.drawing.document.layers()) {
     layers.push_back(fmt::format(R"({{"name":{},"visible":{},"locked":{},"strokes":{}}})",
@@ -85,11 +85,11 @@ std::string layers_json(const OpenedDrawing& opened) {
 }
 
 /// What was kept of how it was drawn; none where that is damaged, which replay tells.
-std::vector<RecordingInfo> recordings(const OpenedDrawing& opened) {
+std::vector<RecordingInfo> recordings(const Imported& opened) {
   return recordings_of(opened.drawing).value_or(std::vector<RecordingInfo>());
 }
 
-std::string recordings_text(const OpenedDrawing& opened) {
+std::string recordings_text(const Imported& opened) {
   std::string text;
   int place = 0;
   for (const RecordingInfo& r : recordings(opened)) {
@@ -100,7 +100,7 @@ std::string recordings_text(const OpenedDrawing& opened) {
   return text;
 }
 
-std::string recordings_json(const OpenedDrawing& opened) {
+std::string recordings_json(const Imported& opened) {
   std::vector<std::string> all;
   for (const RecordingInfo& r : recordings(opened)) {
     all.push_back(fmt::format(R"({{"device":{},"samples":{},"events":{},"duration_s":{}}})",
@@ -109,14 +109,14 @@ std::string recordings_json(const OpenedDrawing& opened) {
   return json_array(all);
 }
 
-std::string page_json(const OpenedDrawing& opened) {
+std::string page_json(const Imported& opened) {
   const SheetPage& page = opened.drawing.page;
-  if (!opened.has_page) return "null";
+  if (!opened.drawing.has_page) return "null";
   return fmt::format(R"({{"width_mm":{},"height_mm":{},"paper":"{}"}})", number(page.width_mm),
                      number(page.height_mm), color_to_text(page.paper));
 }
 
-std::string notices_json(const OpenedDrawing& opened) {
+std::string notices_json(const Imported& opened) {
   std::vector<std::string> notices;
   for (const ImportNotice& notice : opened.report.notices()) {
     notices.push_back(fmt::format(R"({{"line":{},"element":{},"what":{},"count":{}}})", notice.line,

@@ -15,7 +15,7 @@ namespace felt::cli {
 struct FileSummary {
   bool is_sketch = false;  ///< else raw pen strokes
   FileFormat format = FileFormat::kNdjson;
-  std::optional<OpenedDrawing> opened;  ///< of formats that are read as a whole
+  std::optional<Imported> opened;  ///< of formats that are read as a whole
   std::int64_t strokes = 0;
   Rect bounds;  ///< of the ink in mm; of the samples in the unit of the file
 

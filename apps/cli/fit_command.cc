@@ -167,7 +167,7 @@ FitPlan plan_of(const FitArguments& args, Console& console) {
 }
 
 /// Fits all inputs into `output` (none: only counts); false when the output failed.
-bool fit_all(const FitArguments& args, const FitPlan& plan, SketchOutput* output, Console& console,
+bool fit_all(const FitArguments& args, const FitPlan& plan, DrawingOutput* output, Console& console,
              FitStats& stats) {
   FitSource source(args.inputs, plan.settings);
   bool written = true;
@@ -190,15 +190,15 @@ bool fit_all(const FitArguments& args, const FitPlan& plan, SketchOutput* output
 
 void run_fit(const FitArguments& args, Console& console) {
   const FitPlan plan = plan_of(args, console);
-  std::unique_ptr<SketchOutput> output;
+  std::optional<DrawingOutput> output;
   if (plan.settings.format) {
-    Result<std::unique_ptr<SketchOutput>> opened =
-        open_sketch_output(args.output, *plan.settings.format, plan.picture);
+    Result<DrawingOutput> opened =
+        DrawingOutput::create(args.output, *plan.settings.format, plan.picture);
     if (!opened) return console.error(opened.error().message);
-    output = *std::move(opened);
+    output.emplace(*std::move(opened));
   }
   FitStats stats;
-  if (!fit_all(args, plan, output.get(), console, stats)) return;
+  if (!fit_all(args, plan, output ? &*output : nullptr, console, stats)) return;
   // A good older file is worth more than an empty new one.
   if (stats.strokes == 0 && console.failed()) return;
   if (output) {

@@ -71,7 +71,7 @@ void FitSource::read_whole(FitItem& item) {
     item.failure = Error{code, why};
   };
   item.lines = {};
-  Result<OpenedDrawing> opened = input_->read_drawing({.import = {.fit = settings_.ink}});
+  Result<Imported> opened = input_->read_drawing({.import = {.fit = settings_.ink}});
   bytes_of_ended_ += input_->size_bytes();
   input_.reset();
   if (!opened) {

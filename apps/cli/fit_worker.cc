@@ -38,24 +38,28 @@ void FitWorker::operator()(const FitItem& item, FitOutput& output) {
     if (done) continue;
     output.errors.push_back({line.number(), done.error().message});
   }
-  if (item.drawing) take(item, *item.drawing, output);
+  if (item.drawing) process_whole(item, *item.drawing, output);
   if (item.failure) output.errors.push_back({0, item.failure->message});
 }
 
 /// The reader of the format has fitted its samples already.
-void FitWorker::take(const FitItem& item, const OpenedDrawing& drawing, FitOutput& output) {
-  for (const ImportNotice& notice : drawing.report.notices()) {
+void FitWorker::process_whole(const FitItem& item, const Imported& imported, FitOutput& output) {
+  for (const ImportNotice& notice : imported.report.notices()) {
     output.notices.push_back(item.name + ": " + notice_text(notice));
   }
   std::int64_t record = item.first_record;
-  for (const SketchStroke& s : visible_strokes(drawing.drawing.document)) {
-    ++output.stats.strokes;
-    output.stats.segments += s.stroke.segment_count();
-    output.stats.corners += count_corners(s.stroke);
-    if (!settings_.format) continue;
-    const Result<void> done = encode(s, record++, *settings_.format, output.sketch);
-    if (done) continue;
-    output.errors.push_back({0, s.id + ": " + done.error().message});
+  const Document& document = imported.drawing.document;
+  for (const Layer& layer : document.layers()) {
+    if (!layer.visible) continue;
+    for (const StrokeId id : layer.strokes) {
+      const NamedStroke named{stroke_name(id), *document.find(id)};
+      ++output.stats.strokes;
+      output.stats.segments += named.stroke.segment_count();
+      output.stats.corners += count_corners(named.stroke);
+      if (!settings_.format) continue;
+      const Result<void> done = encode(named, record++, *settings_.format, output.sketch);
+      if (!done) output.errors.push_back({0, named.id + ": " + done.error().message});
+    }
   }
 }
 

@@ -5,13 +5,12 @@
 #include <string>
 #include <vector>
 
+#include "drawing_output.h"
 #include "felt/formats/drawing_reader.h"
 #include "felt/io/ndjson/ndjson_parser.h"
 #include "felt/io/quickdraw/quickdraw_line.h"
 #include "felt/stroke/fit/ink_fitter.h"
-#include "felt/stroke/sketch.h"
 #include "fit_stats.h"
-#include "sketch_output.h"
 
 namespace felt::cli {
 
@@ -28,7 +27,7 @@ struct FitSettings {
 struct FitItem {
   std::string name;  ///< of the input, for errors
   LineBatch lines;
-  std::optional<OpenedDrawing> drawing;
+  std::optional<Imported> drawing;
   std::int64_t first_record = 1;  ///< number of the first line among the records of all inputs
   std::optional<Error> failure;   ///< of the input after these lines
 
@@ -44,7 +43,7 @@ struct FitError {
 /// What a worker makes of them.
 struct FitOutput {
   std::string name;  ///< of the input, for errors
-  SketchPiece sketch;
+  EncodedStrokes sketch;
   std::vector<FitError> errors;      ///< in order of the lines
   std::vector<std::string> notices;  ///< whole messages
   FitStats stats;
@@ -66,7 +65,7 @@ class FitWorker {
   Result<void> process(const NdjsonLine& line, std::int64_t record, FitOutput& output);
   Result<void> process_drawing(const NdjsonLine& line, std::int64_t record, FitOutput& output);
   Result<void> process_raw(std::int64_t number, FitOutput& output);
-  void take(const FitItem& item, const OpenedDrawing& drawing, FitOutput& output);
+  void process_whole(const FitItem& item, const Imported& imported, FitOutput& output);
   Result<void> scale_to_mm();
 
   FitSettings settings_;

@@ -82,7 +82,7 @@ void summarize_lines(const Input& input, Console& console, FileSummary& summary)
 
 /// A file that is read as a whole: all its strokes, those of hidden layers as well.
 bool summarize_whole(const Input& input, Console& console, FileSummary& summary) {
-  Result<OpenedDrawing> opened = input.read_drawing({});
+  Result<Imported> opened = input.read_drawing({});
   if (!opened) {
     console.error(input.name() + ": " + opened.error().message);
     return false;

@@ -12,6 +12,8 @@
 #include <system_error>
 #include <utility>
 
+#include "felt/store/felt_file.h"
+
 namespace felt::cli {
 namespace {
 
@@ -127,12 +129,12 @@ Result<std::string> Input::read_all(std::size_t most) const {
   return bytes;
 }
 
-Result<OpenedDrawing> Input::read_drawing(const ReadOptions& options) const {
+Result<Imported> Input::read_drawing(const ReadOptions& options) const {
   try {
     const Result<std::string> bytes =
         read_all(format_ == FileFormat::kFelt ? kMaxFeltBytes : kMaxDrawingBytes);
     if (!bytes) return tl::unexpected(bytes.error());
-    Result<OpenedDrawing> drawing = parse_drawing(*bytes, name_, options);
+    Result<Imported> drawing = parse_drawing(*bytes, name_, options);
     if (drawing || format_ != FileFormat::kFelt || options.salvage ||
         drawing.error().code != ErrorCode::kInvalidData) {
       return drawing;

@@ -34,7 +34,7 @@ class Input {
   /// The bytes from the first on. The input must stay where it is while they are read.
   [[nodiscard]] ReadBytes reader() const;
   /// All of it, as a drawing. The message of an error is the reason alone.
-  [[nodiscard]] Result<OpenedDrawing> read_drawing(const ReadOptions& options) const;
+  [[nodiscard]] Result<Imported> read_drawing(const ReadOptions& options) const;
 
  private:
   Input(std::string name, int fd) noexcept : name_(std::move(name)), fd_(fd) {}

@@ -8,6 +8,8 @@
 #include <system_error>
 #include <utility>
 
+#include "felt/base/check.h"
+
 namespace felt::cli {
 namespace {
 
@@ -36,6 +38,14 @@ Result<Output> Output::create(const std::string& path) {
   return output;
 }
 
+Result<Output> Output::create_for_overwrite(const std::string& path) {
+  Result<AtomicFile> file = AtomicFile::create(path);
+  if (!file) return tl::unexpected(file.error());
+  Output output(path);
+  output.file_ = *std::move(file);
+  return output;
+}
+
 Output::Output(Output&& other) noexcept
     : name_(std::move(other.name_)),
       fd_(std::exchange(other.fd_, -1)),
@@ -56,6 +66,11 @@ Result<void> Output::write(std::string_view bytes) {
     bytes.remove_prefix(static_cast<std::size_t>(written));
   }
   return {};
+}
+
+Result<void> Output::overwrite(std::string_view bytes) {
+  FELT_CHECK(file_.has_value());
+  return file_->overwrite(0, bytes);
 }
 
 Result<void> Output::commit() {

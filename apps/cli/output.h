@@ -16,10 +16,15 @@ class Output {
  public:
   /// Error: the place cannot be written, or is a directory. Messages start with the name.
   static Result<Output> create(const std::string& path);
+  /// The same for a file whose beginning is known last: what is no ordinary file gets all of it at
+  /// `commit`.
+  static Result<Output> create_for_overwrite(const std::string& path);
   Output(Output&& other) noexcept;
   ~Output();
 
   Result<void> write(std::string_view bytes);
+  /// Replaces the first bytes that were written. Requires create_for_overwrite().
+  Result<void> overwrite(std::string_view bytes);
   /// Everything is written: makes it the file of that name.
   Result<void> commit();
   /// Both at once. `save` compares a file with these bytes before it counts as written, as for what

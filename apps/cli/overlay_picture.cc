@@ -189,15 +189,14 @@ SessionView view_of(const Session& session, std::optional<Point> pen) {
   SessionView view;
   view.pen = pen;
   session.draw(view.overlay);
-  Document shown = session.document();
+  view.document = session.document();
   // A preview that does not fit is a defect of the tool, which its commit will tell.
-  if (session.preview()) (void)shown.apply(*session.preview());
-  view.sketch = visible_strokes(shown);
+  if (session.preview()) (void)view.document.apply(*session.preview());
   return view;
 }
 
 Rect bounds_of(const SessionView& view) {
-  Rect box = ink_bounds(view.sketch);
+  Rect box = ink_bounds(view.document);
   for (const auto& wet : view.overlay.ink) box.extend(bounds(wet.curve));
   for (const auto& ring : view.overlay.rings) {
     box.extend(
@@ -218,22 +217,19 @@ Result<Image> draw_view(const SessionView& view, const PictureOptions& options, 
   PageOptions page;
   page.dpi = options.dpi;
   page.sheet = options.sheet.value_or(bounds_of(view).inflated(kOverlayMarginMm));
-  if (page.sheet->empty()) page.sheet = page_area(view.sketch, {});
+  if (page.sheet->empty()) page.sheet = page_area(ink_bounds(view.document), {});
   page.paper = options.paper.value_or(page.paper);
-  Result<Image> image = render_page({}, page);  // the paper
-  if (!image) return image;
-  const View place = View::at_dpi({page.sheet->x0, page.sheet->y0}, page.dpi);
-  const Pixels pixels = image->pixels();
-  OverlayPen pen(pixels, place, scale * page.dpi / kUnitsPerInch);
-  Rasterizer rasterizer;
+  Result<PagePainter> painter = PagePainter::create({}, page);
+  if (!painter) return tl::unexpected(painter.error());
+  const Pixels pixels = painter->image().pixels();
+  OverlayPen pen(pixels, painter->view(), scale * page.dpi / kUnitsPerInch);
   pen.bands(view.overlay);
-  for (const SketchStroke& stroke : view.sketch) {
-    rasterizer.draw(stroke.stroke, place, pixels.rect(), pixels);
-  }
-  draw_wet_ink(view.overlay, place, pixels, rasterizer);
+  for (const StrokePtr& stroke : visible_strokes(view.document)) painter->draw(*stroke);
+  Rasterizer rasterizer;
+  draw_wet_ink(view.overlay, painter->view(), pixels, rasterizer);
   pen.marks(view.overlay);
   if (view.pen) pen.pen(*view.pen);
-  return image;
+  return std::move(painter->image());
 }
 
 }  // namespace felt::cli

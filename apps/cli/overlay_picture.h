@@ -12,7 +12,7 @@ namespace felt::cli {
 /// What the eye sees of a drawing session at one moment: the strokes, a gesture in work included
 /// (its preview), what the tool shows besides them, and the pen.
 struct SessionView {
-  Sketch sketch;
+  Document document;
   Overlay overlay;
   std::optional<Point> pen;  ///< none: it is not drawn
 };

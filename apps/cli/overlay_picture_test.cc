@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 
+#include "felt/document/visible_strokes.h"
 #include "felt/stroke/testing/random_stroke.h"
 #include "felt/tools/tool.h"
 
@@ -64,7 +65,7 @@ TEST(OverlayPicture, ARingIsWhereItIsInItsColour) {
 TEST(OverlayPicture, MarkedSpansLieBelowTheInk) {
   SessionView view;
   const Stroke line = testing::straight_stroke({10.0, 50.0}, {90.0, 50.0}, 2.0, 2.0);
-  view.sketch.push_back({"s1", line});
+  view.document = document_of(std::array{std::make_shared<const Stroke>(line)});
   add_span(view.overlay, line, 0.0, 0.5, Role::kSpan);
   const Image image = drawn(view);
   EXPECT_EQ(at(image, 30.0, 50.0), (Rgba{0, 0, 0, 255}));
@@ -119,21 +120,21 @@ TEST(OverlayPicture, AGestureInWorkIsSeen) {
     ASSERT_TRUE(session.sample(sample));
   }
   const SessionView view = view_of(session, Point{80.0, 50.0});
-  EXPECT_TRUE(view.sketch.empty());
+  EXPECT_EQ(view.document.stroke_count(), 0U);
   EXPECT_FALSE(view.overlay.ink.empty());
   EXPECT_TRUE(bounds_of(view).contains({80.0, 50.0}));
   const Image image = drawn(view);
   EXPECT_LT(at(image, 50.0, 50.0).r, 60) << "wet ink";
   EXPECT_LT(at(image, 80.0, 50.0).r, 120) << "the pen";
   EXPECT_TRUE(session.finish());
-  EXPECT_EQ(view_of(session, {}).sketch.size(), 1U);
+  EXPECT_EQ(view_of(session, {}).document.stroke_count(), 1U);
 }
 
 TEST(OverlayPicture, APreviewIsWhatIsSeen) {
   // Any tool whose gesture at the end of a line shows a preview: the view holds what it says.
   Session session(make_tools(), {.device = {},
-                                 .document = document_of(std::array{SketchStroke{
-                                     "s1", testing::straight_stroke({20, 50}, {80, 50}, 1, 1)}})});
+                                 .document = document_of(std::array{std::make_shared<const Stroke>(
+                                     testing::straight_stroke({20, 50}, {80, 50}, 1, 1))})});
   bool found = false;
   for (const auto& tool : session.tools()) {
     ASSERT_TRUE(session.apply({0, SelectTool{std::string(tool->info().id)}}));
@@ -144,8 +145,8 @@ TEST(OverlayPicture, APreviewIsWhatIsSeen) {
       ASSERT_TRUE(session.sample(sample));
       if (!session.preview() || session.preview()->changes.empty()) continue;
       const StrokePtr after = session.preview()->changes.front().after;
-      const Sketch seen = view_of(session, {}).sketch;
-      found = after && !seen.empty() && seen.front().stroke == *after;
+      const auto seen = visible_strokes(view_of(session, {}).document);
+      found = after && !seen.empty() && *seen.front() == *after;
       EXPECT_TRUE(found) << tool->info().id;
     }
     ASSERT_TRUE(session.apply({0, CancelEvent{}}));

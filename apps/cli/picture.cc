@@ -189,7 +189,7 @@ Result<void> parse_surface(const std::string& text, PictureOptions& options) {
   return {};
 }
 
-Result<void> use_surface_of(const StoredDrawing& drawing, PictureOptions& options) {
+Result<void> use_surface_of(const Drawing& drawing, PictureOptions& options) {
   if (options.has_surface) {
     options.grain = Grain(options.relief, with_texts(drawing.materials, options.materials));
     return {};

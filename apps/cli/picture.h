@@ -76,6 +76,6 @@ Result<void> parse_surface(const std::string& text, PictureOptions& options);
 /// The grain with the media that the drawing brings along, too; where grain was asked for and no
 /// surface, of the drawing's sheet, or of paper where it says none. Error: a sheet that is not
 /// known here.
-Result<void> use_surface_of(const StoredDrawing& drawing, PictureOptions& options);
+Result<void> use_surface_of(const Drawing& drawing, PictureOptions& options);
 
 }  // namespace felt::cli

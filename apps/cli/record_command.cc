@@ -20,7 +20,6 @@
 #include "interrupt.h"
 #include "known_materials.h"
 #include "print.h"
-#include "sketch_output.h"
 
 namespace felt::cli {
 namespace {
@@ -106,14 +105,13 @@ Result<void> rescue(const Error& error, const Session& session) {
   std::error_code none;
   const std::string path = std::filesystem::temp_directory_path(none).string() +
                            "/feltline-record-" + std::to_string(getpid()) + ".ndjson";
-  Result<std::unique_ptr<SketchOutput>> other =
-      open_sketch_output(path, Format::kNdjson, PictureOptions());
-  const bool saved = other && write_strokes(session.sketch(), Format::kNdjson, **other);
+  Result<DrawingOutput> other = DrawingOutput::create(path, Format::kNdjson, PictureOptions());
+  const bool saved = other && other->append(session.document()) && other->finish();
   return fail(error.code, error.message + (saved ? "; the drawing is in " + path : ""));
 }
 
 Result<void> write_outputs(RecordOutputs& outputs, Recorder& recorder, const Session& session) {
-  OpenedDrawing drawing = drawing_after({}, session, session.document());
+  Drawing drawing = drawing_after({.has_page = false}, session, session.document());
   if (Result<void> done = outputs.drawing->write(std::move(drawing)); !done) {
     return rescue(done.error(), session);
   }

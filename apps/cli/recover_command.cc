@@ -38,13 +38,13 @@ std::string time_text(std::int64_t seconds) {
 }
 
 /// "harbour" for "harbour.felt", and nothing that leads to another folder.
-std::string stem_of(const RecoveredDrawing& recovered) {
+std::string stem_of(const Recovered& recovered) {
   std::string stem = fs::path(recovered.name).filename().string();
   if (stem.size() > 5 && stem.ends_with(".felt")) stem.resize(stem.size() - 5);
   return stem.empty() || stem == "." || stem == ".." ? "Untitled" : stem;
 }
 
-std::string described(const RecoveredDrawing& recovered) {
+std::string described(const Recovered& recovered) {
   const std::size_t count = recovered.drawing.document.stroke_count();
   return fmt::format(
       "{}: {}, {} line{}{}, {}", recovered.name.empty() ? "Untitled" : printable(recovered.name),
@@ -54,7 +54,7 @@ std::string described(const RecoveredDrawing& recovered) {
 }
 
 /// Under a name that nothing has yet. Returns it.
-Result<std::string> write_new(const std::string& folder, const RecoveredDrawing& recovered) {
+Result<std::string> write_new(const std::string& folder, const Recovered& recovered) {
   const std::string stem = folder + '/' + stem_of(recovered) + " (recovered";
   for (int number = 1; number <= kMostNames; ++number) {
     const std::string path = stem + (number == 1 ? ").felt" : fmt::format(" {}).felt", number));
@@ -93,16 +93,16 @@ bool check_folders(const RecoverArguments& args, Console& console) {
 
 void recover(const RecoverArguments& args, Console& console) {
   if (!check_folders(args, console)) return;
-  const std::vector<AbandonedStore> stores =
-      find_abandoned(args.from.empty() ? working_roots() : args.from);
+  const std::vector<AbandonedAutosave> stores =
+      find_abandoned_autosaves(args.from.empty() ? autosave_roots() : args.from);
   if (!args.list) {
     std::error_code error;
     fs::create_directories(args.folder, error);
     if (error) return console.error(args.folder + ": cannot be made: " + error.message());
   }
   int found = 0;
-  for (const AbandonedStore& store : stores) {
-    const Result<RecoveredDrawing> recovered = recover_store(store.folder);
+  for (const AbandonedAutosave& store : stores) {
+    const Result<Recovered> recovered = recover_autosave(store.folder);
     if (!recovered) {
       console.error(recovered.error().message);
       continue;

@@ -43,7 +43,7 @@ void ReplayArguments::add_loop_to(CLI::App& command) {
 ReplaySettings ReplayArguments::settings() const {
   ReplaySettings settings = replay_settings(*find_stylus_preset(device), *find_hand(hand),
                                             !no_force, rate_hz, delay_ticks);
-  settings.read_import = read_sketch;
+  settings.read_import = read_strokes;
   return settings;
 }
 

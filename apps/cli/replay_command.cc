@@ -234,8 +234,7 @@ std::string text_of(const OptionValue& value) {
 }
 
 /// What the drawing of --on says, then what the command line does.
-void set_options(const ReplayCommandArguments& args, const StoredDrawing& start,
-                 ReplayMachine& machine) {
+void set_options(const ReplayCommandArguments& args, const Drawing& start, ReplayMachine& machine) {
   const auto set = [&machine](const char* from, const std::string& id, const std::string& value) {
     const Result<void> done = machine.set_option(id, value);
     if (!done) throw UsageError(std::string(from) + ": " + done.error().message);
@@ -280,19 +279,19 @@ Result<void> write_view(const SessionView& view, ReplayOutputs& outputs) {
 }
 
 /// The whole drawing; with --recording, and how it was made.
-Result<void> write_replayed(OpenedDrawing start, const Session& session, ReplayOutputs& outputs) {
+Result<void> write_replayed(Drawing start, const Session& session, ReplayOutputs& outputs) {
   Document document = outputs.stopped_document ? *std::move(outputs.stopped_document)
                       : outputs.recorder       ? session.document()
                                                : seen_document(session);
-  OpenedDrawing drawing = drawing_after(std::move(start), session, std::move(document));
+  Drawing drawing = drawing_after(std::move(start), session, std::move(document));
   if (outputs.recorder) {
-    Result<void> added = add_recording(drawing.drawing, outputs.recorder->take());
+    Result<void> added = add_recording(drawing, outputs.recorder->take());
     if (!added) return added;
   }
   return outputs.drawing->write(std::move(drawing));
 }
 
-Result<void> write_outputs(const ReplayCommandArguments& args, OpenedDrawing start,
+Result<void> write_outputs(const ReplayCommandArguments& args, Drawing start,
                            ReplayOutputs& outputs, ReplayMachine& machine) {
   if (outputs.plot) {
     outputs.plot->set_title(
@@ -381,12 +380,12 @@ PenSample sample_of(std::int64_t time_ns, const PenEvent& pen) {
 }
 
 /// The drawing of --on, an empty one without it.
-Result<OpenedDrawing> start_of(const ReplayCommandArguments& args) {
-  return args.on.empty() ? OpenedDrawing() : read_start(args.on);
+Result<Drawing> start_of(const ReplayCommandArguments& args) {
+  return args.on.empty() ? Drawing{.has_page = false} : read_start(args.on);
 }
 
 /// Begins a session on the sheet of a drawing, and with its colour.
-Result<void> take_up(const StoredDrawing& start, Session& session) {
+Result<void> take_up(const Drawing& start, Session& session) {
   for (const auto& [id, value] : options_of(start, session.materials())) {
     if (Result<void> done = session.apply({0, SetOption{id, value}}); !done) return done;
   }
@@ -394,12 +393,12 @@ Result<void> take_up(const StoredDrawing& start, Session& session) {
 }
 
 /// Plays the recording, and leaves the drawing that comes of it. `heard`: what became of its sound.
-Result<void> draw_recorded(const ReplayCommandArguments& args, OpenedDrawing start,
+Result<void> draw_recorded(const ReplayCommandArguments& args, Drawing start,
                            const Result<void>& heard, Session& session, ReplayOutputs& outputs,
                            Console& console) {
-  if (Result<void> begun = take_up(start.drawing, session); !begun) return begun;
+  if (Result<void> begun = take_up(start, session); !begun) return begun;
   if (outputs.sound) outputs.sound->begin(session);
-  Result<OpenedDrawing> frame = apply_recording_file(args.scripts.front(), session);
+  Result<Drawing> frame = apply_recording_file(args.scripts.front(), session);
   if (!frame) return tl::unexpected(frame.error());
   if (session.option_defaults() != kOptionDefaults) {
     console.notice(input_name(args.scripts.front()) +
@@ -416,15 +415,15 @@ Result<void> draw_recorded(const ReplayCommandArguments& args, OpenedDrawing sta
 }
 
 void run_as_recorded(const ReplayCommandArguments& args, Console& console) {
-  Result<OpenedDrawing> start = start_of(args);
+  Result<Drawing> start = start_of(args);
   if (!start) return console.error(start.error().message);
   Result<ReplayOutputs> outputs = open_outputs(args, args.pen.settings(), console);
   if (!outputs) return console.error(outputs.error().message);
   Result<void> heard;
   SessionOptions options{
       .device = {},
-      .materials = with_texts(start->drawing.materials, known_materials(console).materials),
-      .document = start->drawing.document};
+      .materials = with_texts(start->materials, known_materials(console).materials),
+      .document = start->document};
   if (outputs->sound) {
     options.on_event = [&](const Event& event) {
       const auto* pen = std::get_if<PenEvent>(&event.what);
@@ -441,16 +440,16 @@ void run_replay(const ReplayCommandArguments& args, Console& console) {
   check_outputs(args);
   check_files(args, console);
   const auto begin = std::chrono::steady_clock::now();
-  Result<OpenedDrawing> start = start_of(args);
+  Result<Drawing> start = start_of(args);
   if (!start) return console.error(start.error().message);
-  if (!args.sheet.empty()) start->drawing.page.surface.clear();  // another one is chosen
+  if (!args.sheet.empty()) start->page.surface.clear();  // another one is chosen
   ReplaySettings settings = args.pen.settings();
-  settings.materials = with_texts(start->drawing.materials, known_materials(console).materials);
+  settings.materials = with_texts(start->materials, known_materials(console).materials);
   Result<ReplayOutputs> outputs = open_outputs(args, settings, console);
   if (!outputs) return console.error(outputs.error().message);
-  ReplayMachine machine(settings, start->drawing.document, observer_of(args, *outputs, console));
+  ReplayMachine machine(settings, start->document, observer_of(args, *outputs, console));
   if (outputs->sound) outputs->sound->begin(machine.session());
-  set_options(args, start->drawing, machine);
+  set_options(args, *start, machine);
   ReplayRun run(machine, args.mm_per_unit, args.seed);
   outputs->run = &run;
   Result<void> done = play_scripts(args, run);

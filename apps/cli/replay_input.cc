@@ -24,69 +24,65 @@ tl::unexpected<Error> input_error(const std::string& path, const Error& error) {
 }
 
 /// Reads an input that is not lines of strokes.
-Result<OpenedDrawing> read_whole(const Input& input) {
-  Result<OpenedDrawing> opened = input.read_drawing({});
-  if (opened) return opened;
+Result<Drawing> read_whole(const Input& input) {
+  Result<Imported> opened = input.read_drawing({});
+  if (opened) return std::move(opened->drawing);
   return fail(opened.error().code, input.name() + ": " + opened.error().message);
 }
 
 /// Reads lines of strokes. Any wrong line is an error, because what a script draws depends on it.
-Result<Sketch> read_lines(const Input& input) {
+Result<std::vector<StrokePtr>> read_lines(const Input& input) {
   LineReader reader(input.reader());
   LineBatch batch;
-  LineStrokes strokes;
-  Sketch sketch;
+  LineStrokes lines;
+  std::vector<StrokePtr> strokes;
   for (;;) {
     const Result<bool> more = reader.fill(batch, kBatchBytes);
     if (!more) return fail(more.error().code, input.name() + ": " + more.error().message);
-    if (!*more) return sketch;
+    if (!*more) return strokes;
     for (std::size_t i = 0; i < batch.size(); ++i) {
       const NdjsonLine line = batch.line(i);
-      Result<std::optional<SketchStroke>> stroke = strokes.read(line);
+      Result<std::optional<NamedStroke>> stroke = lines.read(line);
       if (!stroke) {
         return fail(stroke.error().code,
                     fmt::format("{}:{}: {}", input.name(), line.number(), stroke.error().message));
       }
-      if (*stroke) sketch.push_back(**std::move(stroke));
+      if (*stroke) strokes.push_back(std::make_shared<const Stroke>(std::move((*stroke)->stroke)));
     }
   }
 }
 
 /// Applies the newest recording of a drawing, and returns what else that drawing has.
-Result<OpenedDrawing> apply_drawing(const Input& input, const ReadImport& read_import,
-                                    Session& session) {
-  Result<OpenedDrawing> opened = input.read_drawing({});
+Result<Drawing> apply_drawing(const Input& input, const ReadImport& read_import, Session& session) {
+  const Result<Imported> opened = input.read_drawing({});
   if (!opened) return tl::unexpected(with_context(opened.error(), input.name()));
   if (auto done = apply_recording(opened->drawing, read_import, session); !done) {
     return tl::unexpected(with_context(done.error(), input.name()));
   }
-  StoredDrawing frame;
-  frame.page = std::move(opened->drawing.page);
-  frame.palette = std::move(opened->drawing.palette);
+  Drawing frame;
+  frame.page = opened->drawing.page;
+  frame.palette = opened->drawing.palette;
   frame.view = opened->drawing.view;
-  opened->drawing = std::move(frame);
-  return opened;
+  return frame;
 }
 
 }  // namespace
 
-Result<OpenedDrawing> read_start(const std::string& path) {
+Result<Drawing> read_start(const std::string& path) {
   const Result<Input> input = Input::open(path);
   if (!input) return input_error(path, input.error());
   if (!input->is_lines()) return read_whole(*input);
-  return read_lines(*input).map([](const Sketch& sketch) {
-    OpenedDrawing opened;
-    opened.drawing.document = document_of(sketch);
-    return opened;
+  return read_lines(*input).map([](const std::vector<StrokePtr>& strokes) {
+    return Drawing{.document = document_of(strokes), .has_page = false};
   });
 }
 
-Result<Sketch> read_sketch(const std::string& path) {
+Result<std::vector<StrokePtr>> read_strokes(const std::string& path) {
   const Result<Input> input = Input::open_regular(path);
   if (!input) return input_error(path, input.error());
   if (input->is_lines()) return read_lines(*input);
   return read_whole(*input).map(
-      [](const OpenedDrawing& opened) { return visible_strokes(opened.drawing.document); });
+      [](const Drawing& drawing) { return visible_strokes(drawing.document); });
 }
 
 Result<void> read_script_file(const std::string& path, ReplayRun& run) {
@@ -98,11 +94,11 @@ Result<void> read_script_file(const std::string& path, ReplayRun& run) {
   return run.script(input->name(), folder_of(path), input->reader());
 }
 
-Result<OpenedDrawing> apply_recording_file(const std::string& path, Session& session) {
+Result<Drawing> apply_recording_file(const std::string& path, Session& session) {
   const Result<Input> input = Input::open(path);
   if (!input) return input_error(path, input.error());
   const ReadImport read_import = [folder = folder_of(path)](const std::string& import) {
-    return read_sketch(import.rfind('/', 0) == 0 ? import : folder + import);
+    return read_strokes(import.rfind('/', 0) == 0 ? import : folder + import);
   };
   if (input->format() == FileFormat::kFelt) return apply_drawing(*input, read_import, session);
   if (input->format() != FileFormat::kNdjson) {
@@ -113,7 +109,7 @@ Result<OpenedDrawing> apply_recording_file(const std::string& path, Session& ses
       !done) {
     return tl::unexpected(done.error());
   }
-  return OpenedDrawing();
+  return Drawing{.has_page = false};
 }
 
 }  // namespace felt::cli

@@ -1,20 +1,21 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
-#include "felt/formats/drawing_reader.h"
+#include "felt/document/drawing.h"
 #include "felt/replay/replay_run.h"
 #include "felt/session/session.h"
 
 /// Files that a replay reads. Messages begin with "PATH:LINE: " or "PATH: ".
 namespace felt::cli {
 
-/// Reads the strokes of a sketch file: .ndjson, .felt (of visible layers), .svg of Feltline.
-Result<Sketch> read_sketch(const std::string& path);
+/// Reads the strokes of a file: .ndjson, .felt (of visible layers), .svg of Feltline.
+Result<std::vector<StrokePtr>> read_strokes(const std::string& path);
 
 /// Reads the same as a drawing: a .felt file with layers, ids and materials, strokes in .ndjson as
 /// one layer.
-Result<OpenedDrawing> read_start(const std::string& path);
+Result<Drawing> read_start(const std::string& path);
 
 /// Reads a script, a file or "-", into a replay.
 Result<void> read_script_file(const std::string& path, ReplayRun& run);
@@ -24,6 +25,6 @@ Result<void> read_script_file(const std::string& path, ReplayRun& run);
 ///
 /// Returns what the events do not contain of the drawing that held the recording: its page, its
 /// palette and its view; nothing for a script.
-Result<OpenedDrawing> apply_recording_file(const std::string& path, Session& session);
+Result<Drawing> apply_recording_file(const std::string& path, Session& session);
 
 }  // namespace felt::cli

@@ -11,8 +11,8 @@ constexpr std::size_t kSketchBatchBytes = std::size_t{64} << 10;
 
 /// Adds one line to a piece; nothing for a header.
 Result<void> add_line(LineStrokes& strokes, const NdjsonLine& line, std::int64_t number,
-                      Format format, SketchPiece& piece) {
-  Result<std::optional<SketchStroke>> stroke = strokes.read(line);
+                      Format format, EncodedStrokes& piece) {
+  Result<std::optional<NamedStroke>> stroke = strokes.read(line);
   if (!stroke) return tl::unexpected(stroke.error());
   if (!*stroke) return {};
   if ((*stroke)->id.empty()) (*stroke)->id = fmt::format("s{}", number);
@@ -22,11 +22,11 @@ Result<void> add_line(LineStrokes& strokes, const NdjsonLine& line, std::int64_t
 }  // namespace
 
 bool for_each_piece(const Input& input, Format format, Console& console,
-                    const std::function<bool(const SketchPiece&)>& take) {
+                    const std::function<bool(const EncodedStrokes&)>& take) {
   LineReader reader(input.reader());
   LineBatch batch;
   LineStrokes strokes;
-  SketchPiece piece;
+  EncodedStrokes piece;
   std::int64_t records = 0;
   std::int64_t mended = 0;
   Result<bool> more = reader.fill(batch, kSketchBatchBytes);

@@ -3,9 +3,9 @@
 #include <functional>
 
 #include "console.h"
+#include "drawing_output.h"
 #include "format.h"
 #include "input.h"
-#include "sketch_output.h"
 
 namespace felt::cli {
 
@@ -13,7 +13,7 @@ namespace felt::cli {
 /// in pieces of some strokes; raw pen samples become ink. Bad records, and strokes that the format
 /// cannot hold, are reported and left out. False when `take` returned false.
 bool for_each_piece(const Input& input, Format format, Console& console,
-                    const std::function<bool(const SketchPiece&)>& take);
+                    const std::function<bool(const EncodedStrokes&)>& take);
 
 /// Says what could not be taken of the file of that name: a line each. False where the console
 /// counts that as a failure.

@@ -37,8 +37,8 @@ Document many_strokes(int count, const SheetPage& page) {
   const auto any = [&random](double low, double high) {
     return std::uniform_real_distribution<double>(low, high)(random);
   };
-  Sketch sketch;
-  while (std::ssize(sketch) < count) {
+  std::vector<StrokePtr> strokes;
+  while (std::ssize(strokes) < count) {
     const Point a{any(0, page.width_mm), any(0, page.height_mm)};
     if (std::fabs(a.y - page.height_mm / 2) < kBandMm) continue;
     const Point b{a.x + any(-6, 6), a.y + any(-2, 2)};
@@ -46,10 +46,10 @@ Document many_strokes(int count, const SheetPage& page) {
     data.points = {a, {a.x + any(-3, 3), a.y}, {b.x, b.y + any(-2, 2)}, b};
     data.widths = {{0.0, 0.4}, {1.0, 0.6}};
     if (Result<Stroke> stroke = Stroke::create(std::move(data))) {
-      sketch.push_back({"s", *std::move(stroke)});
+      strokes.push_back(std::make_shared<const Stroke>(*std::move(stroke)));
     }
   }
-  return document_of(sketch);
+  return document_of(strokes);
 }
 
 void print_quantiles(const char* name, std::vector<double>& ms) {
@@ -114,14 +114,14 @@ int run(QApplication& app, const Wanted& wanted) {
     return 1;
   }
   SampleWatch samples;
-  desktop::StudioOptions options;
-  options.on_event = [&samples](const Event& event) { samples.hear(event); };
-  MainWindow window(std::move(options));
+  MainWindow window(desktop::StudioOptions{});
   window.resize(1280, 800);
   window.show();
   Studio& studio = window.studio();
+  QObject::connect(&studio, &Studio::event_applied,
+                   [&samples](const Event& event) { samples.hear(event); });
   studio.apply(SetOption{"pencil.snap", std::string("off")});
-  std::printf("%s\n", describe(studio.loop()->status()).c_str());
+  std::printf("%s\n", describe(studio.loop().thread()->status()).c_str());
   bool measured = false;
   std::thread beside;
   QTimer::singleShot(1500, &window, [&] {

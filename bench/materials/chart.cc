@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "felt/devices/simulated/simulated_stylus.h"
+#include "felt/document/visible_strokes.h"
 #include "felt/haptics/bricks/drawing_feel.h"
 #include "felt/render/page.h"
 #include "felt/render/plot_canvas.h"
@@ -69,8 +70,8 @@ void take(std::vector<Event>& events, double t_s, const Medium& medium, Rgba col
   add(events, t_s, SetOption{"pencil.gamma", OptionValue(medium.line.gamma)});
 }
 
-Result<Sketch> draw_row(const SurfaceMaterial& surface, std::span<const Medium* const> media,
-                        double cell_mm) {
+Result<Document> draw_row(const SurfaceMaterial& surface, std::span<const Medium* const> media,
+                          double cell_mm) {
   StylusPreset device = *find_stylus_preset("omega");
   device.capabilities.workspace_min = {-20.0, -20.0, -20.0};
   device.capabilities.workspace_max = {kWidthMm + 20.0, kRowMm + 20.0, 20.0};
@@ -95,7 +96,7 @@ Result<Sketch> draw_row(const SurfaceMaterial& surface, std::span<const Medium* 
   Player player(stylus, &stylus, session, {});
   const Result<PlayReport> report = player.play(events);
   if (!report) return tl::unexpected(report.error());
-  return session.sketch();
+  return session.document();
 }
 
 void copy(const Image& from, Pixels to, int x0, int y0) {
@@ -141,13 +142,13 @@ Result<Image> draw_chart(std::span<const std::string_view> ids) {
   }
   double top = kHeadMm;
   for (const SurfaceMaterial& surface : surface_materials()) {
-    const Result<Sketch> sketch = draw_row(surface, media, cell_mm);
-    if (!sketch) return tl::unexpected(sketch.error());
+    const Result<Document> drawn = draw_row(surface, media, cell_mm);
+    if (!drawn) return tl::unexpected(drawn.error());
     PageOptions page{.dpi = kDpi};
     page.sheet = Rect{0.0, 0.0, kWidthMm - kLabelMm, kRowMm - 0.5};
     page.paper = color_of(surface.color_rgb);
     page.grain = Grain(surface_grain(surface));
-    const Result<Image> row = render_page(*sketch, page);
+    const Result<Image> row = render_page(visible_strokes(*drawn), page);
     if (!row) return row;
     copy(*row, chart->pixels(), px(kLabelMm), px(top));
     // One word a line.

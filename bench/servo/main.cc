@@ -19,7 +19,7 @@
 #include "felt/haptics/bricks/drawing_feel.h"
 #include "felt/haptics/bricks/spring.h"
 #include "felt/haptics/bricks/well.h"
-#include "felt/haptics/compose.h"
+#include "felt/haptics/force_model.h"
 #include "felt/rt/null_device.h"
 #include "felt/rt/realtime_thread.h"
 #include "felt/rt/servo.h"
@@ -85,7 +85,7 @@ void bench_ticks(const char* what, D& device, MakeModel make, int change_every, 
       if (make != nullptr && (tick == 0 || (change_every > 0 && tick % change_every == 0))) {
         servo->publish(make(device.capabilities(), static_cast<std::uint32_t>(tick + 1)));
       }
-      while (servo->for_edit().pop(drained) + servo->for_saver().pop(drained) > 0) {
+      while (servo->for_edit().pop(drained) + servo->for_autosave().pop(drained) > 0) {
       }
       const int batch = change_every > 0 ? std::min(change_every, 100) : 100;
       const std::int64_t batch_ns = cpu_ns();
@@ -181,7 +181,7 @@ int run_loop(double seconds) {
     servo->heartbeat(loop.now_ns());
     const double t_s = 1e-9 * static_cast<double>(loop.now_ns());
     stylus.aim({70 + 8 * std::sin(3 * t_s), 50.0, -1 - 2 * std::sin(2 * t_s)}, {}, 0);
-    while (servo->for_edit().pop(drained) + servo->for_saver().pop(drained) > 0) {
+    while (servo->for_edit().pop(drained) + servo->for_autosave().pop(drained) > 0) {
     }
     const timespec nap{0, 4 * kMs};
     nanosleep(&nap, nullptr);

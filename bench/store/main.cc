@@ -1,4 +1,4 @@
-// What a .felt file costs: bytes, opening, saving; and a commit into the working store (README.md).
+// What a .felt file costs: bytes, opening, saving; and a commit into the autosave (README.md).
 #include <zlib.h>
 
 #include <algorithm>
@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "felt/autosave/working_store.h"
+#include "felt/autosave/autosave_database.h"
 #include "felt/base/check.h"
 #include "felt/document/visible_strokes.h"
 #include "felt/io/svg/svg_writer.h"
@@ -82,17 +82,17 @@ double at_share(std::vector<double> all, double share) {
   return all[static_cast<std::size_t>(share * static_cast<double>(all.size() - 1))];
 }
 
-/// One more stroke a commit, into the working store of a large drawing.
-void run_commits(const Arguments& args, const StoredDrawing& drawing) {
+/// One more stroke a commit, into the autosave of a large drawing.
+void run_commits(const Arguments& args, const Drawing& drawing) {
   constexpr int kCommits = 500;
   const std::filesystem::path root =
       std::filesystem::temp_directory_path() / "feltline-bench-working";
   std::filesystem::create_directories(root);
-  Result<WorkingStore> store = WorkingStore::create(root.string(), "bench");
+  Result<AutosaveDatabase> store = AutosaveDatabase::create(root.string(), "bench");
   FELT_CHECK(store);
   const double start = wall_ms();
   FELT_CHECK(store->write_base(drawing) && store->commit());
-  row(args, "working store, first base", wall_ms() - start, "ms wall");
+  row(args, "autosave, first base", wall_ms() - start, "ms wall");
   Document document = drawing.document;
   const Layer& layer = document.layers().back();
   const Stroke ink = *document.find(layer.strokes.front());
@@ -118,13 +118,13 @@ void run_commits(const Arguments& args, const StoredDrawing& drawing) {
 }
 
 void run(const Arguments& args) {
-  StoredDrawing drawing;
+  Drawing drawing;
   drawing.document = Ink(args.strokes).document();
   const std::string bytes = felt_bytes(drawing).value();
   FELT_CHECK(parse_felt(bytes).value() == drawing);
   const auto strokes = static_cast<double>(args.strokes);
   row(args, "size", static_cast<double>(bytes.size()) / strokes, "bytes a stroke");
-  const auto svg = svg_text(visible_strokes(drawing.document), {}).value();
+  const auto svg = svg_ink_text(drawing, {}).value();
   const auto packed = static_cast<double>(gzip_bytes(svg));
   row(args, "the same as SVG, gzip -9", packed / strokes, "bytes a stroke");
   row(args, "size of .felt to that", 100.0 * static_cast<double>(bytes.size()) / packed, "%");

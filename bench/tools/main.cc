@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "felt/document/stroke_index.h"
 #include "felt/session/session.h"
 #include "sheet.h"
 

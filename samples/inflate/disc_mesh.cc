@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "felt/geometry/polygon.h"
 #include "felt/geometry/polyline.h"
 #include "felt/geometry/rect.h"
 

@@ -13,7 +13,7 @@ namespace {
 
 /// The lowest closed stroke of a drawing, or why there is none.
 felt::Result<felt::Stroke> first_closed_stroke(const char* path) {
-  const felt::Result<felt::OpenedDrawing> opened = felt::read_drawing(path);
+  const felt::Result<felt::Imported> opened = felt::read_drawing(path);
   if (!opened) return tl::unexpected(opened.error());
   const felt::Document& document = opened->drawing.document;
   for (const felt::Layer& layer : document.layers()) {

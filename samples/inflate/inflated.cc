@@ -5,9 +5,8 @@
 #include <cstdio>
 
 #include "disc_mesh.h"
-#include "felt/geometry/polygon.h"
 #include "felt/geometry/polyline.h"
-#include "felt/stroke/outline/flatten.h"
+#include "felt/stroke/outline/outline.h"
 
 using felt::Point;
 

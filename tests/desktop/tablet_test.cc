@@ -16,7 +16,6 @@
 #include "desktop/engine/recording_file.h"
 #include "desktop/files/drawing_file.h"
 #include "desktop/window/main_window.h"
-#include "felt/document/visible_strokes.h"
 #include "felt/io/ndjson/ndjson_writer.h"
 #include "tests/desktop/injected_pen.h"
 #include "tests/desktop/recording_check.h"
@@ -26,11 +25,9 @@ namespace {
 
 constexpr int kMostMs = 20'000;  // for anything to happen on a machine that is busy
 
-std::string text_of(const Sketch& sketch) {
+std::string text_of(const Document& document) {
   std::string text;
-  for (const SketchStroke& stroke : sketch) {
-    append_sketch_line(text, stroke.id, stroke.stroke.data());
-  }
+  append_sketch_lines(text, document);
   return text;
 }
 
@@ -100,10 +97,10 @@ TEST_F(DesktopTablet, ADrawingIsMadeSavedAndPlayedAgain) {
   draw(line({40, 120}, {120, 130}, 3.0));
   ASSERT_EQ(strokes(), 3u);
 
-  std::string before = text_of(studio().session().sketch());
+  std::string before = text_of(studio().session().document());
   studio().apply(SelectTool{"pull"});
   draw(line({80, 90}, {80, 105}), 0.8);
-  EXPECT_NE(text_of(studio().session().sketch()), before) << "nothing was pulled";
+  EXPECT_NE(text_of(studio().session().document()), before) << "nothing was pulled";
 
   studio().apply(SelectTool{"pencil"});
   pen_->turn_over(true);
@@ -115,29 +112,29 @@ TEST_F(DesktopTablet, ADrawingIsMadeSavedAndPlayedAgain) {
   EXPECT_TRUE(QTest::qWaitFor([this] { return tool() == "pencil"; }, kMostMs));
   EXPECT_EQ(strokes(), 4u) << "the first line is cut in two";
 
-  before = text_of(studio().session().sketch());
+  before = text_of(studio().session().document());
   studio().apply(SelectStrokes{SelectStrokes::What::kAll});
   studio().apply(SetOption{"transform.mode", std::string("rotate")});
   studio().apply(SelectTool{"transform"});
   const Rect box = studio().session().selection().bounds(studio().session().document());
   draw(line({box.x1 - 4, box.y0 + 4}, {box.x1 - 4, box.y0 + 30}), 0.6);
-  const std::string turned = text_of(studio().session().sketch());
+  const std::string turned = text_of(studio().session().document());
   EXPECT_NE(turned, before) << "nothing was turned";
 
   studio().apply(UndoEvent{});
-  EXPECT_EQ(text_of(studio().session().sketch()), before);
+  EXPECT_EQ(text_of(studio().session().document()), before);
   studio().apply(RedoEvent{});
-  EXPECT_EQ(text_of(studio().session().sketch()), turned);
+  EXPECT_EQ(text_of(studio().session().document()), turned);
 
   const QString path = folder_.filePath(QStringLiteral("drawing.felt"));
   ASSERT_TRUE(write_drawing(path, window_->files().drawing()).has_value());
   const Result<Drawing> again = read_drawing(path);
   ASSERT_TRUE(again.has_value()) << again.error().message;
-  EXPECT_EQ(text_of(visible_strokes(again->document)), turned);
+  EXPECT_EQ(text_of(again->document), turned);
   EXPECT_EQ(replay(), turned) << "the recording gives another drawing";
   studio().set_modified(false);  // it is saved
   EXPECT_TRUE(window_->files().open(path));
-  EXPECT_EQ(text_of(studio().session().sketch()), turned);
+  EXPECT_EQ(text_of(studio().session().document()), turned);
 }
 
 // 1,000 events at 1 kHz, while the window repaints all the time and files are written beside it:
@@ -183,7 +180,7 @@ TEST_F(DesktopTablet, AThousandEventsAreAThousandPlaces) {
   const auto poses = poses_of(recording_path_);
   ASSERT_TRUE(poses.has_value()) << poses.error().message;
   EXPECT_EQ(count_places(*poses, told), told.size());
-  EXPECT_EQ(replay(), text_of(studio().session().sketch()));
+  EXPECT_EQ(replay(), text_of(studio().session().document()));
 }
 
 }  // namespace

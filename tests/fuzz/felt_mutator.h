@@ -48,13 +48,13 @@ class FeltMutator {
   /// A small drawing of ours.
   std::string fresh() {
     const auto seed = random_() % 1000;
-    StoredDrawing drawing;
+    Drawing drawing;
     testing::RandomEdits edits(seed);
     for (auto k = random_() % 4; k > 0; --k) {
       static_cast<void>(drawing.document.apply(edits.next(drawing.document)));
     }
     drawing.palette.colors.resize(random_() % 3);
-    if (one_in(2)) drawing.view = StoredView{};
+    if (one_in(2)) drawing.view = Viewport{};
     if (one_in(2)) {
       FeltRecording recording;
       recording.device = "pen";

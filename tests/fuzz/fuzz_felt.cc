@@ -25,10 +25,10 @@ void try_file(std::string_view bytes) {
   if (const auto salvaged = felt::salvage_felt_bytes(bytes)) {
     must(felt::felt_bytes(salvaged->drawing).has_value());
   }
-  const felt::Result<felt::StoredDrawing> drawing = felt::parse_felt(bytes);
+  const felt::Result<felt::Drawing> drawing = felt::parse_felt(bytes);
   if (!drawing) return must(!drawing.error().message.empty());
   const std::string written = felt::felt_bytes(*drawing).value();
-  const felt::StoredDrawing again = felt::parse_felt(written).value();
+  const felt::Drawing again = felt::parse_felt(written).value();
   must(again.document == drawing->document && again.palette == drawing->palette &&
        again.page == drawing->page && again.view == drawing->view);
   must(felt::felt_bytes(again).value() == written);

@@ -10,6 +10,7 @@
 #include "felt/base/check.h"
 #include "felt/io/inkml/inkml_import.h"
 #include "felt/io/inkml/inkml_writer.h"
+#include "felt/io/testing/test_drawings.h"
 #include "xml_mutator.h"
 
 namespace {
@@ -69,20 +70,20 @@ constexpr std::array<std::string_view, 48> kWords = {
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace felt;
   const std::string_view text(reinterpret_cast<const char*>(data), size);
-  const Result<ImportedDrawing> first = import_inkml(text);
+  const Result<Imported> first = import_inkml(text);
   if (!first) {
     FELT_CHECK(!first.error().message.empty());
     return 0;
   }
-  for (const SketchLayer& layer : first->drawing.layers) {
-    for (const SketchStroke& s : layer.strokes) FELT_CHECK(check_invariants(s.stroke.data()));
+  for (const Stroke& stroke : testing::strokes_in(first->drawing.document)) {
+    FELT_CHECK(check_invariants(stroke.data()));
   }
   const Result<std::string> written = inkml_text(first->drawing);
   if (!written) {
     FELT_CHECK(!written.error().message.empty());
     return 0;
   }
-  const Result<ImportedDrawing> second = import_inkml(*written);
+  const Result<Imported> second = import_inkml(*written);
   FELT_CHECK(second.has_value());
   FELT_CHECK(second->drawing == first->drawing);
   FELT_CHECK(second->report.empty());

@@ -6,19 +6,20 @@
 
 #include "felt/base/check.h"
 #include "felt/io/quickdraw/quickdraw_import.h"
+#include "felt/io/testing/test_drawings.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace felt;
   const std::string_view text(reinterpret_cast<const char*>(data), size);
-  const Result<ImportedDrawing> drawing = import_quickdraw(text);
+  const Result<Imported> drawing = import_quickdraw(text);
   if (!drawing) {
     FELT_CHECK(!drawing.error().message.empty());
     return 0;
   }
-  FELT_CHECK(!drawing->drawing.layers.empty());
-  FELT_CHECK(drawing->drawing.layers.size() <= static_cast<std::size_t>(kMaxQuickdrawDrawings));
-  for (const SketchLayer& layer : drawing->drawing.layers) {
-    for (const SketchStroke& s : layer.strokes) FELT_CHECK(check_invariants(s.stroke.data()));
+  FELT_CHECK(drawing->drawing.document.layers().size() <=
+             static_cast<std::size_t>(kMaxQuickdrawDrawings));
+  for (const Stroke& stroke : testing::strokes_in(drawing->drawing.document)) {
+    FELT_CHECK(check_invariants(stroke.data()));
   }
   return 0;
 }

@@ -28,13 +28,14 @@ void must(bool condition) {
 }
 
 /// Small enough that its outlines are made quickly.
-bool is_handy(const felt::LayeredSketch& drawing) {
+bool is_handy(const felt::Document& document) {
   std::size_t segments = 0;
   double farthest = 0.0;
-  for (const felt::SketchLayer& layer : drawing.layers) {
-    for (const felt::SketchStroke& s : layer.strokes) {
-      segments += static_cast<std::size_t>(s.stroke.segment_count());
-      const felt::Rect r = s.stroke.bounds();
+  for (const felt::Layer& layer : document.layers()) {
+    for (const felt::StrokeId id : layer.strokes) {
+      const felt::StrokePtr stroke = document.find(id);
+      segments += static_cast<std::size_t>(stroke->segment_count());
+      const felt::Rect r = stroke->bounds();
       farthest = std::max({farthest, -r.x0, -r.y0, r.x1, r.y1});
     }
   }
@@ -235,16 +236,16 @@ void mutate(pugi::xml_document& document, Random& random) {
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string_view bytes(reinterpret_cast<const char*>(data), size);
-  const felt::Result<felt::ImportedDrawing> read = felt::import_svg(bytes);
+  const felt::Result<felt::Imported> read = felt::import_svg(bytes);
   if (!read) {
     must(!read.error().message.empty());
     return 0;
   }
   for (const felt::ImportNotice& notice : read->report.notices()) must(!notice.what.empty());
-  if (!is_handy(read->drawing)) return 0;
+  if (!is_handy(read->drawing.document)) return 0;
   const felt::Result<std::string> text = felt::svg_text(read->drawing, {});
   must(text.has_value());
-  const felt::Result<felt::ImportedDrawing> again = felt::import_svg(*text);
+  const felt::Result<felt::Imported> again = felt::import_svg(*text);
   must(again.has_value());
   must(again->drawing == read->drawing);
   must(again->report.empty());

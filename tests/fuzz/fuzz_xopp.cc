@@ -9,6 +9,7 @@
 #include <string_view>
 
 #include "felt/base/check.h"
+#include "felt/io/testing/test_drawings.h"
 #include "felt/io/unpack.h"
 #include "felt/io/xopp/xopp_import.h"
 #include "xml_mutator.h"
@@ -59,13 +60,13 @@ constexpr felt::UnpackLimits kSmall{.bytes = 1 << 20};
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace felt;
   const std::string_view bytes(reinterpret_cast<const char*>(data), size);
-  const Result<ImportedDrawing> drawing = import_xopp(bytes);
+  const Result<Imported> drawing = import_xopp(bytes);
   if (!drawing) {
     FELT_CHECK(!drawing.error().message.empty());
     return 0;
   }
-  for (const SketchLayer& layer : drawing->drawing.layers) {
-    for (const SketchStroke& s : layer.strokes) FELT_CHECK(check_invariants(s.stroke.data()));
+  for (const Stroke& stroke : testing::strokes_in(drawing->drawing.document)) {
+    FELT_CHECK(check_invariants(stroke.data()));
   }
   if (!is_gzip(bytes) && !is_zip(bytes)) {
     FELT_CHECK(import_xopp(gzip(bytes))->drawing == drawing->drawing);

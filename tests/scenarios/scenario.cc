@@ -11,6 +11,7 @@
 
 #include "felt/base/hash.h"
 #include "felt/devices/simulated/simulated_stylus.h"
+#include "felt/document/visible_strokes.h"
 #include "felt/io/events/event_writer.h"
 #include "felt/io/ndjson/ndjson_writer.h"
 #include "felt/session/recorder.h"
@@ -55,7 +56,7 @@ Result<std::size_t> count_redo(Session& session) {
 /// The K-th stroke, counted from 1, or null.
 const Stroke* stroke_of(const ScenarioResult& result, const std::string& rank) {
   const std::size_t k = static_cast<std::size_t>(std::stoul(rank));
-  return k >= 1 && k <= result.sketch.size() ? &result.sketch[k - 1].stroke : nullptr;
+  return k >= 1 && k <= result.strokes.size() ? result.strokes[k - 1].get() : nullptr;
 }
 
 namespace fs = std::filesystem;
@@ -114,13 +115,13 @@ const std::map<std::string, Kind>& kinds() {
       {"device", {2, [](const ScenarioResult&, const Words&) { return std::string(); }}},
       {"strokes",
        {2,
-        [](const ScenarioResult& r, const Words& w) { return expect_count(r.sketch.size(), w); }}},
+        [](const ScenarioResult& r, const Words& w) { return expect_count(r.strokes.size(), w); }}},
       {"closed",
        {2,
         [](const ScenarioResult& r, const Words& w) {
           return expect_count(static_cast<std::size_t>(std::count_if(
-                                  r.sketch.begin(), r.sketch.end(),
-                                  [](const SketchStroke& named) { return named.stroke.closed(); })),
+                                  r.strokes.begin(), r.strokes.end(),
+                                  [](const StrokePtr& stroke) { return stroke->closed(); })),
                               w);
         }}},
       {"undo",
@@ -145,9 +146,9 @@ const std::map<std::string, Kind>& kinds() {
 
 }  // namespace
 
-std::string text_of(const Sketch& sketch) {
+std::string text_of(const Document& document) {
   std::string text;
-  for (const SketchStroke& named : sketch) append_sketch_line(text, named.id, named.stroke.data());
+  append_sketch_lines(text, document);
   return text;
 }
 
@@ -178,8 +179,8 @@ Result<ScenarioResult> play_scenario_on(Device& device, HandInput& hand,
   if (!report) return tl::unexpected(report.error());
   recorder.flush();
   result.report = *report;
-  result.sketch = session.sketch();
-  result.sketch_text = text_of(result.sketch);
+  result.strokes = visible_strokes(session.document());
+  result.sketch_text = text_of(session.document());
   result.ticks = ticks.value();
   result.undo_count = session.history().undo_count();
   const Result<std::size_t> redo = count_redo(session);
@@ -188,14 +189,14 @@ Result<ScenarioResult> play_scenario_on(Device& device, HandInput& hand,
   return result;
 }
 
-Result<Sketch> tell_session(const std::vector<Event>& events, const std::string& device) {
+Result<Document> tell_session(const std::vector<Event>& events, const std::string& device) {
   const Result<const StylusPreset*> preset = find_device(device);
   if (!preset) return tl::unexpected(preset.error());
   Session session(make_tools(), {.device = (*preset)->capabilities});
   for (const Event& event : events) {
     if (Result<void> done = session.apply(event); !done) return tl::unexpected(done.error());
   }
-  return session.sketch();
+  return session.document();
 }
 
 Expectations parse_expectations(const std::string& text) {

@@ -12,10 +12,10 @@ namespace felt {
 /// Everything that came of a script, so that two plays can be compared.
 struct ScenarioResult {
   PlayReport report;
-  Sketch sketch;
-  std::string sketch_text;  ///< as a file
-  std::string recording;    ///< as a script
-  std::uint64_t ticks = 0;  ///< fingerprint of poses and forces
+  std::vector<StrokePtr> strokes;  ///< of visible layers
+  std::string sketch_text;         ///< as a file
+  std::string recording;           ///< as a script
+  std::uint64_t ticks = 0;         ///< fingerprint of poses and forces
   std::size_t undo_count = 0;
   std::size_t redo_count = 0;
 };
@@ -35,11 +35,12 @@ Result<ScenarioResult> play_scenario_on(Device& device, HandInput& hand,
 Result<ScenarioResult> play_scenario(const std::vector<Event>& events,
                                      const ScenarioOptions& options);
 
-/// Tells a session the events of a recording directly, without device and loop. The sketch.
-Result<Sketch> tell_session(const std::vector<Event>& events, const std::string& device);
+/// Applies the events of a recording to a session directly, without device and loop. Returns its
+/// document.
+Result<Document> tell_session(const std::vector<Event>& events, const std::string& device);
 
-/// A sketch as an .ndjson file.
-std::string text_of(const Sketch& sketch);
+/// Returns the visible strokes as an .ndjson file.
+std::string text_of(const Document& document);
 
 /// What must come of a script: the lines of a .expect file, in words.
 using Expectations = std::vector<std::vector<std::string>>;

@@ -48,7 +48,7 @@ TEST(Scenarios, ARecordingThatIsWrittenAndReadGivesTheSameSketch) {
     const Result<std::vector<Event>> events =
         read_events(scenario.name, read_text(played.recording));
     ASSERT_TRUE(events) << events.error().message;
-    const Result<Sketch> told = tell_session(*events, scenario.device);
+    const Result<Document> told = tell_session(*events, scenario.device);
     ASSERT_TRUE(told) << told.error().message;
     EXPECT_EQ(text_of(*told), played.sketch_text) << scenario.name;
     // Through the loop again, the pen led as it went.

@@ -230,7 +230,7 @@ void Canvas::flush() {
   refresh();
   const double cost_ms = static_cast<double>(clock_.nsecsElapsed()) * 1e-6 - begin_ms + paint_ms_;
   // The pen is drained between two pictures, whatever these take.
-  if (studio_.loop() && cost_ms > kDearMs) {
+  if (studio_.loop().thread() && cost_ms > kDearMs) {
     pace_.start(static_cast<int>(std::min(2.0 * cost_ms, kMostPaceMs)));
   }
 }

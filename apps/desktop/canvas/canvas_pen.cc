@@ -51,12 +51,12 @@ void Canvas::set_pen_status(const QString& status) {
 
 PenMark Canvas::pen_mark(const PenState& pen) {
   Shown& s = *shown_;
-  const bool has_force = studio_.device().device().capabilities().has_force();
-  const Force force = !studio_.forces_are_on() ? Force{} : has_force ? pen.sent : pen.asked;
+  const bool has_force = studio_.loop().device().device().capabilities().has_force();
+  const Force force = !studio_.loop().forces_are_on() ? Force{} : has_force ? pen.sent : pen.asked;
   const Point stylus{pen.sample.position.x, pen.sample.position.y};
   Point nib = stylus;
   const double pull_n = std::hypot(force.x, force.y);
-  if (has_force && studio_.device().hand()) {
+  if (has_force && studio_.loop().device().hand()) {
     using Use = PseudoCursor::Use;
     const Use use = tablet_in_hand_ && !s.wet.is_empty()        ? Use::kTabletInk
                     : in_contact(pen.sample) || pull_n > kFeltN ? Use::kFeeling

@@ -450,7 +450,7 @@ TEST(Canvas, ForceArrowIsThereWhereForcesAreAndCanBeSwitchedOff) {
   EXPECT_GT(apart(on, sitting.anew()).many, 20);
   Settings::the().set(key, true);
   EXPECT_EQ(apart(on, sitting.anew()).most, 0);
-  sitting.studio.set_forces(false);
+  sitting.studio.loop().set_forces(false);
   sitting.move(sitting.at, true, 0.6);
   EXPECT_GT(apart(on, sitting.anew()).many, 20);
 }

@@ -5,7 +5,7 @@
 #include <numbers>
 
 #include "felt/render/raster.h"
-#include "felt/stroke/outline/flatten.h"
+#include "felt/stroke/outline/outline.h"
 
 namespace felt::desktop {
 namespace {

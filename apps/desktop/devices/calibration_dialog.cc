@@ -92,7 +92,7 @@ void CalibrationDialog::run(Studio& studio, QWidget* parent) {
   Result<std::unique_ptr<PenDevice>> mouse =
       open_pen_device(QString::fromLatin1(kPenDeviceDefault), page);
   if (!mouse) return;
-  std::unique_ptr<PenDevice> used = studio.use_device(*std::move(mouse));
+  std::unique_ptr<PenDevice> used = studio.loop().use_device(*std::move(mouse));
   if (!used) return;  // it hangs; the studio has said so
   const QString label = used->info().label;
   CalibrationDialog dialog(std::move(used), {0.5 * (page.x0 + page.x1), 0.5 * (page.y0 + page.y1)},
@@ -100,7 +100,7 @@ void CalibrationDialog::run(Studio& studio, QWidget* parent) {
   const bool is_kept = dialog.exec() == QDialog::Accepted && dialog.found();
   std::unique_ptr<PenDevice> device = dialog.take_device();
   if (!device) {
-    Q_EMIT studio.refused(Studio::given_up_words(label));
+    Q_EMIT studio.refused(HapticLoop::unresponsive_text(label));
     return;
   }
   const PenDeviceInfo& info = device->info();
@@ -114,7 +114,7 @@ void CalibrationDialog::run(Studio& studio, QWidget* parent) {
   const Result<void> kept = !profile  ? tl::unexpected(profile.error())
                             : is_kept ? keep_profile(*profile)
                                       : Result<void>{};
-  studio.use_device(std::move(device));
+  studio.loop().use_device(std::move(device));
   if (!kept) Q_EMIT studio.refused(QString::fromStdString(kept.error().message));
 }
 

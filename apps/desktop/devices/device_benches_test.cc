@@ -116,7 +116,7 @@ struct Sitting {
       bench->hand().aim(hand, {}, 0);
       studio->advance(kMs);
       // The world goes on while nobody reads it.
-      if (studio->device().info().id != id) bench->before_tick(studio->now_ns());
+      if (studio->loop().device().info().id != id) bench->before_tick(studio->now_ns());
     }
     QCoreApplication::processEvents();
   }
@@ -140,15 +140,15 @@ TEST_P(Benches, UnpluggedMidLineTheInkIsKeptAndItComesBackWithoutForce) {
   Sitting at(GetParam(), {{InjectedFault::kUnplugged, 2000 * kMs, 3500 * kMs, 1.0}});
   at.hand = at.middle;
   ASSERT_TRUE(at.care->use(at.id, nullptr));
-  EXPECT_FALSE(at.studio->forces_are_on());
-  at.studio->set_forces(true);
+  EXPECT_FALSE(at.studio->loop().forces_are_on());
+  at.studio->loop().set_forces(true);
   at.move_to(-20, 0, 10, 700);
   at.move_to(-20, 0, -6, 700);
-  ASSERT_EQ(at.studio->device().info().id, at.id) << at.said();
+  ASSERT_EQ(at.studio->loop().device().info().id, at.id) << at.said();
   EXPECT_TRUE(at.studio->session().gesture_in_work());
   const std::size_t before = at.strokes();  // a light arm bounces when it lands, and makes a dot
   at.move_to(10, 10, -6, 900);
-  EXPECT_EQ(at.studio->device().info().id, QStringLiteral("tablet"));
+  EXPECT_EQ(at.studio->loop().device().info().id, QStringLiteral("tablet"));
   EXPECT_GT(at.strokes(), before) << "the ink up to the fault";
   const std::size_t kept = at.strokes();
   EXPECT_NE(at.said().find("is not connected any more."), std::string::npos) << at.said();
@@ -157,9 +157,9 @@ TEST_P(Benches, UnpluggedMidLineTheInkIsKeptAndItComesBackWithoutForce) {
   // Back: by itself where it can be looked for, else by the button.
   at.look();
   QTest::qWait(2 * DeviceCare::kCalmMs + 100);
-  if (at.studio->device().info().id != at.id) at.notice->press(0);
-  ASSERT_EQ(at.studio->device().info().id, at.id) << at.said();
-  EXPECT_FALSE(at.studio->forces_are_on());
+  if (at.studio->loop().device().info().id != at.id) at.notice->press(0);
+  ASSERT_EQ(at.studio->loop().device().info().id, at.id) << at.said();
+  EXPECT_FALSE(at.studio->loop().forces_are_on());
   at.move_to(0, 30, 10, 300);
   at.move_to(0, 30, -6, 500);
   at.move_to(-20, 25, -6, 500);
@@ -176,13 +176,14 @@ TEST_P(Benches, ForcesThatItSwitchesOffEndNoLine) {
     SCOPED_TRACE(name_of(fault));
     at.hand = at.middle;
     ASSERT_TRUE(at.care->use(at.id, nullptr));
-    at.studio->set_forces(true);
+    at.studio->loop().set_forces(true);
     at.move_to(-20, 0, 10, 700);
     at.move_to(-20, 0, -6, 700);
     at.move_to(10, 10, -6, 900);
-    EXPECT_EQ(at.studio->device().info().id, at.id);
+    EXPECT_EQ(at.studio->loop().device().info().id, at.id);
     EXPECT_TRUE(at.studio->session().gesture_in_work());
-    EXPECT_EQ(at.studio->tick().safety.state, SafetyState::kLatched) << "until a person says so";
+    EXPECT_EQ(at.studio->loop().tick().safety.state, SafetyState::kLatched)
+        << "until a person says so";
     EXPECT_NE(at.said().find(fault == InjectedFault::kForcesOff ? "has switched its forces off"
                                                                 : "are warm"),
               std::string::npos)

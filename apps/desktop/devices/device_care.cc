@@ -33,26 +33,27 @@ DeviceCare::DeviceCare(Studio& studio, DeviceNotice& notice, QWidget* window)
   patience_.setInterval(kPatienceMs);
   connect(&calm_, &QTimer::timeout, this, &DeviceCare::come_back);
   connect(&patience_, &QTimer::timeout, this, [this] {
-    const DeviceStatus status = studio_.device_status();
+    const DeviceStatus status = studio_.loop().device_status();
     if (!status.fault) return;
     if (status.reads == reads_) return let_go(*status.fault, status);
     say_no_force(*status.fault, status);
   });
   // It may come while the window is painted; a device is not changed then.
-  connect(&studio_, &Studio::device_status_changed, this, &DeviceCare::hear, Qt::QueuedConnection);
-  connect(&studio_, &Studio::device_changed, this, [this] {
+  connect(&studio_.loop(), &HapticLoop::device_status_changed, this, &DeviceCare::hear,
+          Qt::QueuedConnection);
+  connect(&studio_.loop(), &HapticLoop::device_changed, this, [this] {
     patience_.stop();
     said_.reset();
   });
-  connect(&studio_, &Studio::forces_changed, this, [this](bool on) {
+  connect(&studio_.loop(), &HapticLoop::forces_changed, this, [this](bool on) {
     said_.reset();
-    if (on && notice_ && studio_.device().info().moves_hand) notice_->hide();
+    if (on && notice_ && studio_.loop().device().info().moves_hand) notice_->hide();
   });
   DriverWatch* watch = DriverWatch::the();
   if (!watch) return;
   connect(watch, &DriverWatch::looked, this, &DeviceCare::look);
   const QString chosen = Settings::the().text(QString::fromLatin1(kPenDeviceKey));
-  if (watch->knows(chosen) && chosen != studio_.device().info().id) wait_for(chosen);
+  if (watch->knows(chosen) && chosen != studio_.loop().device().info().id) wait_for(chosen);
 }
 
 DeviceCare::~DeviceCare() = default;
@@ -60,18 +61,19 @@ DeviceCare::~DeviceCare() = default;
 bool DeviceCare::use(const QString& id, QWidget* parent) {
   const DriverWatch* watch = DriverWatch::the();
   const bool is_of_driver = watch && watch->knows(id);
-  if (id != studio_.device().info().id) {
+  if (id != studio_.loop().device().info().id) {
     if (is_of_driver ? !open(id, parent, true) : !studio_.use_device(id)) return false;
   }
   stop_waiting();
   Settings::the().set(QString::fromLatin1(kPenDeviceKey), id);
-  Settings::the().set(QString::fromLatin1(kPenDeviceLabelKey), studio_.device().info().label);
+  Settings::the().set(QString::fromLatin1(kPenDeviceLabelKey),
+                      studio_.loop().device().info().label);
   return true;
 }
 
 /// What was told may be over when it is heard: what is now counts.
 void DeviceCare::hear() {
-  const DeviceStatus status = studio_.device_status();
+  const DeviceStatus status = studio_.loop().device_status();
   if (status.fault && ends_reading(*status.fault)) return let_go(*status.fault, status);
   if (status.fault && !takes_no_force(*status.fault)) {
     if (patience_.isActive()) return;
@@ -89,21 +91,21 @@ void DeviceCare::hear() {
 /// Each notice once: a flat battery, a service whose events have stopped.
 void DeviceCare::say_notice(const DeviceStatus& status) {
   if (std::exchange(said_notice_, status.notice) == status.notice || status.notice.empty()) return;
-  const PenDeviceInfo info = studio_.device().info();
+  const PenDeviceInfo info = studio_.loop().device().info();
   std::vector<DeviceMessage::Button> buttons;
-  if (info.moves_hand && !studio_.forces_are_on()) buttons.push_back(forces_button());
+  if (info.moves_hand && !studio_.loop().forces_are_on()) buttons.push_back(forces_button());
   say(tr("Message from %1: %2").arg(info.label, text_of(status.notice.view())), {},
       std::move(buttons), false);
 }
 
 void DeviceCare::let_go(DeviceFault fault, const DeviceStatus& status) {
-  const PenDeviceInfo info = studio_.device().info();
-  if (studio_.device().hand()) return;  // a simulated one: nobody could plug it in again
+  const PenDeviceInfo info = studio_.loop().device().info();
+  if (studio_.loop().device().hand()) return;  // a simulated one: nobody could plug it in again
   const DeviceWords words = words_for(fault, info.label, status, false);
   // Ends what is being drawn as if the pen were lifted, and closes the device.
   if (!studio_.use_device(QString::fromLatin1(kPenDeviceDefault))) return;
-  if (Studio::is_given_up(info.id)) {
-    return say(Studio::given_up_words(info.label), words.details, {}, true);
+  if (HapticLoop::is_unresponsive(info.id)) {
+    return say(HapticLoop::unresponsive_text(info.label), words.details, {}, true);
   }
   const bool is_unsteady = since_back_.isValid() && since_back_.elapsed() < kSteadyMs;
   wait_for(info.id);
@@ -122,7 +124,7 @@ void DeviceCare::let_go(DeviceFault fault, const DeviceStatus& status) {
 
 void DeviceCare::say_no_force(DeviceFault fault, const DeviceStatus& status) {
   if (std::exchange(said_, fault) == fault) return;
-  const DeviceWords words = words_for(fault, studio_.device().info().label, status, true);
+  const DeviceWords words = words_for(fault, studio_.loop().device().info().label, status, true);
   say(words.what + QLatin1Char(' ') + words.to_do, words.details, {forces_button()}, true);
 }
 
@@ -163,8 +165,8 @@ void DeviceCare::come_back() {
 
 bool DeviceCare::open(const QString& id, QWidget* parent, bool may_ask) {
   const QString name = name_of(id);
-  if (Studio::is_given_up(id)) {
-    if (may_ask) say(Studio::given_up_words(name), {}, {}, true);
+  if (HapticLoop::is_unresponsive(id)) {
+    if (may_ask) say(HapticLoop::unresponsive_text(name), {}, {}, true);
     return false;
   }
   if (PenDevice::is_open(id)) {
@@ -189,7 +191,7 @@ bool DeviceCare::open(const QString& id, QWidget* parent, bool may_ask) {
   if (!HomingDialog::bring_home(**device, parent ? parent : window_.data())) return false;
   const bool moves_hand = (*device)->info().moves_hand;
   const DeviceStatus status = (*device)->device().status();
-  studio_.use_device(*std::move(device));
+  studio_.loop().use_device(*std::move(device));
   stop_waiting();
   said_notice_ = {};
   if (moves_hand) {
@@ -211,7 +213,7 @@ DeviceMessage::Button DeviceCare::use_button(const QString& text, const QString&
 }
 
 DeviceMessage::Button DeviceCare::forces_button() {
-  return {tr("Switch &forces on"), [this] { studio_.set_forces(true); }};
+  return {tr("Switch &forces on"), [this] { studio_.loop().set_forces(true); }};
 }
 
 QString DeviceCare::name_of(const QString& id) const {

@@ -85,7 +85,7 @@ struct Desk {
   }
   /// As the timers do, once the pen is up.
   void calm() { QTest::qWait(2 * DeviceCare::kCalmMs + 100); }
-  [[nodiscard]] std::string device() { return studio.device().info().id.toStdString(); }
+  [[nodiscard]] std::string device() { return studio.loop().device().info().id.toStdString(); }
   [[nodiscard]] std::size_t strokes() const { return studio.session().document().stroke_count(); }
   [[nodiscard]] std::string said() const { return notice->message().text.toStdString(); }
 
@@ -121,10 +121,10 @@ TEST(DeviceCare, APersonDrawsUnplugsMidLineAndDrawsOn) {
   desk.pen_at(30, 30, 20);
   ASSERT_TRUE(desk.care->use(kArm, nullptr));
   EXPECT_EQ(desk.device(), "scripted:1");
-  EXPECT_FALSE(desk.studio.forces_are_on());
+  EXPECT_FALSE(desk.studio.loop().forces_are_on());
   EXPECT_EQ(desk.said(), "Scripted arm is in use. Its forces are off until you switch them on.");
   desk.notice->press(0);
-  EXPECT_TRUE(desk.studio.forces_are_on());
+  EXPECT_TRUE(desk.studio.loop().forces_are_on());
   desk.go_on(1000);
   desk.draw_to(60, 50);
   ASSERT_TRUE(desk.studio.session().gesture_in_work());
@@ -156,7 +156,7 @@ TEST(DeviceCare, APersonDrawsUnplugsMidLineAndDrawsOn) {
   desk.look();
   desk.calm();
   EXPECT_EQ(desk.device(), "scripted:1");
-  EXPECT_FALSE(desk.studio.forces_are_on());
+  EXPECT_FALSE(desk.studio.loop().forces_are_on());
   EXPECT_TRUE(desk.care->waits_for().isEmpty());
   desk.go_on(500);
   EXPECT_EQ(desk.arm->sent, Force{});
@@ -165,7 +165,7 @@ TEST(DeviceCare, APersonDrawsUnplugsMidLineAndDrawsOn) {
   EXPECT_EQ(desk.strokes(), 3u);
   EXPECT_EQ(desk.arm->sent, Force{}) << "nobody has switched them on";
   desk.draw_to(160, 60);
-  desk.studio.set_forces(true);
+  desk.studio.loop().set_forces(true);
   desk.arm->largest_n = 0.0;
   desk.draw_to(170, 70);
   EXPECT_EQ(desk.arm->largest_n, 0.0) << "a pen that presses feels nothing until it is lifted";
@@ -229,7 +229,7 @@ TEST(DeviceCare, ForcesThatTheDeviceSwitchesOffDoNotEndTheDrawing) {
     desk.go_on(40);
     EXPECT_EQ(desk.device(), "scripted:1");
     EXPECT_TRUE(desk.studio.session().gesture_in_work()) << "the line goes on";
-    EXPECT_EQ(desk.studio.tick().safety.state, SafetyState::kLatched);
+    EXPECT_EQ(desk.studio.loop().tick().safety.state, SafetyState::kLatched);
     const bool is_off = fault == DeviceFault::kForcesOff;
     EXPECT_NE(desk.said().find(is_off ? "has switched its forces off" : "are warm"),
               std::string::npos)
@@ -246,7 +246,7 @@ TEST(DeviceCare, ForcesThatTheDeviceSwitchesOffDoNotEndTheDrawing) {
     desk.arm->write_fault.reset();
     desk.notice->press(0);
     desk.go_on(1000);
-    EXPECT_EQ(desk.studio.tick().safety.state, SafetyState::kActive);
+    EXPECT_EQ(desk.studio.loop().tick().safety.state, SafetyState::kActive);
   }
 }
 
@@ -265,7 +265,7 @@ TEST(DeviceCare, ShowsTheNoticesOfTheDevice) {
   EXPECT_FALSE(desk.notice->message().is_fault);
   ASSERT_EQ(desk.notice->message().buttons.size(), 1u) << "forces are still off";
   desk.notice->press(0);
-  EXPECT_TRUE(desk.studio.forces_are_on());
+  EXPECT_TRUE(desk.studio.loop().forces_are_on());
   desk.go_on(1000);
   EXPECT_FALSE(desk.notice->isVisibleTo(&desk.window)) << "each notice is shown once";
 }
@@ -339,8 +339,8 @@ TEST(DeviceCare, TheChosenOneIsUsedWhenItComes) {
   EXPECT_FALSE(notice->isVisibleTo(&window)) << "nothing has gone wrong";
   first.look();
   QTest::qWait(2 * DeviceCare::kCalmMs + 100);
-  EXPECT_EQ(studio.device().info().id, kArm);
-  EXPECT_FALSE(studio.forces_are_on());
+  EXPECT_EQ(studio.loop().device().info().id, kArm);
+  EXPECT_FALSE(studio.loop().forces_are_on());
   // Another window must not take it away.
   EXPECT_FALSE(first.care->use(kArm, nullptr));
   EXPECT_NE(first.said().find("in another window"), std::string::npos);
@@ -454,7 +454,7 @@ TEST(DevicePage, RowsSayHowRealDevicesAre) {
   ASSERT_TRUE(page.choose(kArm));
   page.use();
   EXPECT_EQ(row(0), "Scripted arm\nIn use, forces off");
-  desk.studio.set_forces(true);
+  desk.studio.loop().set_forces(true);
   page.refresh();
   EXPECT_EQ(row(0), "Scripted arm\nIn use");
   desk.arm->is_plugged_in = false;
@@ -495,23 +495,23 @@ TEST(DevicePage, EachHandHasItsPlane) {
   DeviceProfile profile = profile_of(kArm).value();
   profile.plane = right;
   ASSERT_TRUE(keep_profile(profile).has_value());
-  desk.studio.follow(profile);
-  desk.studio.set_forces(true);
+  desk.studio.loop().set_profile(profile);
+  desk.studio.loop().set_forces(true);
   choose_hand(1);
-  EXPECT_FALSE(desk.studio.forces_are_on()) << "the sheet is somewhere else now";
+  EXPECT_FALSE(desk.studio.loop().forces_are_on()) << "the sheet is somewhere else now";
   EXPECT_TRUE(profile_of(kArm)->left_handed);
   EXPECT_FALSE(plane_of(kArm).has_value()) << "nobody has shown it for this hand";
-  EXPECT_NE(desk.studio.device().device().plane(), *right);
+  EXPECT_NE(desk.studio.loop().device().device().plane(), *right);
   settings->fit();
   const auto left = plane_of(kArm);
   ASSERT_TRUE(left.has_value());
   EXPECT_NE(left, right);
-  EXPECT_EQ(desk.studio.device().device().plane(), *left);
+  EXPECT_EQ(desk.studio.loop().device().device().plane(), *left);
   choose_hand(0);
   EXPECT_EQ(plane_of(kArm), right);
-  EXPECT_EQ(desk.studio.device().device().plane(), *right);
+  EXPECT_EQ(desk.studio.loop().device().device().plane(), *right);
   choose_hand(1);
-  EXPECT_EQ(desk.studio.device().device().plane(), *left);
+  EXPECT_EQ(desk.studio.loop().device().device().plane(), *left);
   EXPECT_EQ(desk.arm->opened, 1) << "the device itself has nothing to do with it";
 }
 

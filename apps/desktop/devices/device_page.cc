@@ -13,6 +13,7 @@
 #include "desktop/engine/settings.h"
 #include "desktop/feel/feel_icons.h"
 #include "desktop/feel/settings_keys.h"
+#include "felt/driver/cue_device.h"
 
 namespace felt::desktop {
 namespace {
@@ -89,14 +90,14 @@ DevicePage::DevicePage(Studio& studio, DeviceCare* care, QWidget* parent)
   connect(list_, &QListWidget::itemActivated, this,
           [this] { chosen() == QLatin1String(kHelpRow) ? help() : use(); });
   connect(use_, &QPushButton::clicked, this, &DevicePage::use);
-  connect(&studio_, &Studio::device_changed, this, &DevicePage::refresh);
-  connect(&studio_, &Studio::device_status_changed, this, &DevicePage::tell_rows);
+  connect(&studio_.loop(), &HapticLoop::device_changed, this, &DevicePage::refresh);
+  connect(&studio_.loop(), &HapticLoop::device_status_changed, this, &DevicePage::tell_rows);
   if (care_) connect(care_, &DeviceCare::waiting_changed, this, &DevicePage::refresh);
   if (DriverWatch* watch = DriverWatch::the()) {
     connect(watch, &DriverWatch::changed, this, &DevicePage::refresh);
   }
   refresh();
-  choose(studio_.device().info().id);
+  choose(studio_.loop().device().info().id);
 }
 
 /// What is not of one real device.
@@ -156,7 +157,7 @@ void DevicePage::refresh() {
   add_help();
   tell_rows();
   list_cues();
-  choose(row_of(kept) ? kept : studio_.device().info().id);
+  choose(row_of(kept) ? kept : studio_.loop().device().info().id);
   tell();
 }
 
@@ -177,12 +178,12 @@ QString DevicePage::state_of(const Row& row, int* sign) const {
     *sign = static_cast<int>(level);
     return text;
   };
-  if (row.info.id == studio_.device().info().id) {
-    const DeviceStatus status = studio_.device_status();
+  if (row.info.id == studio_.loop().device().info().id) {
+    const DeviceStatus status = studio_.loop().device_status();
     if (status.fault) {
       return say(FeelLevel::kLimited, tr("In use; %1").arg(words_for(*status.fault)));
     }
-    if (row.is_real && !studio_.forces_are_on()) {
+    if (row.is_real && !studio_.loop().forces_are_on()) {
       return say(FeelLevel::kOn, tr("In use, forces off"));
     }
     return say(FeelLevel::kOn, tr("In use"));
@@ -220,7 +221,7 @@ void DevicePage::tell_rows() {
     int sign = 0;
     const QString called = care_ && row->is_real ? care_->name_of(id) : id;
     const QString name = called == id ? row->info.label : called;
-    const bool in_use = id == studio_.device().info().id;
+    const bool in_use = id == studio_.loop().device().info().id;
     if (!row->is_real) {
       item->setText(name);
       QPixmap nothing(QSize(kPageIconPx, kPageIconPx) *
@@ -277,28 +278,28 @@ void DevicePage::use() {
   if (!row || !row->is_here) return;
   if (care_) {
     care_->use(id, this);
-  } else if (id != studio_.device().info().id && studio_.use_device(id)) {
+  } else if (id != studio_.loop().device().info().id && studio_.use_device(id)) {
     Settings::the().set(QString::fromLatin1(kPenDeviceKey), id);
   }
   // What mouse and tablet lead is chosen by its row alone: one that did not open is not chosen.
   const Row* now = row_of(id);
-  if (now && !now->is_real) choose(studio_.device().info().id);
+  if (now && !now->is_real) choose(studio_.loop().device().info().id);
   tell_rows();
   tell();
 }
 
 void DevicePage::help() {
   DoctorDialog(this).exec();
-  choose(studio_.device().info().id);
+  choose(studio_.loop().device().info().id);
 }
 
 void DevicePage::tell() {
-  const PenDeviceInfo& now = studio_.device().info();
+  const PenDeviceInfo& now = studio_.loop().device().info();
   const Row* row = row_of(chosen());
   const bool in_use = row && row->info.id == now.id;
-  const bool is_led = in_use && studio_.device().hand() != nullptr;
+  const bool is_led = in_use && studio_.loop().device().hand() != nullptr;
   const bool is_real = row && row->is_real;
-  const Capabilities& can = in_use ? studio_.device().device().capabilities()
+  const Capabilities& can = in_use ? studio_.loop().device().device().capabilities()
                             : row  ? row->info.capabilities
                                    : now.capabilities;
   QStringList words;
@@ -318,13 +319,13 @@ void DevicePage::tell() {
   use_->setVisible(is_real && !in_use);
   use_->setEnabled(is_real && row->is_here && !PenDevice::is_open(row->info.id));
   const QSignalBlocker quiet(limit_);
-  limit_->setValue(studio_.force_limit());
+  limit_->setValue(studio_.loop().force_limit());
   general_->setVisible(!is_real);
-  limit_->setEnabled(studio_.device().device().capabilities().has_force());
+  limit_->setEnabled(studio_.loop().device().device().capabilities().has_force());
   settings_->setVisible(is_real && in_use);
   if (is_real && in_use) settings_->tell();
   pad_->setVisible(!is_real);
-  pad_->use(is_led ? now.id : QString(), studio_.strength(), studio_.force_limit());
+  pad_->use(is_led ? now.id : QString(), studio_.loop().strength(), studio_.loop().force_limit());
 }
 
 /// What was found, and what was chosen though it is not there.
@@ -345,8 +346,8 @@ void DevicePage::list_cues() {
 }
 
 void DevicePage::set_limit(double newton) {
-  studio_.set_force_limit(newton);
-  Settings::the().set(QString::fromLatin1(feel_keys::kForceLimit), studio_.force_limit());
+  studio_.loop().set_force_limit(newton);
+  Settings::the().set(QString::fromLatin1(feel_keys::kForceLimit), studio_.loop().force_limit());
   tell();
 }
 

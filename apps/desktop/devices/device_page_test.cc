@@ -143,7 +143,7 @@ TEST(PenDevices, APersonsDeviceIsSeenThroughItsPlaneAndStaysOffUntilItIsSwitched
   ASSERT_TRUE(keep_plane_of(driver.id, leaning()).has_value());
   Studio studio(by_hand());
   ASSERT_TRUE(studio.use_device(driver.id));
-  EXPECT_FALSE(studio.forces_are_on());
+  EXPECT_FALSE(studio.loop().forces_are_on());
   driver.arm->at.position = leaning().to_device(Vec3{20, 30, 4});
   studio.advance(50'000'000);
   EXPECT_NEAR(norm(studio.pen().sample.position - Vec3{20, 30, 4}), 0.0, 1e-9);
@@ -161,11 +161,11 @@ TEST(PenDevices, AFaultThatNeedsAPersonIsToldWithWhatToDoAndForcesStayOff) {
   ASSERT_TRUE(studio.use_device(driver.id));
   actions.find(QStringLiteral("feel.forces"))->trigger();
   studio.advance(1'000'000'000);
-  ASSERT_EQ(studio.tick().safety.state, SafetyState::kActive);
+  ASSERT_EQ(studio.loop().tick().safety.state, SafetyState::kActive);
   driver.arm->is_plugged_in = false;
   studio.advance(20'000'000);
-  EXPECT_EQ(studio.tick().safety.state, SafetyState::kLatched);
-  EXPECT_FALSE(studio.forces_are_on());
+  EXPECT_EQ(studio.loop().tick().safety.state, SafetyState::kLatched);
+  EXPECT_FALSE(studio.loop().forces_are_on());
   EXPECT_EQ(actions.find(QStringLiteral("feel.forces"))->text().remove(QLatin1Char('&')),
             QStringLiteral("Switch forces on"));
   ASSERT_EQ(told.size(), 1);
@@ -176,29 +176,29 @@ TEST(PenDevices, AFaultThatNeedsAPersonIsToldWithWhatToDoAndForcesStayOff) {
   driver.arm->is_plugged_in = true;
   actions.find(QStringLiteral("feel.forces"))->trigger();
   studio.advance(1'000'000'000);
-  EXPECT_EQ(studio.tick().safety.state, SafetyState::kActive);
+  EXPECT_EQ(studio.loop().tick().safety.state, SafetyState::kActive);
 }
 
 TEST(PenDevices, AnotherForceLimitDoesNotSwitchForcesOnAgainAfterAFault) {
   const FakeDriver driver;
   Studio studio(by_hand());
   ASSERT_TRUE(studio.use_device(driver.id));
-  studio.set_forces(true);
+  studio.loop().set_forces(true);
   studio.advance(1'000'000'000);
-  ASSERT_EQ(studio.tick().safety.state, SafetyState::kActive);
-  studio.set_force_limit(1.0);
-  EXPECT_TRUE(studio.forces_are_on()) << "there is no fault, and a person switched them on";
+  ASSERT_EQ(studio.loop().tick().safety.state, SafetyState::kActive);
+  studio.loop().set_force_limit(1.0);
+  EXPECT_TRUE(studio.loop().forces_are_on()) << "there is no fault, and a person switched them on";
   studio.advance(1'000'000'000);
-  ASSERT_EQ(studio.tick().safety.state, SafetyState::kActive);
+  ASSERT_EQ(studio.loop().tick().safety.state, SafetyState::kActive);
   driver.arm->is_plugged_in = false;
   studio.advance(20'000'000);
-  ASSERT_EQ(studio.tick().safety.state, SafetyState::kLatched);
+  ASSERT_EQ(studio.loop().tick().safety.state, SafetyState::kLatched);
   driver.arm->is_plugged_in = true;
-  studio.set_force_limit(2.0);
-  EXPECT_FALSE(studio.forces_are_on());
+  studio.loop().set_force_limit(2.0);
+  EXPECT_FALSE(studio.loop().forces_are_on());
   studio.advance(1'000'000'000);
-  EXPECT_EQ(studio.tick().safety.state, SafetyState::kOff);
-  EXPECT_EQ(studio.tick().sent, Force{});
+  EXPECT_EQ(studio.loop().tick().safety.state, SafetyState::kOff);
+  EXPECT_EQ(studio.loop().tick().sent, Force{});
 }
 
 void touch(FakeDriver& driver, CalibrationDialog& dialog, const Vec3& sheet_mm) {
@@ -268,7 +268,7 @@ TEST(DevicePage, AChoiceTakesEffectAtOnceAndIsKept) {
   for (const PenDeviceInfo& info : pen_devices()) {
     if (info.moves_hand) continue;
     ASSERT_TRUE(page.choose(info.id));
-    EXPECT_EQ(studio.device().info().id, info.id);
+    EXPECT_EQ(studio.loop().device().info().id, info.id);
     EXPECT_EQ(chosen_pen_device(), info.id);
   }
 }
@@ -279,15 +279,16 @@ TEST(DevicePage, ARealDeviceIsUsedWhenItsButtonIsPressed) {
   DevicePage page(studio);
   page.show();
   ASSERT_TRUE(page.choose(driver.id));
-  EXPECT_EQ(studio.device().info().id, QStringLiteral("tablet")) << "looking at it does nothing";
+  EXPECT_EQ(studio.loop().device().info().id, QStringLiteral("tablet"))
+      << "looking at it does nothing";
   driver.arm->open_error = "it is unplugged";
   page.use();
-  EXPECT_EQ(studio.device().info().id, QStringLiteral("tablet")) << "the one in use stays";
+  EXPECT_EQ(studio.loop().device().info().id, QStringLiteral("tablet")) << "the one in use stays";
   driver.arm->open_error.clear();
   page.use();
-  EXPECT_EQ(studio.device().info().id, driver.id);
+  EXPECT_EQ(studio.loop().device().info().id, driver.id);
   EXPECT_EQ(chosen_pen_device(), driver.id);
-  EXPECT_FALSE(studio.forces_are_on());
+  EXPECT_FALSE(studio.loop().forces_are_on());
   auto* settings = page.findChild<DeviceSettings*>();
   EXPECT_TRUE(settings->isVisible());
   ASSERT_TRUE(page.choose(QStringLiteral("tablet")));
@@ -307,9 +308,9 @@ TEST(DevicePage, WhatIsSetForADeviceIsKeptAndTakesEffectAtOnceWithForcesOff) {
     }
     return static_cast<QAbstractSpinBox*>(nullptr);
   };
-  studio.set_forces(true);
+  studio.loop().set_forces(true);
   qobject_cast<QDoubleSpinBox*>(child("Largest force"))->setValue(1.2);
-  EXPECT_FALSE(studio.forces_are_on()) << "a new loop begins from no force";
+  EXPECT_FALSE(studio.loop().forces_are_on()) << "a new loop begins from no force";
   qobject_cast<QSpinBox*>(child("Stiffest sheet"))->setValue(250);
   qobject_cast<QSpinBox*>(child("Size of a movement on the sheet"))->setValue(150);
   auto* name = settings->findChild<QLineEdit*>();
@@ -321,9 +322,9 @@ TEST(DevicePage, WhatIsSetForADeviceIsKeptAndTakesEffectAtOnceWithForcesOff) {
   EXPECT_EQ(kept.stiffness_cap_n_per_m, 250.0);
   ASSERT_TRUE(kept.plane.has_value());
   EXPECT_EQ(kept.plane->scale(), 1.5);
-  EXPECT_EQ(studio.device().info().label, QStringLiteral("My arm"));
-  EXPECT_EQ(limits_for(studio.device().device().capabilities()).peak_force_n, 1.2);
-  EXPECT_EQ(studio.device().device().capabilities().sheet_scale, 1.5);
+  EXPECT_EQ(studio.loop().device().info().label, QStringLiteral("My arm"));
+  EXPECT_EQ(limits_for(studio.loop().device().device().capabilities()).peak_force_n, 1.2);
+  EXPECT_EQ(studio.loop().device().device().capabilities().sheet_scale, 1.5);
   // Raised to what the device can do at most it is no limit of the person's any more.
   auto* limit = qobject_cast<QDoubleSpinBox*>(child("Largest force"));
   limit->setValue(99.0);
@@ -331,9 +332,9 @@ TEST(DevicePage, WhatIsSetForADeviceIsKeptAndTakesEffectAtOnceWithForcesOff) {
   EXPECT_FALSE(profile_of(driver.id)->force_limit_n.has_value());
   // The whole sheet: a Touch reaches 160 mm of 210 or 297.
   settings->fit();
-  EXPECT_GT(studio.device().device().capabilities().sheet_scale, 1.5);
+  EXPECT_GT(studio.loop().device().device().capabilities().sheet_scale, 1.5);
   const Rect page_area = studio.page().area();
-  const Capabilities& can = studio.device().device().capabilities();
+  const Capabilities& can = studio.loop().device().device().capabilities();
   EXPECT_NEAR(0.5 * (can.workspace_min.x + can.workspace_max.x),
               0.5 * (page_area.x0 + page_area.x1), 1e-6);
 }
@@ -343,7 +344,7 @@ TEST(DevicePage, TheStiffestSheetLeavesTheForceLimitsAlone) {
   FakeDriver driver;
   Studio studio(by_hand());
   ASSERT_TRUE(studio.use_device(driver.id));
-  studio.set_force_limit(0.0);
+  studio.loop().set_force_limit(0.0);
   DevicePage page(studio);
   page.show();
   auto* settings = page.findChild<DeviceSettings*>();
@@ -353,7 +354,7 @@ TEST(DevicePage, TheStiffestSheetLeavesTheForceLimitsAlone) {
   const DeviceProfile kept = profile_of(driver.id).value();
   EXPECT_EQ(kept.stiffness_cap_n_per_m, 250.0);
   EXPECT_FALSE(kept.force_limit_n.has_value());
-  EXPECT_EQ(studio.force_limit(), 0.0);
+  EXPECT_EQ(studio.loop().force_limit(), 0.0);
 }
 
 // A stick or a wheel: it has no plane to be shown, but it pushes a hand as much as any.
@@ -367,12 +368,13 @@ TEST(DevicePage, APersonsLimitsHoldForADeviceWithoutAPlane) {
   Studio studio(by_hand());
   ASSERT_TRUE(studio.use_device(driver.id));
   const auto can = [&studio]() -> const Capabilities& {
-    return studio.device().device().capabilities();
+    return studio.loop().device().device().capabilities();
   };
   EXPECT_EQ(limits_for(can()).peak_force_n, 0.7);
   EXPECT_EQ(can().max_stiffness_n_per_m, 200.0);
-  EXPECT_EQ(studio.device().device().plane(), PlaneCalibration{}) << "where it says it is, it is";
-  EXPECT_EQ(studio.device().info().label, QStringLiteral("Old friend"));
+  EXPECT_EQ(studio.loop().device().device().plane(), PlaneCalibration{})
+      << "where it says it is, it is";
+  EXPECT_EQ(studio.loop().device().info().label, QStringLiteral("Old friend"));
   DevicePage page(studio);
   page.show();
   ASSERT_TRUE(page.choose(driver.id));

@@ -110,7 +110,7 @@ void DeviceSettings::make_form() {
 
 /// What is kept, if it can be read; else it is told.
 std::optional<DeviceProfile> DeviceSettings::profile() {
-  Result<DeviceProfile> profile = profile_of(studio_.device().info().id);
+  Result<DeviceProfile> profile = profile_of(studio_.loop().device().info().id);
   if (profile) return *std::move(profile);
   Q_EMIT studio_.refused(QString::fromStdString(profile.error().message));
   return std::nullopt;
@@ -121,11 +121,11 @@ void DeviceSettings::keep(const DeviceProfile& profile) {
     Q_EMIT studio_.refused(QString::fromStdString(kept.error().message));
     return tell();
   }
-  studio_.follow(profile);
+  studio_.loop().set_profile(profile);
 }
 
 void DeviceSettings::tell() {
-  const PenDeviceInfo& info = studio_.device().info();
+  const PenDeviceInfo& info = studio_.loop().device().info();
   const Result<DeviceProfile> kept = profile_of(info.id);
   const DeviceProfile profile = kept.value_or(DeviceProfile{});
   const QSignalBlocker quiet_limit(limit_), quiet_stiffest(stiffest_), quiet_scale(scale_);
@@ -137,7 +137,7 @@ void DeviceSettings::tell() {
   // Of the device itself: what is set already must not lower what may be set.
   const double most = most_of(info.capabilities);
   limit_->setMaximum(std::max(most, kLeastForceLimitN));
-  limit_->setValue(std::min(profile.force_limit_n.value_or(most), studio_.force_limit()));
+  limit_->setValue(std::min(profile.force_limit_n.value_or(most), studio_.loop().force_limit()));
   limit_->setEnabled(info.capabilities.has_force());
   const double stiffest = info.capabilities.max_stiffness_n_per_m;
   if (stiffest > 0.0) stiffest_->setMaximum(std::max(int(stiffest), stiffest_->minimum()));
@@ -152,7 +152,7 @@ void DeviceSettings::tell() {
 }
 
 void DeviceSettings::tell_plane(const DeviceProfile& profile) {
-  const PlaneCalibration plane = studio_.device().device().plane();
+  const PlaneCalibration plane = studio_.loop().device().device().plane();
   if (!profile.plane) {
     plane_->setText(tr("Not set yet: as such a device usually stands."));
   } else if (profile.area) {
@@ -176,7 +176,7 @@ void DeviceSettings::set_name() {
 void DeviceSettings::set_hand(int index) {
   std::optional<DeviceProfile> kept = profile();
   if (!kept || kept->left_handed == (index == 1)) return;
-  forget_planes_of_another(*kept, studio_.device().info().serial.toStdString());
+  forget_planes_of_another(*kept, studio_.loop().device().info().serial.toStdString());
   switch_hand(*kept);
   keep(*kept);
 }
@@ -184,12 +184,12 @@ void DeviceSettings::set_hand(int index) {
 void DeviceSettings::set_limit(double limit) {
   std::optional<DeviceProfile> kept = profile();
   if (!kept) return;
-  const double most = most_of(studio_.device().info().capabilities);
+  const double most = most_of(studio_.loop().device().info().capabilities);
   kept->force_limit_n = limit < most - 0.5 * kLimitStep ? std::optional(limit) : std::nullopt;
   // Said here, it is said for this hand: the general limit must not hold it back.
-  if (limit > studio_.force_limit()) {
-    studio_.set_force_limit(limit);
-    Settings::the().set(QString::fromLatin1(feel_keys::kForceLimit), studio_.force_limit());
+  if (limit > studio_.loop().force_limit()) {
+    studio_.loop().set_force_limit(limit);
+    Settings::the().set(QString::fromLatin1(feel_keys::kForceLimit), studio_.loop().force_limit());
   }
   keep(*kept);
 }
@@ -209,10 +209,10 @@ void DeviceSettings::fit() {
 void DeviceSettings::set_scale(std::optional<double> scale) {
   std::optional<DeviceProfile> kept = profile();
   if (!kept) return;
-  const PlaneCalibration plane = studio_.device().device().plane();
-  forget_planes_of_another(*kept, studio_.device().info().serial.toStdString());
+  const PlaneCalibration plane = studio_.loop().device().device().plane();
+  forget_planes_of_another(*kept, studio_.loop().device().info().serial.toStdString());
   const DrawingArea area =
-      kept->area.value_or(reach_of(plane, studio_.device().info().capabilities));
+      kept->area.value_or(reach_of(plane, studio_.loop().device().info().capabilities));
   kept->plane = fit_to_page(plane, area, studio_.page().area(), scale);
   keep(*kept);
 }

@@ -46,8 +46,8 @@ void TestPad::open() {
   StudioOptions options;
   options.device = device_id_;
   studio_ = std::make_unique<Studio>(std::move(options));
-  studio_->set_strength(strength_);
-  studio_->set_force_limit(limit_n_);
+  studio_->loop().set_strength(strength_);
+  studio_->loop().set_force_limit(limit_n_);
   connect(studio_.get(), &Studio::shown, this, &TestPad::follow);
 }
 

@@ -67,10 +67,10 @@ void remove_cue_driver(int number) {
 }
 
 CuePlayer::CuePlayer(Studio& studio, QObject* parent) : QObject(parent), studio_(studio) {
-  connect(&studio_, &Studio::ticked, this, &CuePlayer::take);
+  connect(&studio_.loop(), &HapticLoop::ticked, this, &CuePlayer::take);
   connect(&studio_, &Studio::edited, this, [this] { watch_.edited(); });
   connect(&studio_, &Studio::refused, this, [this] { law_.tell(CueEvent::kRefused); });
-  connect(&studio_, &Studio::device_changed, this, &CuePlayer::fall_silent);
+  connect(&studio_.loop(), &HapticLoop::device_changed, this, &CuePlayer::fall_silent);
   idle_.setSingleShot(true);
   idle_.setInterval(kIdleMs);
   connect(&idle_, &QTimer::timeout, this, &CuePlayer::fall_silent);
@@ -136,11 +136,12 @@ bool CuePlayer::use(const QString& id) {
       if (words != std::exchange(refusal_.words, words)) Q_EMIT refused(words);
       return false;
     }
-    player_ = std::make_unique<CueThread>(
-        *std::move(device), studio_.loop() != nullptr, [this, which = ++opened_](DeviceFault) {
-          QMetaObject::invokeMethod(
-              this, [this, which] { lose(which); }, Qt::QueuedConnection);
-        });
+    player_ = std::make_unique<CueThread>(*std::move(device), studio_.loop().thread() != nullptr,
+                                          [this, which = ++opened_](DeviceFault) {
+                                            QMetaObject::invokeMethod(
+                                                this, [this, which] { lose(which); },
+                                                Qt::QueuedConnection);
+                                          });
   }
   if (had_one || player_) Q_EMIT changed();
   return true;
@@ -171,7 +172,7 @@ void CuePlayer::take(const TickReport& tick) {
   if (!player_) return;
   idle_.start();
   const std::int64_t now_ns = studio_.now_ns();
-  if (!studio_.forces_are_on() || studio_.strength() <= 0.0) return fall_silent();
+  if (!studio_.loop().forces_are_on() || studio_.loop().strength() <= 0.0) return fall_silent();
   if (now_ns - last_look_ns_ >= kLookNs || now_ns < last_look_ns_) {
     last_look_ns_ = now_ns;
     law_.set_feel(feel());
@@ -181,7 +182,7 @@ void CuePlayer::take(const TickReport& tick) {
   input.time_ns = now_ns;
   std::optional<Cue> cue = law_.step(input);
   if (!cue) return;
-  cue->intensity *= studio_.strength();
+  cue->intensity *= studio_.loop().strength();
   is_silent_ = cue->waveform == CueWaveform::kNone;
   player_->play(*cue, now_ns);
 }

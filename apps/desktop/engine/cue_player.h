@@ -9,6 +9,7 @@
 #include "desktop/engine/cue_thread.h"
 #include "desktop/engine/cue_watch.h"
 #include "desktop/engine/studio.h"
+#include "felt/driver/cue_device.h"
 #include "felt/driver/driver.h"
 
 namespace felt::desktop {

@@ -194,11 +194,11 @@ TEST_F(CuePlayerTest, PullingTakesHoldOrIsRefused) {
 TEST_F(CuePlayerTest, IsSilentWithoutForcesAndWeakerWithWeakOnes) {
   choose();
   start();
-  studio_.set_strength(0.5);
+  studio_.loop().set_strength(0.5);
   draw({20, 20}, {80, 30});
   for (const Played& played : tape_.played) EXPECT_LE(played.cue.intensity, 0.5);
   tape_.played.clear();
-  studio_.set_forces(false);
+  studio_.loop().set_forces(false);
   draw({20, 40}, {80, 40});
   EXPECT_TRUE(tape_.played.empty());
 }

@@ -2,7 +2,7 @@
 
 #include <QString>
 
-#include "felt/driver/device_status.h"
+#include "felt/driver/driver.h"
 
 namespace felt::desktop {
 

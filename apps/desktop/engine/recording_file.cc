@@ -70,8 +70,10 @@ void RecordingFile::fail(const QString& why) {
 std::unique_ptr<RecordingFile> record_into(const QString& path, StudioOptions& options) {
   if (path.isEmpty()) return nullptr;
   auto recording = std::make_unique<RecordingFile>(path);
-  options.on_session = [file = recording.get()](const Document&) { file->begin(); };
-  options.on_event = [file = recording.get()](const Event& event) { file->add(event); };
+  options.connect_early = [file = recording.get()](Studio& studio) {
+    QObject::connect(&studio, &Studio::session_began, file, &RecordingFile::begin);
+    QObject::connect(&studio, &Studio::event_applied, file, &RecordingFile::add);
+  };
   return recording;
 }
 

@@ -1,4 +1,4 @@
-// What a studio knows of sheets and media, and the page that is made of one.
+// The materials of a studio, and the page that is made of one.
 #include <algorithm>
 #include <set>
 #include <string_view>
@@ -24,13 +24,12 @@ std::optional<AnyMaterial> find_in(const Materials& materials, const AnyMaterial
   return medium ? std::optional<AnyMaterial>(*medium) : std::nullopt;
 }
 
-/// A person's, or an earlier one of the drawing: not as Feltline brings it.
+/// The user's, or an earlier one of the drawing: not as Feltline brings it.
 bool is_own(const std::optional<AnyMaterial>& material) {
   return material && find_in(Materials::built_in(), *material) != material;
 }
 
-/// The paper of a page that was of one sheet and is of another now. `before` is null where nobody
-/// knows which it was.
+/// The paper of a page whose surface changed. `before` is null if it is not known.
 Rgba paper_on(const SurfaceMaterial& now, Rgba paper, const SurfaceMaterial* before) {
   const auto was = before ? std::optional(before->color_rgb) : std::nullopt;
   return usual_color(paper, was, now.color_rgb, SheetPage{}.paper);
@@ -38,23 +37,23 @@ Rgba paper_on(const SurfaceMaterial& now, Rgba paper, const SurfaceMaterial* bef
 
 }  // namespace
 
-/// What a person has chosen last goes before what the drawing brought.
-void Studio::know(const Materials& known) {
+/// What the user has changed last takes precedence over what came with the drawing.
+void Studio::set_user_materials(const Materials& known) {
   const Materials before = std::exchange(options_.materials, known);
   for (const AnyMaterial& own : not_built_in(known)) {
     if (find_in(before, own) == own) continue;
-    std::erase_if(brought_, [&](const AnyMaterial& other) { return is_same_one(own, other); });
+    std::erase_if(of_drawing_, [&](const AnyMaterial& other) { return is_same_one(own, other); });
     const std::optional<AnyMaterial> old = find_in(session_->materials(), own);
     if (old == own || !apply(UseMaterial{write_material(own)})) continue;
     if (is_drawn_with(own)) set_modified(true);
-    follow_color(old, own);
+    update_paper(old, own);
   }
   gather_materials();
   Q_EMIT materials_changed();
 }
 
-/// The page's sheet has another colour from now on.
-void Studio::follow_color(const std::optional<AnyMaterial>& before, const AnyMaterial& now) {
+/// The page's surface may have another colour now.
+void Studio::update_paper(const std::optional<AnyMaterial>& before, const AnyMaterial& now) {
   const auto* old = before ? std::get_if<SurfaceMaterial>(&*before) : nullptr;
   const auto* sheet = std::get_if<SurfaceMaterial>(&now);
   if (!old || !sheet || sheet->id != page_.surface || old->color_rgb == sheet->color_rgb) return;
@@ -62,10 +61,10 @@ void Studio::follow_color(const std::optional<AnyMaterial>& before, const AnyMat
   if (std::exchange(page_.paper, paper) != paper) Q_EMIT page_changed();
 }
 
-/// The drawing would look or feel otherwise with another one.
+/// True if the drawing would look or feel different with another one.
 bool Studio::is_drawn_with(const AnyMaterial& material) const {
   const Document& document = session_->document();
-  if (document.stroke_count() == 0) return false;  // nothing that anybody would miss
+  if (document.stroke_count() == 0) return false;  // nothing to lose
   if (std::holds_alternative<SurfaceMaterial>(material)) {
     return session_->sheet().material().id == id_of(material);
   }
@@ -77,17 +76,17 @@ bool Studio::is_drawn_with(const AnyMaterial& material) const {
   return false;
 }
 
-/// The session was told of it: it may be chosen.
-void Studio::note_material(const std::string& text) {
+/// The session has it, so it can be chosen.
+void Studio::add_material(const std::string& text) {
   Result<AnyMaterial> material = read_material(text);
   if (!material || find_in(options_.materials, *material) == *material) return;
-  std::erase_if(brought_, [&](const AnyMaterial& old) { return is_same_one(old, *material); });
-  brought_.push_back(*std::move(material));
+  std::erase_if(of_drawing_, [&](const AnyMaterial& old) { return is_same_one(old, *material); });
+  of_drawing_.push_back(*std::move(material));
   gather_materials();
   Q_EMIT materials_changed();
 }
 
-void Studio::take_materials(std::span<const std::string> texts) {
+void Studio::add_materials_of_drawing(std::span<const std::string> texts) {
   QStringList others;
   for (const std::string& text : texts) {
     Result<AnyMaterial> material = read_material(text);
@@ -100,7 +99,7 @@ void Studio::take_materials(std::span<const std::string> texts) {
       continue;
     }
     if (is_own(known)) others.push_back(QString::fromStdString(label_of(*known)));
-    brought_.push_back(*std::move(material));
+    of_drawing_.push_back(*std::move(material));
   }
   gather_materials();
   if (others.isEmpty()) return;
@@ -108,10 +107,10 @@ void Studio::take_materials(std::span<const std::string> texts) {
                      .arg(others.join(QStringLiteral(", "))));
 }
 
-std::vector<std::string> Studio::bring(std::span<const std::string> texts,
-                                       std::span<const SketchStroke> strokes) {
+std::vector<std::string> Studio::add_media(std::span<const std::string> texts,
+                                           std::span<const StrokePtr> strokes) {
   std::set<std::string_view> named;
-  for (const SketchStroke& s : strokes) named.insert(s.stroke.material());
+  for (const StrokePtr& stroke : strokes) named.insert(stroke->material());
   drain();
   std::set<std::string> others;
   bool is_news = false;
@@ -124,7 +123,7 @@ std::vector<std::string> Studio::bring(std::span<const std::string> texts,
       continue;
     }
     if (!session_->apply({event_time_ns(), UseMaterial{text}})) continue;
-    brought_.push_back(*std::move(material));
+    of_drawing_.push_back(*std::move(material));
     is_news = true;
   }
   if (is_news) {
@@ -136,21 +135,22 @@ std::vector<std::string> Studio::bring(std::span<const std::string> texts,
 
 void Studio::gather_materials() {
   materials_ = options_.materials;
-  for (const AnyMaterial& brought : brought_) put(materials_, brought);
+  for (const AnyMaterial& brought : of_drawing_) put(materials_, brought);
 }
 
 void Studio::set_page(const SheetPage& page) {
   if (page == page_) return;
   drain();
-  const bool has_other_sheet = take_page(page);
+  const bool has_other_sheet = apply_page(page);
   publish();
   set_modified(true);
   if (has_other_sheet) Q_EMIT option_changed(QLatin1String(kSheetMaterialId));
   Q_EMIT page_changed();
 }
 
-/// The page, and the session's sheet as it says. True: that is another one now.
-bool Studio::take_page(const SheetPage& page) {
+/// Sets the page, and the session's surface to the one that it names. True if that is another one
+/// now.
+bool Studio::apply_page(const SheetPage& page) {
   page_ = page;
   const OptionValue wanted(page_.surface);
   if (page_.surface.empty() || session_->option(kSheetMaterialId).value_or(wanted) == wanted) {
@@ -162,8 +162,8 @@ bool Studio::take_page(const SheetPage& page) {
   return false;
 }
 
-/// What a person has chosen is the page's, and so is its colour.
-void Studio::name_surface() {
+/// The surface that the user has chosen becomes the page's, and so does its colour.
+void Studio::set_surface_of_page() {
   const SurfaceMaterial& sheet = session_->sheet().material();
   const std::string before = std::exchange(page_.surface, sheet.id);
   if (before == page_.surface) return;

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "desktop/engine/studio.h"
+#include "desktop/engine/testing/kept_events.h"
 #include "desktop/engine/testing/slate.h"
 #include "desktop/engine/usual_color.h"
 #include "felt/material/material_file.h"
@@ -29,10 +30,10 @@ SheetPage page_of(const std::string& surface) {
   return page;
 }
 
-Sketch line_of(const std::string& medium) {
+std::vector<StrokePtr> line_of(const std::string& medium) {
   StrokeData data = felt::testing::straight_stroke({10, 10}, {90, 40}, 2.0, 3.0).data();
   data.material = medium;
-  return {{"s1", Stroke::create(data).value()}};
+  return {std::make_shared<const Stroke>(Stroke::create(data).value())};
 }
 
 /// What a studio says, and how often.
@@ -124,13 +125,13 @@ TEST(StudioMaterials, ThePaperFollowsTheColourThatItsSheetIsGiven) {
   SurfaceMaterial red = slate(0.5);
   red.color_rgb = 0x803020;
   known.put(red);
-  studio.know(known);
+  studio.set_user_materials(known);
   EXPECT_EQ(studio.page().paper, (Rgba{0x80, 0x30, 0x20, 255}));
   EXPECT_FALSE(studio.is_modified());
   ASSERT_TRUE(choose(studio, "glass"));
   red.color_rgb = 0x102030;
   known.put(red);
-  studio.know(known);
+  studio.set_user_materials(known);
   EXPECT_EQ(studio.page().paper, color_of("glass")) << "it is another sheet's colour";
 }
 
@@ -141,7 +142,7 @@ TEST(StudioMaterials, StrokesBringTheMediaThatTheyAreOf) {
   unused.id = "unused";
   const Texts texts{write_material(slate(0.5)), "nonsense", write_material(unused),
                     write_material(soft_chalk(0.4))};
-  EXPECT_TRUE(studio.bring(texts, line_of("soft-chalk")).empty());
+  EXPECT_TRUE(studio.add_media(texts, line_of("soft-chalk")).empty());
   ASSERT_NE(studio.session().materials().find_medium("soft-chalk"), nullptr);
   EXPECT_EQ(*studio.session().materials().find_medium("soft-chalk"), soft_chalk(0.4));
   EXPECT_NE(studio.materials().find_medium("soft-chalk"), nullptr) << "it may be chosen";
@@ -149,7 +150,7 @@ TEST(StudioMaterials, StrokesBringTheMediaThatTheyAreOf) {
   EXPECT_EQ(studio.materials().find_surface("slate"), nullptr);
   EXPECT_EQ(ear.changes, 1);
   EXPECT_FALSE(studio.is_modified()) << "the strokes are what changes the drawing";
-  EXPECT_TRUE(studio.bring(texts, line_of("soft-chalk")).empty());
+  EXPECT_TRUE(studio.add_media(texts, line_of("soft-chalk")).empty());
   EXPECT_EQ(ear.changes, 1) << "it is known";
   EXPECT_TRUE(ear.refused.isEmpty());
 }
@@ -162,8 +163,8 @@ TEST(StudioMaterials, AMediumThatIsAnotherOneHereStaysAndIsNamed) {
   pencil.friction = 0.7;
   const Texts texts{write_material(soft_chalk(0.6)), write_material(soft_chalk(0.8)),
                     write_material(pencil)};
-  EXPECT_EQ(studio.bring(texts, line_of("soft-chalk")), Texts{"Soft chalk"});
-  EXPECT_EQ(studio.bring(texts, line_of("pencil")), Texts{pencil.label});
+  EXPECT_EQ(studio.add_media(texts, line_of("soft-chalk")), Texts{"Soft chalk"});
+  EXPECT_EQ(studio.add_media(texts, line_of("pencil")), Texts{pencil.label});
   EXPECT_EQ(*studio.session().materials().find_medium("soft-chalk"), soft_chalk(0.4));
   EXPECT_EQ(*studio.session().materials().find_medium("pencil"), *find_medium("pencil"));
 }
@@ -172,9 +173,11 @@ TEST(StudioMaterials, AMediumThatIsAnotherOneHereStaysAndIsNamed) {
 TEST(StudioMaterials, OptionsMayNameWhatTheNextDrawingBrings) {
   std::vector<Event> events;
   std::size_t begin = 0;
-  Studio studio({.live = false,
-                 .on_event = [&](const Event& event) { events.push_back(event); },
-                 .on_session = [&](const Document&) { begin = events.size(); }});
+  Studio studio({.live = false, .connect_early = [&](Studio& created) {
+                   keep_events(events)(created);
+                   QObject::connect(&created, &Studio::session_began,
+                                    [&] { begin = events.size(); });
+                 }});
   const Texts texts{write_material(slate(0.5)), write_material(soft_chalk(0.4))};
   studio.open(Document{}, page_of("slate"), texts);
   ASSERT_TRUE(studio.apply(SetOption{"pencil.material", std::string("soft-chalk")}));

@@ -19,8 +19,10 @@
 #include "desktop/engine/kept_options.h"
 #include "desktop/engine/recording_file.h"
 #include "desktop/engine/settings.h"
+#include "desktop/engine/testing/kept_events.h"
 #include "desktop/engine/testing/slate.h"
 #include "felt/base/constants.h"
+#include "felt/document/visible_strokes.h"
 #include "felt/io/events/event_reader.h"
 #include "felt/io/events/event_writer.h"
 #include "felt/io/ndjson/ndjson_writer.h"
@@ -41,8 +43,11 @@ struct Desk {
     StudioOptions options;
     options.device = device;
     options.live = false;
-    options.on_event = [this](const Event& event) { events.push_back(event); };
-    options.on_session = [this](const Document&) { begins.push_back(events.size()); };
+    options.connect_early = [this](Studio& created) {
+      keep_events(events)(created);
+      QObject::connect(&created, &Studio::session_began, &created,
+                       [this] { begins.push_back(events.size()); });
+    };
     return options;
   }
   void point(Point at, double pressure) {
@@ -62,12 +67,11 @@ struct Desk {
     point(to, 0.0);
     wait(400);
   }
-  [[nodiscard]] std::string drawing() const { return text_of(studio.session().sketch()); }
+  [[nodiscard]] std::string drawing() const { return text_of(studio.session().document()); }
 
-  static std::string text_of(const Sketch& sketch) {
+  static std::string text_of(const Document& document) {
     std::string text;
-    for (const SketchStroke& stroke : sketch)
-      append_sketch_line(text, stroke.id, stroke.stroke.data());
+    append_sketch_lines(text, document);
     return text;
   }
 };
@@ -86,7 +90,7 @@ std::string as_recorded(std::span<const Event> events, Document start = {}) {
     EXPECT_TRUE(done.has_value()) << done.error().message;
   }
   EXPECT_TRUE(session.finish().has_value());
-  return Desk::text_of(session.sketch());
+  return Desk::text_of(session.document());
 }
 
 void do_something(Desk& desk, std::mt19937& random) {
@@ -216,7 +220,7 @@ TEST(Studio, R30_TheLoopOfADeviceThatComesLaterKnowsTheSessionsTime) {
   QObject::connect(&desk.studio, &Studio::sampled,
                    [&](const PenSample& sample) { last_ns = sample.time_ns; });
   desk.wait(50);
-  Servo& servo = desk.studio.servo();
+  Servo& servo = desk.studio.loop().servo();
   EXPECT_GE(servo.session_offset_ns(), 10'000 * kMs);
   EXPECT_EQ(servo.latest().sample.time_ns + servo.session_offset_ns(), last_ns);
 }
@@ -237,14 +241,14 @@ TEST(Studio, R30_TheLastSamplesOfALoopAreNotAheadOfTime) {
 TEST(Studio, R14_TheSessionAndItsRecordingKnowTheForceLimit) {
   Desk desk(QStringLiteral("simulated:touch"));
   const Capabilities touch = desk.studio.session().device();
-  desk.studio.set_force_limit(0.3);
+  desk.studio.loop().set_force_limit(0.3);
   EXPECT_EQ(desk.studio.session().device(), with_force_limit(touch, 0.3));
   const auto* told = std::get_if<UseDevice>(&desk.events.back().what);
   ASSERT_NE(told, nullptr);
   EXPECT_EQ(told->capabilities.advised_force_n, 0.3);
   ASSERT_TRUE(desk.studio.use_device(QStringLiteral("simulated:touch")));
   EXPECT_EQ(desk.studio.session().device().advised_force_n, 0.3) << "kept for the next device";
-  desk.studio.set_force_limit(3.0);
+  desk.studio.loop().set_force_limit(3.0);
   EXPECT_EQ(desk.studio.session().device(), touch);
 }
 
@@ -260,10 +264,10 @@ TEST(Studio, SixteenSecondsWithoutATurnLoseNothing) {
   desk.wait(50);
   const std::size_t before = samples();
   std::int64_t tick_ns = desk.studio.now_ns();
-  for (int i = 0; i < 16'000; ++i) desk.studio.servo().step(tick_ns += kMs);
-  desk.studio.turn();
+  for (int i = 0; i < 16'000; ++i) desk.studio.loop().servo().step(tick_ns += kMs);
+  desk.studio.process();
   EXPECT_EQ(samples() - before, 16'000u);
-  EXPECT_EQ(desk.studio.servo().for_edit().dropped(), 0u);
+  EXPECT_EQ(desk.studio.loop().servo().for_edit().dropped(), 0u);
 }
 
 TEST(Studio, AdvanceIsDeterministic) {
@@ -327,29 +331,29 @@ TEST(Studio, ADeviceThatHangsIsGivenUpAndTheDrawingGoesOn) {
   Studio studio(options);
   QStringList refused;
   QObject::connect(&studio, &Studio::refused, [&](const QString& why) { refused << why; });
-  EXPECT_NE(studio.use_device(HangingPen::open(call)), nullptr);
+  EXPECT_NE(studio.loop().use_device(HangingPen::open(call)), nullptr);
   call.hangs = true;
   while (!call.is_in) std::this_thread::sleep_for(std::chrono::milliseconds(1));
 
-  studio.set_force_limit(1.0);  // ends the loop
-  EXPECT_EQ(studio.device().info().id, QStringLiteral("tablet"));
-  EXPECT_TRUE(Studio::is_given_up(QStringLiteral("hanging:1")));
+  studio.loop().set_force_limit(1.0);  // ends the loop
+  EXPECT_EQ(studio.loop().device().info().id, QStringLiteral("tablet"));
+  EXPECT_TRUE(HapticLoop::is_unresponsive(QStringLiteral("hanging:1")));
   ASSERT_EQ(refused.size(), 1);
   EXPECT_TRUE(refused.front().contains(QStringLiteral("The hanging one")));
-  ASSERT_NE(studio.loop(), nullptr);
-  EXPECT_TRUE(studio.loop()->is_running());
+  ASSERT_NE(studio.loop().thread(), nullptr);
+  EXPECT_TRUE(studio.loop().thread()->is_running());
   EXPECT_EQ(call.stops, 0);
   call.hangs = false;
   while (call.stops == 0) std::this_thread::sleep_for(std::chrono::milliseconds(1));
 
   // Likewise where another takes its place: there is none to be given back.
-  EXPECT_NE(studio.use_device(HangingPen::open(call)), nullptr);
+  EXPECT_NE(studio.loop().use_device(HangingPen::open(call)), nullptr);
   call.is_in = false;
   call.hangs = true;
   while (!call.is_in) std::this_thread::sleep_for(std::chrono::milliseconds(1));
   auto mouse = open_pen_device(QStringLiteral("tablet"));
   ASSERT_TRUE(mouse);
-  EXPECT_EQ(studio.use_device(*std::move(mouse)), nullptr);
+  EXPECT_EQ(studio.loop().use_device(*std::move(mouse)), nullptr);
   EXPECT_EQ(refused.size(), 2);
   call.hangs = false;
   while (call.stops == 1) std::this_thread::sleep_for(std::chrono::milliseconds(1));
@@ -454,9 +458,7 @@ TEST(Studio, KnowsAPersonsOwnMaterials) {
   Materials known = Materials::built_in();
   known.put(slate(0.5));
   std::vector<Event> events;
-  Studio studio({.live = false,
-                 .on_event = [&events](const Event& event) { events.push_back(event); },
-                 .materials = known});
+  Studio studio({.live = false, .connect_early = keep_events(events), .materials = known});
   const auto told = [&events] {
     return std::count_if(events.begin(), events.end(), [](const Event& event) {
       return std::holds_alternative<UseMaterial>(event.what);
@@ -467,8 +469,8 @@ TEST(Studio, KnowsAPersonsOwnMaterials) {
   EXPECT_EQ(studio.session().sheet().material(), slate(0.5));
   EXPECT_EQ(told(), 1) << "a recording has what it needs";
   known.put(slate(0.7));
-  studio.know(known);
-  studio.know(known);
+  studio.set_user_materials(known);
+  studio.set_user_materials(known);
   EXPECT_EQ(studio.session().sheet().material().friction, 0.7);
   EXPECT_EQ(told(), 2);
   studio.open(Document{}, SheetPage{});
@@ -539,9 +541,9 @@ TEST(Studio, R18_APressureDrawsTheSameWidthOnEveryDeviceAndSurface) {
     desk.studio.apply(SetOption{"sheet.material", std::string(surface)});
     desk.wait(1500);  // forces engage
     desk.draw({40, 40}, {90, 50}, pressure);
-    const Sketch sketch = desk.studio.session().sketch();
-    if (sketch.size() != 1) return 0.0;
-    return sketch[0].stroke.width_mm(0.5 * sketch[0].stroke.segment_count());
+    const auto strokes = visible_strokes(desk.studio.session().document());
+    if (strokes.size() != 1) return 0.0;
+    return strokes[0]->width_mm(0.5 * strokes[0]->segment_count());
   };
   const Desk desk;
   const auto option = [&desk](const char* id) {
@@ -565,30 +567,30 @@ TEST(Studio, WithoutMotorsTheLoopSleepsUntilTheNextEvent) {
   options.rest_ns = 30 * kMs;
   Studio studio(std::move(options));
   QObject::connect(&studio, &Studio::sampled, &studio, [&samples] { ++samples; });
-  ASSERT_TRUE(studio.loop());
+  ASSERT_TRUE(studio.loop().thread());
   const auto until = [](const std::function<bool()>& done) {
     for (int i = 0; i < 2000 && !done(); ++i) QTest::qWait(5);
     return done();
   };
-  ASSERT_TRUE(until([&] { return studio.loop()->is_paused(); }));
+  ASSERT_TRUE(until([&] { return studio.loop().thread()->is_paused(); }));
   QTest::qWait(50);  // what was under way
   const int before = samples;
   QTest::qWait(300);
   EXPECT_EQ(samples, before) << "no tick, no turn";
-  EXPECT_FALSE(studio.device_status().fault);
+  EXPECT_FALSE(studio.loop().device_status().fault);
   for (const bool down : {false, true, true}) {
     studio.point({studio.now_ns(), {40, 40}, down, 0.5, 0});
     QTest::qWait(20);
   }
   ASSERT_TRUE(until([&] { return samples > before && in_contact(studio.pen().sample); }));
   QTest::qWait(200);
-  EXPECT_FALSE(studio.loop()->is_paused()) << "a line is being drawn";
+  EXPECT_FALSE(studio.loop().thread()->is_paused()) << "a line is being drawn";
   studio.point({studio.now_ns(), {45, 40}, false, 0.0, 0});
-  ASSERT_TRUE(until([&] { return studio.loop()->is_paused(); }));
+  ASSERT_TRUE(until([&] { return studio.loop().thread()->is_paused(); }));
   EXPECT_EQ(studio.session().document().stroke_count(), 1U);
   ASSERT_TRUE(studio.use_device(QStringLiteral("simulated:touch")));
   QTest::qWait(200);
-  EXPECT_FALSE(studio.loop()->is_paused()) << "a body moves by itself";
+  EXPECT_FALSE(studio.loop().thread()->is_paused()) << "a body moves by itself";
 }
 
 TEST(Studio, DrawingEndsTheSelectionThatAPasteMade) {

@@ -11,7 +11,7 @@ namespace felt::desktop {
 /// A single shot of the event loop that comes when it is asked to, to some ten microseconds; timers
 /// of Qt come on whole milliseconds, and the system may put these off by another 50 us.
 ///
-///   connect(&timer, &TickTimer::due, this, &Studio::turn);
+///   connect(&timer, &TickTimer::due, this, &HapticLoop::due);
 ///   timer.start(loop.next_tick_ns() - loop.now_ns() + 50'000);
 ///
 /// Where the system has no such timer, one of Qt does what it can. The thread it lives in.

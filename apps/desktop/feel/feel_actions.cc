@@ -29,8 +29,9 @@ QString material_of(const Studio& studio) {
 
 void restore(Studio& studio) {
   const Settings& settings = Settings::the();
-  studio.set_strength(settings.number(feel_keys::kStrength, feel_keys::kStrengthDefault));
-  studio.set_force_limit(settings.number(feel_keys::kForceLimit, feel_keys::kForceLimitDefault));
+  studio.loop().set_strength(settings.number(feel_keys::kStrength, feel_keys::kStrengthDefault));
+  studio.loop().set_force_limit(
+      settings.number(feel_keys::kForceLimit, feel_keys::kForceLimitDefault));
   const QString material = settings.text(feel_keys::kMaterial);
   if (studio.materials().find_surface(material.toStdString()) && material != material_of(studio)) {
     studio.apply(SetOption{"sheet.material", OptionValue(material.toStdString())});
@@ -41,28 +42,28 @@ void add_switch(Actions& actions, Studio& studio) {
   QAction* forces = actions.add(
       QStringLiteral("feel.forces"), QString(), {},
       QCoreApplication::translate("FeelActions", "Stops all forces, or lets the pen be pushed"),
-      [&studio] { studio.set_forces(!studio.forces_are_on()); });
+      [&studio] { studio.loop().set_forces(!studio.loop().forces_are_on()); });
   const auto say = [forces](bool on) {
     forces->setText(on ? QCoreApplication::translate("FeelActions", "Stop &forces")
                        : QCoreApplication::translate("FeelActions", "Switch &forces on"));
   };
-  say(studio.forces_are_on());
-  QObject::connect(&studio, &Studio::forces_changed, forces, say);
+  say(studio.loop().forces_are_on());
+  QObject::connect(&studio.loop(), &HapticLoop::forces_changed, forces, say);
   actions.add(QStringLiteral("feel.forces_off"),
               QCoreApplication::translate("FeelActions", "Stop forces, &never start (Esc twice)"),
               {}, QCoreApplication::translate("FeelActions", "No force, at once"),
-              [&studio] { studio.set_forces(false); });
+              [&studio] { studio.loop().set_forces(false); });
 }
 
 void add_strength(Actions& actions, Studio& studio) {
   actions.add(QStringLiteral("feel.stronger"),
               QCoreApplication::translate("FeelActions", "&Stronger forces"), {},
               QCoreApplication::translate("FeelActions", "All forces 10 % stronger"),
-              [&studio] { choose_strength(studio, studio.strength() + kStrengthStep); });
+              [&studio] { choose_strength(studio, studio.loop().strength() + kStrengthStep); });
   actions.add(QStringLiteral("feel.weaker"),
               QCoreApplication::translate("FeelActions", "&Weaker forces"), {},
               QCoreApplication::translate("FeelActions", "All forces 10 % weaker"),
-              [&studio] { choose_strength(studio, studio.strength() - kStrengthStep); });
+              [&studio] { choose_strength(studio, studio.loop().strength() - kStrengthStep); });
 }
 
 void add_materials(Actions& actions, Studio& studio, QWidget* window) {
@@ -145,10 +146,11 @@ void add_cues(Studio& studio, QWidget* window) {
 
 /// A fault that only a person can end is told, and takes the switch along.
 void watch_faults(Studio& studio, QWidget* window) {
-  QObject::connect(&studio, &Studio::ticked, window, [&studio](const TickReport& tick) {
-    if (tick.safety.state != SafetyState::kLatched || !studio.forces_are_on()) return;
-    studio.set_forces(false);
-    const SafetyWords words = words_for(tick.safety, true, true, studio.device_status().last_fault);
+  QObject::connect(&studio.loop(), &HapticLoop::ticked, window, [&studio](const TickReport& tick) {
+    if (tick.safety.state != SafetyState::kLatched || !studio.loop().forces_are_on()) return;
+    studio.loop().set_forces(false);
+    const SafetyWords words =
+        words_for(tick.safety, true, true, studio.loop().device_status().last_fault);
     Q_EMIT studio.refused(words.state + QStringLiteral(". ") + words.detail);
   });
 }
@@ -166,8 +168,8 @@ void add_feel_actions(Actions& actions, Studio& studio, QWidget* window) {
   watch_faults(studio, window);
   auto* escape = new DoubleEscape(window);
   QObject::connect(escape, &DoubleEscape::pressed_twice, &studio, [&studio] {
-    if (!studio.forces_are_on()) return;
-    studio.set_forces(false);
+    if (!studio.loop().forces_are_on()) return;
+    studio.loop().set_forces(false);
     Q_EMIT studio.refused(QCoreApplication::translate(
         "FeelActions", "Forces are off. The panel Feel switches them on again."));
   });
@@ -180,8 +182,8 @@ void choose_material(Studio& studio, const QString& id) {
 }
 
 void choose_strength(Studio& studio, double share) {
-  studio.set_strength(share);
-  Settings::the().set(feel_keys::kStrength, studio.strength());
+  studio.loop().set_strength(share);
+  Settings::the().set(feel_keys::kStrength, studio.loop().strength());
 }
 
 DoubleEscape::DoubleEscape(QObject* parent) : QObject(parent) {

@@ -40,7 +40,7 @@ FeelPanel::FeelPanel(Studio& studio, QWidget* parent)
   forces_->setFont(large);
   words_->setWordWrap(true);
   connect(forces_, &QPushButton::clicked, this, [this] {
-    studio_.set_forces(!studio_.forces_are_on());
+    studio_.loop().set_forces(!studio_.loop().forces_are_on());
     tell_forces();
   });
   auto* rows = new QVBoxLayout(this);
@@ -49,10 +49,10 @@ FeelPanel::FeelPanel(Studio& studio, QWidget* parent)
   rows->addWidget(make_strength());
   rows->addWidget(make_materials());
   rows->addStretch(1);
-  connect(&studio_, &Studio::forces_changed, this, &FeelPanel::tell_forces);
-  connect(&studio_, &Studio::device_changed, this, &FeelPanel::tell_forces);
-  connect(&studio_, &Studio::device_status_changed, this, &FeelPanel::tell_forces);
-  connect(&studio_, &Studio::strength_changed, this, &FeelPanel::tell_strength);
+  connect(&studio_.loop(), &HapticLoop::forces_changed, this, &FeelPanel::tell_forces);
+  connect(&studio_.loop(), &HapticLoop::device_changed, this, &FeelPanel::tell_forces);
+  connect(&studio_.loop(), &HapticLoop::device_status_changed, this, &FeelPanel::tell_forces);
+  connect(&studio_.loop(), &HapticLoop::strength_changed, this, &FeelPanel::tell_strength);
   connect(&studio_, &Studio::option_changed, this, [this](const QString& id) {
     if (id == QLatin1String("sheet.material")) tell_material();
   });
@@ -63,7 +63,7 @@ FeelPanel::FeelPanel(Studio& studio, QWidget* parent)
   };
   connect(&studio_, &Studio::materials_changed, this, follow_materials);
   connect(&studio_, &Studio::opened, this, follow_materials);
-  connect(&studio_, &Studio::ticked, this, [this](const TickReport& tick) {
+  connect(&studio_.loop(), &HapticLoop::ticked, this, [this](const TickReport& tick) {
     if (tick.safety.state != told_state_) tell_forces();
   });
   tell_forces();
@@ -165,15 +165,16 @@ QAbstractButton* FeelPanel::button_of(const std::string& id) const {
 }
 
 void FeelPanel::tell_forces() {
-  SafetyReport safety = studio_.tick().safety;
+  SafetyReport safety = studio_.loop().tick().safety;
   told_state_ = safety.state;
   // Switched on, and no tick has come since: never "off" while a force may come.
-  if (studio_.forces_are_on() && safety.state == SafetyState::kOff) {
+  if (studio_.loop().forces_are_on() && safety.state == SafetyState::kOff) {
     safety.state = SafetyState::kEngaging;
   }
-  const bool has_motors = studio_.device().device().capabilities().has_force();
-  const bool on = studio_.forces_are_on();
-  const SafetyWords words = words_for(safety, has_motors, on, studio_.device_status().last_fault);
+  const bool has_motors = studio_.loop().device().device().capabilities().has_force();
+  const bool on = studio_.loop().forces_are_on();
+  const SafetyWords words =
+      words_for(safety, has_motors, on, studio_.loop().device_status().last_fault);
   // The button says what it does, the line below it what is.
   forces_->setText(on ? tr("Stop forces") : tr("Switch forces on"));
   forces_->setIcon(
@@ -189,7 +190,7 @@ void FeelPanel::tell_forces() {
 }
 
 void FeelPanel::tell_strength() {
-  const int percent = qRound(100.0 * studio_.strength());
+  const int percent = qRound(100.0 * studio_.loop().strength());
   const QSignalBlocker quiet_slider(slider_), quiet_percent(percent_);
   slider_->setValue(percent);
   percent_->setValue(percent);

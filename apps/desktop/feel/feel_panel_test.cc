@@ -47,15 +47,15 @@ void forget_settings() {
 TEST(FeelPanel, EscapeTwiceSwitchesForcesOffAndOnlyThePanelSwitchesThemOn) {
   forget_settings();
   Window window;
-  ASSERT_TRUE(window.studio.forces_are_on());
+  ASSERT_TRUE(window.studio.loop().forces_are_on());
   QTest::keyClick(&window, Qt::Key_Escape);
-  EXPECT_TRUE(window.studio.forces_are_on());
+  EXPECT_TRUE(window.studio.loop().forces_are_on());
   QTest::keyClick(&window, Qt::Key_Escape);
-  EXPECT_FALSE(window.studio.forces_are_on());
+  EXPECT_FALSE(window.studio.loop().forces_are_on());
   for (int i = 0; i < 4; ++i) QTest::keyClick(&window, Qt::Key_Escape);
-  EXPECT_FALSE(window.studio.forces_are_on());
+  EXPECT_FALSE(window.studio.loop().forces_are_on());
   window.actions.find(QStringLiteral("feel.forces"))->trigger();
-  EXPECT_TRUE(window.studio.forces_are_on());
+  EXPECT_TRUE(window.studio.loop().forces_are_on());
 }
 
 TEST(FeelPanel, EscapesThatAreFarApartAreOthers) {
@@ -64,7 +64,7 @@ TEST(FeelPanel, EscapesThatAreFarApartAreOthers) {
   QTest::keyClick(&window, Qt::Key_Escape);
   QTest::qWait(DoubleEscape::kWithinMs + 100);
   QTest::keyClick(&window, Qt::Key_Escape);
-  EXPECT_TRUE(window.studio.forces_are_on());
+  EXPECT_TRUE(window.studio.loop().forces_are_on());
 }
 
 TEST(FeelPanel, HoldingEscapeIsOnePress) {
@@ -75,7 +75,7 @@ TEST(FeelPanel, HoldingEscapeIsOnePress) {
     QKeyEvent again(QEvent::KeyPress, Qt::Key_Escape, Qt::NoModifier, QString(), true);
     QCoreApplication::sendEvent(&window, &again);
   }
-  EXPECT_TRUE(window.studio.forces_are_on());
+  EXPECT_TRUE(window.studio.loop().forces_are_on());
   QTest::keyRelease(&window, Qt::Key_Escape);
 }
 
@@ -86,20 +86,20 @@ TEST(FeelPanel, StrengthIsKeptAndReachesTheLoop) {
     auto* slider = window.panel->findChild<QSlider*>();
     ASSERT_NE(slider, nullptr);
     slider->setValue(40);
-    EXPECT_DOUBLE_EQ(window.studio.strength(), 0.4);
+    EXPECT_DOUBLE_EQ(window.studio.loop().strength(), 0.4);
     EXPECT_EQ(window.panel->findChild<QSpinBox*>()->value(), 40);
     window.studio.advance(100'000'000);
-    EXPECT_DOUBLE_EQ(window.studio.tick().strength, 0.4);
+    EXPECT_DOUBLE_EQ(window.studio.loop().tick().strength, 0.4);
     // Another device has it too.
     ASSERT_TRUE(window.studio.use_device(QStringLiteral("simulated:omega")));
     window.studio.advance(100'000'000);
-    EXPECT_DOUBLE_EQ(window.studio.tick().strength, 0.4);
+    EXPECT_DOUBLE_EQ(window.studio.loop().tick().strength, 0.4);
   }
   Window next;
-  EXPECT_DOUBLE_EQ(next.studio.strength(), 0.4);
+  EXPECT_DOUBLE_EQ(next.studio.loop().strength(), 0.4);
   EXPECT_EQ(next.panel->findChild<QSlider*>()->value(), 40);
   next.actions.find(QStringLiteral("feel.stronger"))->trigger();
-  EXPECT_NEAR(next.studio.strength(), 0.5, 1e-12);
+  EXPECT_NEAR(next.studio.loop().strength(), 0.5, 1e-12);
   forget_settings();
 }
 
@@ -157,7 +157,7 @@ TEST(FeelPanel, SheetsOfOnesOwnAreInAMenuOfTheirOwn) {
   mine.id = "my-glass";
   mine.label = "My glass";
   known.put(mine);
-  window.studio.know(known);
+  window.studio.set_user_materials(known);
   EXPECT_TRUE(own->isVisible());
   Q_EMIT own->menu()->aboutToShow();
   ASSERT_EQ(own->menu()->actions().size(), 1);
@@ -171,7 +171,7 @@ TEST(FeelPanel, SheetsOfOnesOwnAreInAMenuOfTheirOwn) {
   EXPECT_EQ(Settings::the().text(feel_keys::kMaterial), QStringLiteral("my-glass"));
   window.actions.find(QStringLiteral("feel.sheet_glass"))->trigger();
   EXPECT_EQ(chosen(), "glass");
-  window.studio.know(Materials::built_in());
+  window.studio.set_user_materials(Materials::built_in());
   EXPECT_FALSE(own->isVisible());
   forget_settings();
 }
@@ -201,13 +201,13 @@ TEST(FeelPanel, APenWithoutMotorsIsSaidToBeOne) {
 
 TEST(Studio, AForceLimitOfAPersonBoundsWhatIsSent) {
   Studio studio(by_hand(QStringLiteral("simulated:omega")));
-  studio.set_force_limit(0.5);
-  EXPECT_DOUBLE_EQ(studio.servo().options().limits.peak_force_n, 0.5);
-  EXPECT_TRUE(studio.forces_are_on());
-  studio.set_force_limit(99.0);
-  EXPECT_DOUBLE_EQ(studio.servo().options().limits.peak_force_n, 3.0);
-  studio.set_force_limit(std::nan(""));
-  EXPECT_DOUBLE_EQ(studio.force_limit(), 3.0);
+  studio.loop().set_force_limit(0.5);
+  EXPECT_DOUBLE_EQ(studio.loop().servo().options().limits.peak_force_n, 0.5);
+  EXPECT_TRUE(studio.loop().forces_are_on());
+  studio.loop().set_force_limit(99.0);
+  EXPECT_DOUBLE_EQ(studio.loop().servo().options().limits.peak_force_n, 3.0);
+  studio.loop().set_force_limit(std::nan(""));
+  EXPECT_DOUBLE_EQ(studio.loop().force_limit(), 3.0);
 }
 
 TEST(DoubleEscape, LeavingMenusIsNotMeantForTheForces) {

@@ -114,9 +114,9 @@ ForcePanel::ForcePanel(Studio& studio, QWidget* parent)
   connect(&frame_, &QTimer::timeout, graph_, qOverload<>(&QWidget::update));
   words_.setInterval(kWordsMs);
   connect(&words_, &QTimer::timeout, this, &ForcePanel::tell);
-  connect(&studio_, &Studio::ticked, this, &ForcePanel::take);
-  connect(&studio_, &Studio::device_changed, this, &ForcePanel::use_device);
-  connect(&studio_, &Studio::forces_changed, this, &ForcePanel::tell);
+  connect(&studio_.loop(), &HapticLoop::ticked, this, &ForcePanel::take);
+  connect(&studio_.loop(), &HapticLoop::device_changed, this, &ForcePanel::use_device);
+  connect(&studio_.loop(), &HapticLoop::forces_changed, this, &ForcePanel::tell);
   use_device();
 }
 
@@ -132,8 +132,8 @@ void ForcePanel::take(const TickReport& tick) {
 }
 
 void ForcePanel::use_device() {
-  const SafetyLimits& limits = studio_.servo().options().limits;
-  has_motors_ = studio_.device().device().capabilities().has_force();
+  const SafetyLimits& limits = studio_.loop().servo().options().limits;
+  has_motors_ = studio_.loop().device().device().capabilities().has_force();
   history_.clear();
   held_.clear();
   table_->setRowCount(0);
@@ -190,9 +190,9 @@ void ForcePanel::tell_table() {
 }
 
 void ForcePanel::tell_state() {
-  const SafetyReport& safety = studio_.tick().safety;
-  const SafetyWords words =
-      words_for(safety, has_motors_, studio_.forces_are_on(), studio_.device_status().last_fault);
+  const SafetyReport& safety = studio_.loop().tick().safety;
+  const SafetyWords words = words_for(safety, has_motors_, studio_.loop().forces_are_on(),
+                                      studio_.loop().device_status().last_fault);
   if (state_->text() != words.state || icon_->pixmap(Qt::ReturnByValue).isNull()) {
     state_->setText(words.state);
     icon_->setPixmap(level_icon(words.level, palette(), kStopIconPx, devicePixelRatioF()));
@@ -209,8 +209,8 @@ void ForcePanel::tell_state() {
 
 void ForcePanel::tell_loop() {
   QStringList lines;
-  RealtimeThread* loop = studio_.loop();
-  const LoopStats& stats = loop ? loop->stats() : studio_.servo().stats();
+  RealtimeThread* loop = studio_.loop().thread();
+  const LoopStats& stats = loop ? loop->stats() : studio_.loop().servo().stats();
   lines
       << tr("Loop: %L1 Hz, missed ticks: %L2").arg(stats.rate_hz(), 0, 'f', 0).arg(stats.missed());
   lines << tr("Late: %1 as a rule, 1 in 100 %2")
@@ -218,7 +218,7 @@ void ForcePanel::tell_loop() {
                     microseconds(stats.lateness().percentile_ns(0.99)));
   if (loop) lines << scheduling_in_words(loop->status());
   if (has_motors_) {
-    const SafetyReport& safety = studio_.tick().safety;
+    const SafetyReport& safety = studio_.loop().tick().safety;
     lines << tr("Motors: %L1 N on average").arg(safety.rms_force_n, 0, 'f', 2);
     lines << tr("Work on the hand: %L1 mJ").arg(safety.energy_mj, 0, 'f', 1);
   }

@@ -4,14 +4,14 @@
 
 namespace felt::desktop {
 
-bool add_strokes(Studio& studio, const QString& from, const ForeignStrokes& foreign,
-                 ImportReport& report) {
-  for (const std::string& label : studio.bring(foreign.materials, foreign.strokes)) {
+bool add_strokes(Studio& studio, const QString& from, std::span<const StrokePtr> strokes,
+                 std::span<const std::string> materials, ImportReport& report) {
+  for (const std::string& label : studio.add_media(materials, strokes)) {
     const QString what = QCoreApplication::translate(
         "AddedStrokes", "“%1” is another medium here than there: its strokes look as they do here");
     report.add(0, {}, what.arg(QString::fromStdString(label)).toStdString());
   }
-  return studio.import(from, foreign.strokes);
+  return studio.import(from, strokes);
 }
 
 }  // namespace felt::desktop

@@ -1,25 +1,18 @@
 #pragma once
 
 #include <QString>
+#include <span>
 #include <string>
-#include <vector>
 
 #include "desktop/engine/studio.h"
 #include "felt/io/import.h"
-#include "felt/stroke/sketch.h"
 
 namespace felt::desktop {
 
-/// Strokes of another drawing, and the texts of the materials that it brings along.
-struct ForeignStrokes {
-  Sketch strokes;
-  std::vector<std::string> materials;
-};
-
-/// Adds them as one step of undo, with their media. A medium that is another one here stays as it
-/// is: `report` names it. False: the session refuses the strokes (Studio::import). `from` is what a
-/// recording calls their source.
-bool add_strokes(Studio& studio, const QString& from, const ForeignStrokes& foreign,
-                 ImportReport& report);
+/// Adds strokes of another drawing as one step of undo, with their media, whose texts `materials`
+/// holds. A medium that is another one here stays as it is: `report` names it. Returns false if the
+/// session refuses the strokes (Studio::import). `from` is what a recording calls their source.
+bool add_strokes(Studio& studio, const QString& from, std::span<const StrokePtr> strokes,
+                 std::span<const std::string> materials, ImportReport& report);
 
 }  // namespace felt::desktop

@@ -37,9 +37,9 @@ QByteArray bytes_of(const std::string& text) {
   return QByteArray(text.data(), qsizetype(text.size()));
 }
 
-QByteArray ndjson_of(const Sketch& sketch) {
+QByteArray ndjson_of(const Drawing& drawing) {
   std::string text;
-  for (const SketchStroke& s : sketch) append_sketch_line(text, s.id, s.stroke.data());
+  append_sketch_lines(text, drawing.document);
   return bytes_of(text);
 }
 
@@ -61,34 +61,24 @@ std::vector<std::string> texts_in(const QByteArray& json) {
   return texts;
 }
 
-/// With the materials, where there are any, as a whole drawing has them.
-Result<std::string> svg_text_of(const Sketch& sketch, std::span<const std::string> materials) {
+/// A drawing that has materials is written whole, so that they come along.
+QByteArray svg_of(const Drawing& drawing) {
   const SvgOptions options{.margin_mm = kMarginMm};
-  if (materials.empty()) return svg_text(sketch, options);
-  LayeredSketch drawing;
-  drawing.layers.push_back({"Ink", true, false, sketch});
-  drawing.materials.assign(materials.begin(), materials.end());
-  return svg_text(drawing, options);
-}
-
-QByteArray svg_of(const Sketch& sketch, std::span<const std::string> materials) {
-  const Result<std::string> text = svg_text_of(sketch, materials);
+  const Result<std::string> text =
+      drawing.materials.empty() ? svg_ink_text(drawing, options) : svg_text(drawing, options);
   return text ? bytes_of(*text) : QByteArray();
 }
 
-QImage picture_of(const Sketch& sketch) {
-  const Rect area = ink_area(sketch);
+QImage picture_of(const Drawing& drawing) {
+  const Rect area = ink_area(ink_bounds(drawing.document));
   const double fits = std::sqrt(kMostPixels / std::max(1.0, area.width() * area.height()));
-  return sheet_picture(sketch, area, std::min(kDpi / kMmPerInch, fits), {255, 255, 255, 0});
+  return sheet_picture(visible_strokes(drawing.document), area, std::min(kDpi / kMmPerInch, fits),
+                       {255, 255, 255, 0});
 }
 
 /// A drawing of any format that text may hold.
-Result<PastedStrokes> strokes_in(const QByteArray& bytes) {
-  return parse_drawing({bytes.constData(), static_cast<std::size_t>(bytes.size())}, {})
-      .map([](const OpenedDrawing& opened) {
-        return PastedStrokes{visible_strokes(opened.drawing.document), opened.report,
-                             opened.drawing.materials};
-      });
+Result<Imported> drawing_in(const QByteArray& bytes) {
+  return parse_drawing({bytes.constData(), static_cast<std::size_t>(bytes.size())}, {});
 }
 
 /// The types that programs put vector drawings and ink on the clipboard with.
@@ -111,12 +101,11 @@ bool is_drawing_text(const QByteArray& text) {
 /// here, and a large picture takes longer than a keystroke may.
 class PromisedStrokes final : public QMimeData {
  public:
-  PromisedStrokes(Sketch sketch, std::vector<std::string> materials)
-      : sketch_(std::move(sketch)), materials_(std::move(materials)) {}
+  explicit PromisedStrokes(Drawing drawing) : drawing_(std::move(drawing)) {}
 
   [[nodiscard]] QStringList formats() const override {
     QStringList all{QString::fromLatin1(kStrokesMime), kSvgMime, kImageMime};
-    if (!materials_.empty()) all.push_back(QString::fromLatin1(kMaterialsMime));
+    if (!drawing_.materials.empty()) all.push_back(QString::fromLatin1(kMaterialsMime));
     return all;
   }
   [[nodiscard]] bool hasFormat(const QString& mime) const override {
@@ -127,58 +116,57 @@ class PromisedStrokes final : public QMimeData {
   [[nodiscard]] QVariant retrieveData(const QString& mime, QMetaType) const override {
     QVariant& made = made_[mime];
     if (made.isValid()) return made;
-    if (mime == QLatin1String(kStrokesMime)) made = ndjson_of(sketch_);
-    if (mime == QLatin1String(kMaterialsMime)) made = json_of(materials_);
-    if (mime == kSvgMime) made = svg_of(sketch_, materials_);
-    if (mime == kImageMime) made = picture_of(sketch_);
+    if (mime == QLatin1String(kStrokesMime)) made = ndjson_of(drawing_);
+    if (mime == QLatin1String(kMaterialsMime)) made = json_of(drawing_.materials);
+    if (mime == kSvgMime) made = svg_of(drawing_);
+    if (mime == kImageMime) made = picture_of(drawing_);
     return made;
   }
 
  private:
-  Sketch sketch_;
-  std::vector<std::string> materials_;
+  Drawing drawing_;
   mutable QHash<QString, QVariant> made_;
 };
 
 }  // namespace
 
-Rect ink_area(const Sketch& sketch) {
-  Rect ink;
-  for (const SketchStroke& s : sketch) ink.extend(s.stroke.bounds());
+Rect ink_area(const Rect& ink) {
   return (ink.empty() ? Rect{0.0, 0.0, 0.0, 0.0} : ink).inflated(kMarginMm);
 }
 
-std::unique_ptr<QMimeData> strokes_mime(Sketch sketch, std::vector<std::string> materials) {
-  return std::make_unique<PromisedStrokes>(std::move(sketch), std::move(materials));
+std::unique_ptr<QMimeData> strokes_mime(Drawing drawing) {
+  return std::make_unique<PromisedStrokes>(std::move(drawing));
 }
 
-std::unique_ptr<QMimeData> svg_mime(const Sketch& sketch, std::span<const std::string> materials) {
+std::unique_ptr<QMimeData> svg_mime(const Drawing& drawing) {
   auto data = std::make_unique<QMimeData>();
-  const QByteArray svg = svg_of(sketch, materials);
+  const QByteArray svg = svg_of(drawing);
   data->setData(kSvgMime, svg);
   data->setText(QString::fromUtf8(svg));
   return data;
 }
 
-std::unique_ptr<QMimeData> png_mime(const Sketch& sketch) {
+std::unique_ptr<QMimeData> png_mime(const Drawing& drawing) {
   auto data = std::make_unique<QMimeData>();
-  data->setImageData(picture_of(sketch));
+  data->setImageData(picture_of(drawing));
   return data;
 }
 
-Result<PastedStrokes> strokes_of(const QMimeData& data) {
+Result<Imported> drawing_of(const QMimeData& data) {
   const QString own = QString::fromLatin1(kStrokesMime);
   if (data.hasFormat(own)) {
-    Result<PastedStrokes> pasted = strokes_in(data.data(own));
+    Result<Imported> pasted = drawing_in(data.data(own));
     const QString materials = QString::fromLatin1(kMaterialsMime);
-    if (pasted && data.hasFormat(materials)) pasted->materials = texts_in(data.data(materials));
+    if (pasted && data.hasFormat(materials)) {
+      pasted->drawing.materials = texts_in(data.data(materials));
+    }
     return pasted;
   }
   for (const QString& type : drawing_types()) {
-    if (data.hasFormat(type)) return strokes_in(data.data(type));
+    if (data.hasFormat(type)) return drawing_in(data.data(type));
   }
   const QByteArray text = data.hasText() ? data.text().toUtf8() : QByteArray();
-  return is_drawing_text(text) ? strokes_in(text) : PastedStrokes();
+  return is_drawing_text(text) ? drawing_in(text) : Imported();
 }
 
 }  // namespace felt::desktop

@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "felt/base/result.h"
+#include "felt/document/drawing.h"
 #include "felt/geometry/rect.h"
 #include "felt/io/import.h"
-#include "felt/stroke/sketch.h"
 
 namespace felt::desktop {
 
@@ -19,27 +19,20 @@ inline constexpr const char* kStrokesMime = "application/x-feltline-strokes";
 /// array of strings of JSON.
 inline constexpr const char* kMaterialsMime = "application/x-feltline-materials";
 
-/// Strokes for the clipboard: our own types, image/svg+xml and a picture at 300 dots per inch (less
-/// where that would be a very large one). The last two are made when somebody asks for them.
-/// `materials`: texts of the media that they are of and that Feltline does not bring.
-std::unique_ptr<QMimeData> strokes_mime(Sketch sketch, std::vector<std::string> materials = {});
+/// Puts the visible strokes of a drawing and its materials on the clipboard: in our own types, as
+/// image/svg+xml and as a picture at 300 dots per inch (less if that would be a very large one).
+/// The last two are made when somebody asks for them.
+std::unique_ptr<QMimeData> strokes_mime(Drawing drawing);
 /// One of the two alone, for programs that choose the wrong one.
-std::unique_ptr<QMimeData> svg_mime(const Sketch& sketch,
-                                    std::span<const std::string> materials = {});
-std::unique_ptr<QMimeData> png_mime(const Sketch& sketch);
+std::unique_ptr<QMimeData> svg_mime(const Drawing& drawing);
+std::unique_ptr<QMimeData> png_mime(const Drawing& drawing);
 
-/// What a clipboard carries: our own strokes, else SVG, InkML or lines of JSON of any program, by
-/// their types or as text. Nothing where it has none of them; error where it is damaged.
-struct PastedStrokes {
-  Sketch sketch;
-  ImportReport report;
-  /// Texts of materials that come along, at most limits::kMaxMaterialTexts of is_material_text().
-  /// Nobody vouches for them: a text may say no material.
-  std::vector<std::string> materials{};
-};
-Result<PastedStrokes> strokes_of(const QMimeData& data);
+/// Reads a clipboard: our own strokes, else SVG, InkML or lines of JSON of any program, by their
+/// types or as text. Returns an empty drawing if it has none of them. Nobody vouches for the texts
+/// of materials: one may say no material. Error: it is damaged.
+Result<Imported> drawing_of(const QMimeData& data);
 
-/// What the ink covers, with a margin of a millimetre.
-Rect ink_area(const Sketch& sketch);
+/// Returns the area that this ink covers, with a margin of a millimetre.
+Rect ink_area(const Rect& ink);
 
 }  // namespace felt::desktop

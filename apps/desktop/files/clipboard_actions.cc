@@ -12,6 +12,7 @@
 #include "desktop/files/error_words.h"
 #include "felt/document/visible_strokes.h"
 #include "felt/formats/drawing_materials.h"
+#include "felt/io/drawing_builder.h"
 
 namespace felt::desktop {
 namespace {
@@ -28,13 +29,16 @@ QByteArray fingerprint(const QMimeData& data) {
                                   QCryptographicHash::Sha1);
 }
 
-Sketch moved(Sketch sketch, double by_mm) {
-  for (SketchStroke& s : sketch) {
-    StrokeData data = s.stroke.data();
+std::vector<StrokePtr> moved(std::vector<StrokePtr> strokes, double by_mm) {
+  if (by_mm == 0.0) return strokes;
+  for (StrokePtr& s : strokes) {
+    StrokeData data = s->data();
     for (Point& p : data.points) p = {p.x + by_mm, p.y + by_mm};
-    if (Result<Stroke> stroke = Stroke::create(std::move(data))) s.stroke = *std::move(stroke);
+    if (Result<Stroke> stroke = Stroke::create(std::move(data))) {
+      s = std::make_shared<const Stroke>(*std::move(stroke));
+    }
   }
-  return sketch;
+  return strokes;
 }
 
 }  // namespace
@@ -49,10 +53,8 @@ ClipboardActions::ClipboardActions(Studio& studio, Actions& actions, FileDialogs
   actions.add(QStringLiteral("edit.paste"), tr("&Paste"), {QKeySequence::Paste},
               tr("Add the strokes of the clipboard"), [this] { paste(); });
   actions.add(QStringLiteral("edit.copy_as_svg"), tr("Copy as &SVG"), {},
-              tr("Copy the selected strokes, or all, as an SVG drawing"), [this] {
-                const Sketch sketch = chosen();
-                put(svg_mime(sketch, materials_of(sketch)));
-              });
+              tr("Copy the selected strokes, or all, as an SVG drawing"),
+              [this] { put(svg_mime(chosen())); });
   actions.add(QStringLiteral("edit.copy_as_png"), tr("Copy as &picture"), {},
               tr("Copy the selected strokes, or all, as a picture"),
               [this] { put(png_mime(chosen())); });
@@ -64,30 +66,36 @@ void ClipboardActions::keep_up() {
   cut_->setEnabled(!studio_.session().selection().empty());
 }
 
-Sketch ClipboardActions::chosen() const {
+Drawing ClipboardActions::chosen() const {
   const Session& session = studio_.session();
-  if (session.selection().empty()) return visible_strokes(session.document());
-  Sketch sketch;
-  for (const Layer& layer : session.document().layers()) {
+  const Selection& selection = session.selection();
+  return drawing_with(
+      [&](StrokeId id) { return selection.empty() || selection.find(id) != nullptr; });
+}
+
+/// The visible strokes for which `keep` is true, with the media that they are of. These are as they
+/// are now: who pastes may do so when they have changed here, or in another program.
+Drawing ClipboardActions::drawing_with(const std::function<bool(StrokeId)>& keep) const {
+  const Document& document = studio_.session().document();
+  DrawingBuilder builder;
+  const std::size_t kept = builder.add_layer({"Ink"});
+  std::set<std::string> media;
+  for (const Layer& layer : document.layers()) {
     if (!layer.visible) continue;
     for (const StrokeId id : layer.strokes) {
-      if (!session.selection().find(id)) continue;
-      sketch.push_back({"s" + std::to_string(id.value), *session.document().find(id)});
+      if (!keep(id)) continue;
+      const StrokePtr stroke = document.find(id);
+      media.insert(stroke->material());
+      builder.add(kept, stroke, id);
     }
   }
-  return sketch;
-}
-
-/// As they are now: who pastes may do so when they have changed here, or in another program.
-std::vector<std::string> ClipboardActions::materials_of(const Sketch& sketch) const {
-  std::set<std::string> media;
-  for (const SketchStroke& s : sketch) media.insert(s.stroke.material());
   const std::vector<std::string> ids(media.begin(), media.end());
-  return texts_of_used(Document(), {}, studio_.session().materials(), ids);
+  builder.drawing().materials = texts_of_used(Document(), {}, studio_.session().materials(), ids);
+  return std::move(builder).build();
 }
 
-void ClipboardActions::remember_and_put(const Sketch& sketch) {
-  std::unique_ptr<QMimeData> data = strokes_mime(sketch, materials_of(sketch));
+void ClipboardActions::remember_and_put(Drawing drawing) {
+  std::unique_ptr<QMimeData> data = strokes_mime(std::move(drawing));
   copied_ = fingerprint(*data);
   put(std::move(data));
 }
@@ -99,37 +107,34 @@ void ClipboardActions::copy() {
 
 void ClipboardActions::cut() {
   // Delete takes strokes that are wholly selected; no more than that is cut.
-  Sketch whole;
-  const Session& session = studio_.session();
-  for (SketchStroke& s : chosen()) {
-    const StrokeId id{std::stoull(s.id.substr(1))};
-    if (session.selection().is_whole(id)) whole.push_back(std::move(s));
-  }
-  if (whole.empty()) {
+  const Selection& selection = studio_.session().selection();
+  Drawing whole = drawing_with([&](StrokeId id) { return selection.is_whole(id); });
+  if (whole.document.stroke_count() == 0) {
     Q_EMIT studio_.refused(tr("Only whole strokes can be cut: select all of a stroke."));
     return;
   }
-  remember_and_put(whole);
+  remember_and_put(std::move(whole));
   pastes_ = -1;  // their place is free
   studio_.apply(DeleteEvent{});
 }
 
 void ClipboardActions::paste() {
   const QMimeData* data = QGuiApplication::clipboard()->mimeData();
-  Result<PastedStrokes> pasted = data ? strokes_of(*data) : PastedStrokes();
+  Result<Imported> pasted = data ? drawing_of(*data) : Imported();
   if (!pasted) {
     dialogs_.show_error(window_, tr("The clipboard cannot be pasted"), error_words(pasted.error()),
                         QString::fromStdString(pasted.error().message));
     return;
   }
-  if (pasted->sketch.empty()) {
+  const std::vector<StrokePtr> strokes = visible_strokes(pasted->drawing.document);
+  if (strokes.empty()) {
     Q_EMIT studio_.refused(tr("The clipboard holds no strokes."));
     return;
   }
   const bool is_ours = fingerprint(*data) == copied_;
   const int beside = is_ours ? ++pastes_ : 0;
-  add_strokes(studio_, QStringLiteral("clipboard"),
-              {moved(pasted->sketch, kBesideMm * beside), pasted->materials}, pasted->report);
+  add_strokes(studio_, QStringLiteral("clipboard"), moved(strokes, kBesideMm * beside),
+              pasted->drawing.materials, pasted->report);
   Q_EMIT taken(tr("the clipboard"), pasted->report);
 }
 

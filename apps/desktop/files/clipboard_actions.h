@@ -3,14 +3,14 @@
 #include <QByteArray>
 #include <QObject>
 #include <QWidget>
-#include <string>
-#include <vector>
+#include <functional>
 
 #include "desktop/engine/actions.h"
 #include "desktop/engine/studio.h"
 #include "desktop/files/file_dialogs.h"
+#include "felt/document/drawing.h"
 #include "felt/io/import.h"
-#include "felt/stroke/sketch.h"
+#include "felt/stroke/stroke.h"
 
 namespace felt::desktop {
 
@@ -29,13 +29,13 @@ class ClipboardActions : public QObject {
   void taken(const QString& name, const felt::ImportReport& report);
 
  private:
-  [[nodiscard]] Sketch chosen() const;
-  [[nodiscard]] std::vector<std::string> materials_of(const Sketch& sketch) const;
+  [[nodiscard]] Drawing chosen() const;
+  [[nodiscard]] Drawing drawing_with(const std::function<bool(StrokeId)>& keep) const;
   void copy();
   void cut();
   void paste();
   void keep_up();
-  void remember_and_put(const Sketch& sketch);
+  void remember_and_put(Drawing drawing);
 
   Studio& studio_;
   FileDialogs& dialogs_;

@@ -8,29 +8,26 @@
 #include <QImage>
 
 #include "desktop/files/testing/test_desk.h"
-#include "felt/document/visible_strokes.h"
+#include "felt/io/testing/test_drawings.h"
 
 namespace felt::desktop {
 namespace {
 
-std::vector<Stroke> strokes_in(const Sketch& sketch) {
-  std::vector<Stroke> strokes;
-  for (const SketchStroke& s : sketch) strokes.push_back(s.stroke);
-  return strokes;
-}
+using felt::testing::strokes_in;
 
 TEST(Clipboard, StrokesComeBackExactlyByBothRoutes) {
   TestDesk desk;
   desk.draw(1, 5);
-  const Sketch sketch = visible_strokes(desk.document());
-  const auto own = strokes_mime(sketch);
+  const Drawing drawing{.document = desk.document()};
+  const auto own = strokes_mime(drawing);
   EXPECT_TRUE(own->hasImage());
-  EXPECT_EQ(strokes_in(strokes_of(*own).value().sketch), strokes_in(sketch));
-  EXPECT_EQ(strokes_in(strokes_of(*svg_mime(sketch)).value().sketch), strokes_in(sketch));
-  EXPECT_TRUE(strokes_of(*png_mime(sketch)).value().sketch.empty());
+  EXPECT_EQ(drawing_of(*own).value().drawing.document, drawing.document);
+  EXPECT_EQ(strokes_in(drawing_of(*svg_mime(drawing)).value().drawing.document),
+            strokes_in(drawing.document));
+  EXPECT_EQ(drawing_of(*png_mime(drawing)).value().drawing.document.stroke_count(), 0u);
   QMimeData bad;
   bad.setData(QString::fromLatin1(kStrokesMime), "{nonsense}\n");
-  EXPECT_FALSE(strokes_of(bad));
+  EXPECT_FALSE(drawing_of(bad));
 }
 
 TEST(Clipboard, DrawingsOfOtherProgramsArePastedByTypeAndAsText) {
@@ -42,12 +39,12 @@ TEST(Clipboard, DrawingsOfOtherProgramsArePastedByTypeAndAsText) {
   text.setText(QString::fromUtf8(svg));
   prose.setText(QStringLiteral("Dear all,"));
   for (const QMimeData* data : {&typed, &text}) {
-    const auto pasted = strokes_of(*data);
+    const auto pasted = drawing_of(*data);
     ASSERT_TRUE(pasted) << pasted.error().message;
-    EXPECT_EQ(pasted->sketch.size(), 1u);
+    EXPECT_EQ(pasted->drawing.document.stroke_count(), 1u);
     EXPECT_FALSE(pasted->report.empty());
   }
-  EXPECT_TRUE(strokes_of(prose).value().sketch.empty());
+  EXPECT_EQ(drawing_of(prose).value().drawing.document.stroke_count(), 0u);
   TestDesk desk;
   QSignalSpy taken(desk.files, &FileActions::taken);
   auto* copy = new QMimeData;
@@ -62,31 +59,30 @@ TEST(Clipboard, TheLargestDrawingStillGivesAPicture) {
   StrokeData data;
   data.points = {{0, 0}, {100, 0}, {9e4, 9e4}, {1e5, 1e5}};
   data.widths = {{0.0, 1.0}, {1.0, 1.0}};
-  const Sketch sketch{{"s", Stroke::create(data).value()}};
-  EXPECT_FALSE(qvariant_cast<QImage>(png_mime(sketch)->imageData()).isNull());
+  const Drawing drawing = felt::testing::drawing_of({Stroke::create(data).value()});
+  EXPECT_FALSE(qvariant_cast<QImage>(png_mime(drawing)->imageData()).isNull());
 }
 
 TEST(Clipboard, CopyAndPasteIsOneStepBesideTheFirst) {
   TestDesk desk;
   desk.draw(1, 2);
-  const Sketch before = visible_strokes(desk.document());
+  const std::vector<Stroke> before = strokes_in(desk.document());
   desk.actions.find(QStringLiteral("edit.copy"))->trigger();
   desk.actions.find(QStringLiteral("edit.paste"))->trigger();
-  const Sketch after = visible_strokes(desk.document());
+  const std::vector<Stroke> after = strokes_in(desk.document());
   ASSERT_EQ(after.size(), 4u);
-  EXPECT_EQ(after[2].stroke.data().points[0].x, before[0].stroke.data().points[0].x + 5.0);
+  EXPECT_EQ(after[2].data().points[0].x, before[0].data().points[0].x + 5.0);
   desk.actions.find(QStringLiteral("edit.paste"))->trigger();
-  EXPECT_EQ(visible_strokes(desk.document())[4].stroke.data().points[0].y,
-            before[0].stroke.data().points[0].y + 10.0);
+  EXPECT_EQ(strokes_in(desk.document())[4].data().points[0].y, before[0].data().points[0].y + 10.0);
   EXPECT_TRUE(desk.studio.apply(UndoEvent{}));
   EXPECT_TRUE(desk.studio.apply(UndoEvent{}));
-  EXPECT_EQ(visible_strokes(desk.document()), before);
+  EXPECT_EQ(strokes_in(desk.document()), before);
 }
 
 TEST(Clipboard, CutTakesWhatIsSelectedAndPasteGivesItBack) {
   TestDesk desk;
   desk.draw(1, 2);
-  const std::vector<Stroke> before = strokes_in(visible_strokes(desk.document()));
+  const std::vector<Stroke> before = strokes_in(desk.document());
   desk.studio.apply(SelectStrokes{SelectStrokes::What::kNone});
   EXPECT_FALSE(desk.actions.find(QStringLiteral("edit.cut"))->isEnabled());
   desk.studio.apply(SelectStrokes{SelectStrokes::What::kAll});
@@ -94,7 +90,7 @@ TEST(Clipboard, CutTakesWhatIsSelectedAndPasteGivesItBack) {
   desk.actions.find(QStringLiteral("edit.cut"))->trigger();
   EXPECT_EQ(desk.document().stroke_count(), 0u);
   desk.actions.find(QStringLiteral("edit.paste"))->trigger();
-  EXPECT_EQ(strokes_in(visible_strokes(desk.document())), before);
+  EXPECT_EQ(strokes_in(desk.document()), before);
 }
 
 void trigger(TestDesk& desk, const char* action) {
@@ -130,17 +126,17 @@ TEST(Clipboard, MediaGoAlongWithTheStrokes) {
 TEST(Clipboard, TextsOfMaterialsThatNobodyVouchesFor) {
   TestDesk desk;
   desk.draw_with("soft-chalk");  // not known
-  const Sketch sketch = visible_strokes(desk.document());
-  EXPECT_FALSE(strokes_mime(sketch)->hasFormat(QString::fromLatin1(kMaterialsMime)));
-  const auto pasted = [&sketch](const QByteArray& materials) {
+  const Drawing drawing{.document = desk.document()};
+  EXPECT_FALSE(strokes_mime(drawing)->hasFormat(QString::fromLatin1(kMaterialsMime)));
+  const auto pasted = [&drawing](const QByteArray& materials) {
     QMimeData data;
     const QString own = QString::fromLatin1(kStrokesMime);
-    data.setData(own, strokes_mime(sketch)->data(own));
+    data.setData(own, strokes_mime(drawing)->data(own));
     if (!materials.isNull()) data.setData(QString::fromLatin1(kMaterialsMime), materials);
-    const Result<PastedStrokes> read = strokes_of(data);
+    const Result<Imported> read = drawing_of(data);
     EXPECT_TRUE(read);
-    EXPECT_EQ(read.value().sketch.size(), 1u);
-    return read.value().materials;
+    EXPECT_EQ(read.value().drawing.document.stroke_count(), 1u);
+    return read.value().drawing.materials;
   };
   EXPECT_TRUE(pasted({}).empty()) << "as an older Feltline copies";
   for (const char* bad : {"", "nonsense", "{\"a\":1}", "[1,null,[\"x\"],\"\"]", "\"text\""}) {
@@ -153,9 +149,9 @@ TEST(Clipboard, TextsOfMaterialsThatNobodyVouchesFor) {
   for (int i = 1; i < 200; ++i) many += ",\"" + QByteArray::number(i) + "\"";
   EXPECT_EQ(pasted(many + "]").size(), 64u);
   // A text that says no material, and one beyond its ranges, leave the strokes as they are.
-  auto* data =
-      strokes_mime(sketch, {"hello", "kind = \"medium\"\nid = \"soft-chalk\"\nmu = 1e9"}).release();
-  QGuiApplication::clipboard()->setMimeData(data);
+  Drawing odd = drawing;
+  odd.materials = {"hello", "kind = \"medium\"\nid = \"soft-chalk\"\nmu = 1e9"};
+  QGuiApplication::clipboard()->setMimeData(strokes_mime(odd).release());
   TestDesk other;
   trigger(other, "edit.paste");
   EXPECT_EQ(other.document().stroke_count(), 1u);

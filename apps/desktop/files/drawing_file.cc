@@ -18,13 +18,13 @@ QString with_suffix(const QString& path, FileFormat format) {
   return present && *present == format ? path : path + suffix_of(format);
 }
 
-Result<OpenedDrawing> open_drawing(const QString& path, bool salvage) {
+Result<Imported> open_drawing(const QString& path, bool salvage) {
   return felt::read_drawing(path.toStdString(),
                             ReadOptions{.files_only = true, .salvage = salvage});
 }
 
 Result<Drawing> read_drawing(const QString& path) {
-  return open_drawing(path).map([](OpenedDrawing opened) { return std::move(opened.drawing); });
+  return open_drawing(path).map([](Imported opened) { return std::move(opened.drawing); });
 }
 
 Result<void> write_drawing(const QString& path, const Drawing& drawing) {

@@ -63,7 +63,7 @@ QPixmap on_squares(const QImage& picture, double ratio) {
 
 ExportDialog::ExportDialog(const Drawing& drawing, QWidget* parent)
     : QDialog(parent),
-      sketch_(visible_strokes(drawing.document)),
+      strokes_(visible_strokes(drawing.document)),
       page_(drawing.page),
       format_(new QComboBox(this)),
       area_(new QComboBox(this)),
@@ -122,8 +122,8 @@ ExportDialog::ExportDialog(const Drawing& drawing, QWidget* parent)
 }
 
 void ExportDialog::follow_choices() {
-  if (sketch_.size() > kMostPreviewStrokes) {
-    sketch_.erase(sketch_.begin(), sketch_.end() - kMostPreviewStrokes);
+  if (strokes_.size() > kMostPreviewStrokes) {
+    strokes_.erase(strokes_.begin(), strokes_.end() - kMostPreviewStrokes);
   }
   connect(format_, &QComboBox::currentIndexChanged, this, &ExportDialog::show_result);
   connect(area_, &QComboBox::currentIndexChanged, this, &ExportDialog::show_result);
@@ -158,11 +158,11 @@ void ExportDialog::show_result() {
   area_->setEnabled(is_picture);
   background_->setEnabled(traits_of(chosen.format).page || is_png);
   if (page_.paper.a == 0) background_->setEnabled(false);
-  const Rect area = export_area(sketch_, page_, chosen);
+  const Rect area = export_area(ink_bounds(strokes_), page_, chosen);
   const Rgba paper = chosen.background ? page_.paper : Rgba{255, 255, 255, 0};
   const double ratio = devicePixelRatioF();
   const bool is_grained = is_picture && chosen.grain && sheet_grain_;
-  const QImage picture = sheet_thumbnail(sketch_, area, kPreviewSize * ratio, paper,
+  const QImage picture = sheet_thumbnail(strokes_, area, kPreviewSize * ratio, paper,
                                          is_grained ? *sheet_grain_ : Grain());
   picture_->setPixmap(on_squares(picture, ratio));
   const QLocale locale;

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "desktop/files/export_file.h"
+#include "felt/document/edit.h"
 #include "felt/render/grain.h"
 
 class QCheckBox;
@@ -29,7 +30,7 @@ class ExportDialog : public QDialog {
   void follow_choices();
   void show_result();
 
-  Sketch sketch_;
+  std::vector<StrokePtr> strokes_;
   SheetPage page_;
   std::optional<Grain> sheet_grain_;  // none: the sheet is not known here
   QComboBox* format_;

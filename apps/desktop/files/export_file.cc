@@ -10,8 +10,8 @@
 
 namespace felt::desktop {
 
-Rect export_area(const Sketch& sketch, const SheetPage& page, const ExportOptions& options) {
-  return options.ink_only && !sketch.empty() ? ink_area(sketch) : page.area();
+Rect export_area(const Rect& ink, const SheetPage& page, const ExportOptions& options) {
+  return options.ink_only && !ink.empty() ? ink_area(ink) : page.area();
 }
 
 Result<void> export_drawing(const QString& path, const Drawing& drawing,
@@ -27,7 +27,7 @@ Result<void> export_drawing(const QString& path, const Drawing& drawing,
   }
   if (!options.background) how.paper = Rgba{255, 255, 255, 0};
   if (options.ink_only) {
-    how.area = export_area(visible_strokes(drawing.document), drawing.page, options);
+    how.area = export_area(ink_bounds(drawing.document), drawing.page, options);
   }
   return felt::write_drawing(path.toStdString(), drawing, options.format, how);
 }

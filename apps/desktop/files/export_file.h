@@ -15,8 +15,8 @@ struct ExportOptions {
   bool grain = false;      ///< of the sheet, in dry ink; where the format is a picture
 };
 
-/// The part of the sheet that is shown.
-Rect export_area(const Sketch& sketch, const SheetPage& page, const ExportOptions& options);
+/// Returns the part that is shown of a page with that ink.
+Rect export_area(const Rect& ink, const SheetPage& page, const ExportOptions& options);
 
 /// Writes what is seen, and hidden layers as such where the format has layers. Error: names the
 /// file and the reason. Any thread.

@@ -48,7 +48,7 @@ Rgba usual_paper(const SurfaceMaterial& surface) {
 }
 
 /// A drawing that Save may write to again: of our format, by content and by name.
-bool is_own_file(const OpenedDrawing& opened, const QString& path) {
+bool is_own_file(const Imported& opened, const QString& path) {
   // One that was damaged is not written over: what is lost of it may still be had some day.
   return opened.is_exact && opened.format == FileFormat::kFelt &&
          format_of_path(path.toStdString()) == FileFormat::kFelt;
@@ -77,8 +77,8 @@ FileActions::FileActions(Studio& studio, Actions& actions, QWidget* window,
   connect(recent_menu_, &QMenu::aboutToShow, this, &FileActions::fill_recent_menu);
   fill_recent_menu();
   connect(&studio, &Studio::opened, this, &FileActions::hear_opened);
-  if (studio.loop()) {
-    keep_journal(recovery_roots());
+  if (studio.loop().thread()) {
+    start_autosave(recovery_roots());
     offer_once();
   }
   window->setAcceptDrops(true);
@@ -160,8 +160,8 @@ void FileActions::ask_open() {
 }
 
 /// Reads a file beside the window. Of a damaged drawing of ours what can be had is offered.
-Result<OpenedDrawing> FileActions::read(const QString& path) {
-  Result<OpenedDrawing> opened = fail(ErrorCode::kIo, ""), rescued = opened;
+Result<Imported> FileActions::read(const QString& path) {
+  Result<Imported> opened = fail(ErrorCode::kIo, ""), rescued = opened;
   worker_.start([&, path] {
     opened = open_drawing(path);
     if (!opened && opened.error().code == ErrorCode::kInvalidData) {
@@ -182,7 +182,7 @@ Result<OpenedDrawing> FileActions::read(const QString& path) {
 bool FileActions::open(const QString& given) {
   const QString path = QFileInfo(given).absoluteFilePath();
   worker_.wait();
-  Result<OpenedDrawing> opened = read(path);
+  Result<Imported> opened = read(path);
   if (opened) {
     // Nobody is asked about their changes for a file that cannot be read.
     const QDateTime read_at = changed_at(path);
@@ -236,7 +236,7 @@ void FileActions::show(Drawing drawing, const QString& path, const QString& name
     studio_.apply(LayerEvent{LayerEvent::Do::kUse, layer, {}});
   }
   studio_.set_modified(false);
-  if (journal_) journal_->begin(display_name(), path_);
+  if (autosave_) autosave_->begin(display_name(), path_);
   Q_EMIT path_changed(path_);
   Q_EMIT drawing_changed();
 }
@@ -249,13 +249,13 @@ void FileActions::hear_opened() {
   has_page_of_file_ = false;
   seen_on_disk_ = {};
   set_path({});
-  if (journal_) journal_->begin(display_name(), path_);
+  if (autosave_) autosave_->begin(display_name(), path_);
   Q_EMIT drawing_changed();
 }
 
 bool FileActions::import(const QString& given) {
   const QString path = QFileInfo(given).absoluteFilePath();
-  Result<OpenedDrawing> opened = read(path);
+  Result<Imported> opened = read(path);
   if (!opened) {
     dialogs_->show_error(window_, tr("“%1” cannot be imported").arg(QFileInfo(path).fileName()),
                          error_words(opened.error()), text_of(opened.error()));
@@ -263,8 +263,10 @@ bool FileActions::import(const QString& given) {
   }
   Settings::the().set(files_keys::kLastFolder, QFileInfo(path).path());
   const Drawing& drawing = opened->drawing;
-  const ForeignStrokes strokes{visible_strokes(drawing.document), drawing.materials};
-  if (!add_strokes(studio_, path, strokes, opened->report)) return false;
+  if (!add_strokes(studio_, path, visible_strokes(drawing.document), drawing.materials,
+                   opened->report)) {
+    return false;
+  }
   Q_EMIT taken(QFileInfo(path).fileName(), opened->report);
   return true;
 }
@@ -357,7 +359,7 @@ void FileActions::end_save(const QString& path, const ChangeMark& mark, const Re
   name_.clear();
   set_path(path);
   studio_.set_saved(mark);
-  if (journal_) journal_->saved(display_name(), path_);
+  if (autosave_) autosave_->rename(display_name(), path_);
   if (!studio_.is_modified()) forget_rescued();
   remember(path);
   Q_EMIT saved(true);
@@ -388,7 +390,7 @@ bool FileActions::may_replace() {
 
 bool FileActions::may_close() {
   if (!may_replace()) return false;
-  if (journal_) journal_->finish_clean();
+  if (autosave_) autosave_->discard();
   forget_rescued();
   return true;
 }

@@ -17,8 +17,8 @@
 #include "desktop/files/drawing_file.h"
 #include "desktop/files/file_dialogs.h"
 #include "desktop/files/file_worker.h"
-#include "desktop/files/journal.h"
 #include "desktop/files/recovery_offer.h"
+#include "desktop/files/studio_autosave.h"
 
 class QLabel;
 class QMenu;
@@ -78,9 +78,9 @@ class FileActions : public QObject {
 
   void set_looks(DrawingLooks looks) { looks_ = std::move(looks); }
 
-  /// From now on nothing is lost by a crash. A live studio's window does so by itself.
-  void keep_journal(const QStringList& roots);
-  [[nodiscard]] Journal* journal() const noexcept { return journal_.get(); }
+  /// Protects the drawing against a crash from now on. A live studio's window calls it by itself.
+  void start_autosave(const QStringList& roots);
+  [[nodiscard]] StudioAutosave* autosave() const noexcept { return autosave_.get(); }
   /// Asks what to do with drawings that a crash left behind, if there are any.
   void offer_recovery(const QStringList& roots);
 
@@ -117,7 +117,7 @@ class FileActions : public QObject {
   void ask_import();
   bool begin_save(const QString& path);
   void end_save(const QString& path, const ChangeMark& mark, const Result<void>& done);
-  Result<OpenedDrawing> read(const QString& path);
+  Result<Imported> read(const QString& path);
   void show(Drawing drawing, const QString& path, const QString& name);
   void hear_opened();
   void set_path(const QString& path);
@@ -127,23 +127,23 @@ class FileActions : public QObject {
   void take_over(RecoveryOffer offer);
   void forget_rescued();
   void offer_once();
-  void show_status(const SaverStatus& status);
+  void show_status(const AutosaveStatus& status);
   [[nodiscard]] QString last_folder() const;
 
   Studio& studio_;
   QWidget* window_;
   std::unique_ptr<FileDialogs> dialogs_;
   FileWorker worker_;
-  std::unique_ptr<Journal> journal_;
-  std::vector<AbandonedStore> rescued_;  // until what was in them is saved
-  QPointer<QLabel> warning_;             // that it is not kept as it should be
+  std::unique_ptr<StudioAutosave> autosave_;
+  std::vector<AbandonedAutosave> rescued_;  // until what was in them is saved
+  QPointer<QLabel> warning_;                // that it is not kept as it should be
   QMenu* recent_menu_;
   QString path_;
   QString name_;    // of a drawing without a path; "" is "Untitled"
   QString folder_;  // where it came from
   DrawingLooks looks_;
-  FeltExtras extras_;       // what its file holds that is only carried
-  QDateTime seen_on_disk_;  // of path_, when it was read or written here
+  std::shared_ptr<const DrawingExtras> extras_;  // what its file holds that is only carried
+  QDateTime seen_on_disk_;                       // of path_, when it was read or written here
   int saves_in_work_ = 0;
   bool last_save_failed_ = false, is_showing_ = false;
   bool has_page_of_file_ = false;  // it came with a file that was opened

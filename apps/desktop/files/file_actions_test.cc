@@ -17,6 +17,7 @@
 #include "desktop/files/testing/test_desk.h"
 #include "felt/base/atomic_file.h"
 #include "felt/base/read_file.h"
+#include "felt/store/felt_file.h"
 #include "felt/store/felt_recording.h"
 
 namespace felt::desktop {
@@ -54,7 +55,7 @@ TEST(FileActions, PaletteViewAndRecordingsTravelWithTheFile) {
   recording.device = "a pen";
   ASSERT_TRUE(add_recording(made, recording));
   made.palette = {"Leaves", 2, {{{10, 90, 20, 255}, "leaf"}}};
-  made.view = StoredView{{12.0, 34.0}, 7.5, -30.0, true};
+  made.view = Viewport{{12.0, 34.0}, 7.5, -30.0, true};
   ASSERT_TRUE(write_felt(desk.at("made.felt").toStdString(), made));
 
   TestDesk other;
@@ -81,7 +82,7 @@ TEST(FileActions, PaletteViewAndRecordingsTravelWithTheFile) {
   EXPECT_EQ(recordings_of(saved).value().size(), 1u);
   // Another drawing has none of it.
   other.files->show_unsaved(Document(), SheetPage(), QStringLiteral("Example"));
-  EXPECT_TRUE(other.files->drawing().extras.empty());
+  EXPECT_EQ(other.files->drawing().extras, nullptr);
 }
 
 TEST(FileActions, NothingIsLostUnasked) {
@@ -477,13 +478,13 @@ TEST(FileActions, FiguresThatChangeDuringASaveStayUnsaved) {
   Materials known = Materials::built_in();
   known.put(soft_chalk(0.4));
   TestDesk desk;
-  desk.studio.know(known);
+  desk.studio.set_user_materials(known);
   EXPECT_TRUE(desk.files->is_pristine()) << "to know a medium changes nothing";
   desk.draw_with("soft-chalk");
   desk.person->next = desk.at("a.felt");
   ASSERT_TRUE(desk.files->save());
   known.put(soft_chalk(0.6));
-  desk.studio.know(known);
+  desk.studio.set_user_materials(known);
   desk.files->finish_writing();
   EXPECT_TRUE(desk.studio.is_modified());
   EXPECT_EQ(read_drawing(desk.at("a.felt")).value().materials,

@@ -10,11 +10,11 @@
 
 namespace felt::desktop {
 
-void FileActions::keep_journal(const QStringList& roots) {
-  journal_ = std::make_unique<Journal>(
+void FileActions::start_autosave(const QStringList& roots) {
+  autosave_ = std::make_unique<StudioAutosave>(
       studio_, [this] { return drawing(); }, roots);
-  connect(journal_.get(), &Journal::status_changed, this, &FileActions::show_status);
-  journal_->begin(display_name(), path_);
+  connect(autosave_.get(), &StudioAutosave::status_changed, this, &FileActions::show_status);
+  autosave_->begin(display_name(), path_);
 }
 
 /// In the first window of a process, once it is shown.
@@ -28,7 +28,8 @@ void FileActions::offer_recovery(const QStringList& roots) {
   std::vector<std::string> places;
   for (const QString& root : roots) places.push_back(root.toStdString());
   worker_.start([this, places = std::move(places)] {
-    auto offers = std::make_shared<std::vector<RecoveryOffer>>(read_offers(find_abandoned(places)));
+    auto offers =
+        std::make_shared<std::vector<RecoveryOffer>>(read_offers(find_abandoned_autosaves(places)));
     return [this, offers] { show_offers(std::move(*offers)); };
   });
 }
@@ -46,7 +47,7 @@ void FileActions::show_offers(std::vector<RecoveryOffer> offers) {
 
 void FileActions::take_over(RecoveryOffer offer) {
   if (!may_replace()) return;
-  RecoveredDrawing& recovered = offer.recovered;
+  Recovered& recovered = offer.recovered;
   QString name = recovered.name.empty() ? tr("Untitled") : QString::fromStdString(recovered.name);
   if (name.endsWith(QStringLiteral(".felt"))) name.chop(5);
   if (!recovered.path.empty()) {
@@ -58,18 +59,18 @@ void FileActions::take_over(RecoveryOffer offer) {
 }
 
 void FileActions::forget_rescued() {
-  for (AbandonedStore& store : std::exchange(rescued_, {})) {
+  for (AbandonedAutosave& store : std::exchange(rescued_, {})) {
     static_cast<void>(std::move(store).remove());
   }
 }
 
 /// A warning that stays as long as it is true, and stops nobody.
-void FileActions::show_status(const SaverStatus& status) {
+void FileActions::show_status(const AutosaveStatus& status) {
   delete warning_;
   auto* bar = window_->findChild<QStatusBar*>();
-  if (!bar || status.state == SaverStatus::State::kWorking) return;
+  if (!bar || status.state == AutosaveStatus::State::kWorking) return;
   const QString why = QString::fromStdString(status.why);
-  const bool is_lost = status.state == SaverStatus::State::kFailing;
+  const bool is_lost = status.state == AutosaveStatus::State::kFailing;
   const QString text =
       is_lost ? tr("No crash protection: save often") : tr("Crash protection in another place");
   warning_ = new QLabel(QStringLiteral("⚠ ") + text, bar);

@@ -102,20 +102,20 @@ void paint_sheet(QPainter& painter, const Drawing& drawing, double dpi,
     painter.fillRect(sheet, color_of(page.paper));
   }
   painter.setPen(Qt::NoPen);
-  const Sketch strokes = visible_strokes(drawing.document);
+  const std::vector<StrokePtr> strokes = visible_strokes(drawing.document);
   std::optional<GrainMasks> masks;
   // Of very much ink all is a little coarser, or all is solid: not some strokes unlike the others.
   const auto grain_dpi = GrainMasks::dpi_for_all(strokes, page.area(), kPrintGrainDpi);
   if (grain && grain_dpi) masks.emplace(GrainPrint{*grain, *grain_dpi}, page.area());
   Rasterizer rasterizer;
-  for (const SketchStroke& s : strokes) {
-    const auto mask = masks ? masks->of(s.stroke).value_or(std::nullopt) : std::nullopt;
+  for (const StrokePtr& stroke : strokes) {
+    const auto mask = masks ? masks->of(*stroke).value_or(std::nullopt) : std::nullopt;
     if (mask) {
-      paint_grained(painter, s.stroke, *grain, *mask, rasterizer);
+      paint_grained(painter, *stroke, *grain, *mask, rasterizer);
       continue;
     }
-    painter.setBrush(color_of(s.stroke.color()));
-    painter.drawPath(path_of(s.stroke));
+    painter.setBrush(color_of(stroke->color()));
+    painter.drawPath(path_of(*stroke));
   }
   painter.restore();
 }

@@ -23,7 +23,7 @@ namespace {
 constexpr QSize kThumbnailSize(190, 134);
 constexpr int kDrawingsShown = 2;
 
-QString name_of(const RecoveredDrawing& recovered) {
+QString name_of(const Recovered& recovered) {
   return recovered.name.empty() ? RecoveryDialog::tr("Untitled")
                                 : QString::fromStdString(recovered.name);
 }
@@ -75,7 +75,7 @@ QLabel* plain_label(const QString& text, QWidget* parent, bool is_bold = false) 
 }
 
 /// Why there is no picture of a file.
-QString absence_of(const RecoveredDrawing& recovered) {
+QString absence_of(const Recovered& recovered) {
   if (recovered.path.empty()) return RecoveryDialog::tr("It was never saved");
   return QFileInfo::exists(QString::fromStdString(recovered.path))
              ? RecoveryDialog::tr("The file cannot be read")
@@ -116,7 +116,7 @@ RecoveryDialog::RecoveryDialog(std::vector<RecoveryOffer> offers, QWidget* paren
 
 QWidget* RecoveryDialog::make_row(std::size_t i) {
   const RecoveryOffer& offer = offers_[i];
-  const RecoveredDrawing& recovered = offer.recovered;
+  const Recovered& recovered = offer.recovered;
   const QString name = name_of(recovered);
   auto* row = new QWidget(this);
   auto* grid = new QGridLayout(row);

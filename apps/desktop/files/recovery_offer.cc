@@ -6,7 +6,7 @@
 namespace felt::desktop {
 namespace {
 
-std::optional<SavedDrawing> saved_of(const RecoveredDrawing& recovered) {
+std::optional<SavedDrawing> saved_of(const Recovered& recovered) {
   if (recovered.path.empty()) return {};
   const QString path = QString::fromStdString(recovered.path);
   const QFileInfo info(path);
@@ -18,7 +18,7 @@ std::optional<SavedDrawing> saved_of(const RecoveredDrawing& recovered) {
 
 /// Whether it could go without a loss.
 bool is_worthless(const RecoveryOffer& offer) {
-  const RecoveredDrawing& recovered = offer.recovered;
+  const Recovered& recovered = offer.recovered;
   // What is damaged may have lost the very word that it was not saved.
   if (recovered.has_changes || !recovered.problems.empty()) return false;
   if (recovered.drawing.document.stroke_count() == 0) return true;
@@ -29,10 +29,10 @@ bool is_worthless(const RecoveryOffer& offer) {
 
 }  // namespace
 
-std::vector<RecoveryOffer> read_offers(std::vector<AbandonedStore> stores) {
+std::vector<RecoveryOffer> read_offers(std::vector<AbandonedAutosave> stores) {
   std::vector<RecoveryOffer> offers;
-  for (AbandonedStore& store : stores) {
-    Result<RecoveredDrawing> recovered = recover_store(store.folder);
+  for (AbandonedAutosave& store : stores) {
+    Result<Recovered> recovered = recover_autosave(store.folder);
     if (!recovered) continue;
     RecoveryOffer offer{std::move(store), *std::move(recovered), {}};
     offer.saved = saved_of(offer.recovered);

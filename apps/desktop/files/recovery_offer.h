@@ -18,14 +18,14 @@ struct SavedDrawing {
 
 /// A drawing that a crash left behind.
 struct RecoveryOffer {
-  AbandonedStore store;
-  RecoveredDrawing recovered;
+  AbandonedAutosave store;
+  Recovered recovered;
   std::optional<SavedDrawing> saved;  ///< none: it has no file, or that cannot be read
 };
 
 /// Reads what dead processes left, and the files beside it. Stores whose drawing is in its file, or
 /// that hold nothing, are removed; one that cannot be read stays where it is: a newer program may
 /// know more. Any thread.
-std::vector<RecoveryOffer> read_offers(std::vector<AbandonedStore> stores);
+std::vector<RecoveryOffer> read_offers(std::vector<AbandonedAutosave> stores);
 
 }  // namespace felt::desktop

@@ -18,18 +18,18 @@ QImage to_qimage(Image image) {
       kept);
 }
 
-QImage sheet_picture(const Sketch& sketch, const Rect& area, double px_per_mm, Rgba paper,
-                     const Grain& grain) {
+QImage sheet_picture(std::span<const StrokePtr> strokes, const Rect& area, double px_per_mm,
+                     Rgba paper, const Grain& grain) {
   Result<Image> image = render_page(
-      sketch, {.dpi = px_per_mm * kMmPerInch, .sheet = area, .paper = paper, .grain = grain});
+      strokes, {.dpi = px_per_mm * kMmPerInch, .sheet = area, .paper = paper, .grain = grain});
   return image ? to_qimage(*std::move(image)) : QImage();
 }
 
-QImage sheet_thumbnail(const Sketch& sketch, const Rect& area, QSize size, Rgba paper,
+QImage sheet_thumbnail(std::span<const StrokePtr> strokes, const Rect& area, QSize size, Rgba paper,
                        const Grain& grain) {
   if (!(area.width() > 0.0) || !(area.height() > 0.0)) return {};
   const double scale = std::min(size.width() / area.width(), size.height() / area.height());
-  return sheet_picture(sketch, area, scale, paper, grain);
+  return sheet_picture(strokes, area, scale, paper, grain);
 }
 
 }  // namespace felt::desktop

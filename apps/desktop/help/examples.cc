@@ -62,7 +62,7 @@ Document example_document(const QString& id) {
   options.width_map.max_mm = kBroadMm;
   options.width_map.gamma = kGamma;
   InkFitter fitter(options);
-  Sketch sketch;
+  std::vector<StrokePtr> strokes;
   for (const Gesture& gesture : source.gestures) {
     fitter.begin();
     for (const HandSample& sample : hand.draw(gesture)) {
@@ -71,9 +71,9 @@ Document example_document(const QString& id) {
     fitter.end();
     fitter.refine();
     Result<Stroke> stroke = fitter.stroke();
-    if (stroke) sketch.push_back({std::to_string(sketch.size() + 1), *std::move(stroke)});
+    if (stroke) strokes.push_back(std::make_shared<const Stroke>(*std::move(stroke)));
   }
-  return document_of(sketch);
+  return document_of(strokes);
 }
 
 }  // namespace felt::desktop

@@ -14,7 +14,7 @@ constexpr std::int64_t kSettleNs = 300'000'000;  // for the pen to leave the she
 
 /// How a practised hand draws with the pencil on this sheet.
 HandScriptOptions hand_of(Studio& studio) {
-  HandScriptOptions options = studio.device().hand_options();
+  HandScriptOptions options = studio.loop().device().hand_options();
   const SurfaceMaterial& sheet = studio.session().sheet().material();
   const Capabilities& device = studio.session().device();
   const Medium* medium = studio.session().materials().find_medium(drawing_medium(studio.session()));
@@ -63,7 +63,7 @@ void ScriptPlayer::tick() {
     const Event& event = events_[next_++];
     if (!is_pose(event)) studio_.apply(event.what);
   }
-  HandInput* hand = studio_.device().hand();
+  HandInput* hand = studio_.loop().device().hand();
   if (hand && track_ && track_->has_poses()) {
     const ScriptPose pose = track_->at(played_ns_);
     hand->aim(Aim{pose.position, pose.pressure, pose.buttons, pose.lean_deg});

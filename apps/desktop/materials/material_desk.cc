@@ -142,7 +142,7 @@ void MaterialDesk::tell_now() {
     if (std::optional<AnyMaterial> old = find_in(told_, key)) felt::put(known, *std::move(old));
   }
   told_ = known;
-  studio_.know(known);
+  studio_.set_user_materials(known);
   // The pencil took over the widths of its medium when that was taken in hand, and the ink its
   // colour; so they do now.
   const Medium* after = studio_.materials().find_medium(drawing_medium(studio_.session()));

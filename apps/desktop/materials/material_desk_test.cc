@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "desktop/engine/settings.h"
+#include "desktop/engine/testing/kept_events.h"
 #include "desktop/materials/media_picker.h"
 #include "desktop/materials/settings_keys.h"
 #include "desktop/materials/testing/clean_materials.h"
@@ -38,7 +39,7 @@ struct Bench {
   OwnMaterials own{{home.path().toStdString()}};
   Studio studio{{.device = QStringLiteral("simulated:touch"),
                  .live = false,
-                 .on_event = [this](const Event& event) { events.push_back(event); }}};
+                 .connect_early = keep_events(events)}};
   MaterialDesk desk{studio, own};
 };
 

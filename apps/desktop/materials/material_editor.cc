@@ -108,16 +108,16 @@ void MaterialEditor::watch() {
   connect(&desk_.steps(), &QUndoStack::indexChanged, this, &MaterialEditor::tell_names);
   connect(&studio_, &Studio::materials_changed, this, &MaterialEditor::follow_list);
   connect(&studio_, &Studio::option_changed, this, &MaterialEditor::ask_probe);
-  connect(&studio_, &Studio::device_changed, this, [this] {
+  connect(&studio_.loop(), &HapticLoop::device_changed, this, [this] {
     history_.clear();
     ask_probe();
   });
-  connect(&studio_, &Studio::strength_changed, this, &MaterialEditor::ask_probe);
+  connect(&studio_.loop(), &HapticLoop::strength_changed, this, &MaterialEditor::ask_probe);
   connect(&studio_, &Studio::opened, this, &MaterialEditor::follow_list);
-  connect(&studio_, &Studio::ticked, this, &MaterialEditor::take_tick);
+  connect(&studio_.loop(), &HapticLoop::ticked, this, &MaterialEditor::take_tick);
   connect(&probe_, &FeltProbe::figured, this, [this](const FeltFigures& figures) {
     plot_->show_figures(figures);
-    sign_->show_words(stability_words(wish(), figures, studio_.device().info().label));
+    sign_->show_words(stability_words(wish(), figures, studio_.loop().device().info().label));
   });
   frame_.setSingleShot(true);
   frame_.setInterval(kFrameMs);
@@ -274,8 +274,8 @@ FeltWish MaterialEditor::wish() const {
   const AnyMaterial now = desk_.now();
   if (const auto* sheet = std::get_if<SurfaceMaterial>(&now)) wish.sheet = *sheet;
   if (const auto* medium = std::get_if<Medium>(&now)) wish.medium = *medium;
-  wish.device = studio_.device().device().capabilities();
-  wish.strength = studio_.strength();
+  wish.device = studio_.loop().device().device().capabilities();
+  wish.strength = studio_.loop().strength();
   return wish;
 }
 
@@ -302,7 +302,7 @@ void MaterialEditor::tell(const QString& words) {
 
 void MaterialEditor::showEvent(QShowEvent* event) {
   QWidget::showEvent(event);
-  graph_->set_shows_sent(studio_.device().device().capabilities().has_force());
+  graph_->set_shows_sent(studio_.loop().device().device().capabilities().has_force());
   follow_desk();
 }
 

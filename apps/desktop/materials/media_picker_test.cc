@@ -7,8 +7,10 @@
 #include <QTest>
 #include <vector>
 
+#include "desktop/engine/testing/kept_events.h"
 #include "desktop/materials/medium_picture.h"
 #include "desktop/testing/accessible_names.h"
+#include "felt/document/visible_strokes.h"
 #include "felt/session/session_medium.h"
 #include "felt/stroke/testing/random_stroke.h"
 
@@ -20,7 +22,7 @@ struct Desk {
   Studio studio{{.device = QStringLiteral("simulated:touch"),
                  .live = false,
                  .first_options = false,
-                 .on_event = [this](const Event& event) { events.push_back(event); }}};
+                 .connect_early = keep_events(events)}};
   QWidget window;
   MediaPictures pictures{studio, &window};
   MediaPicker picker{studio, pictures, &window};
@@ -160,12 +162,13 @@ TEST(MediumPicture, InkIsSeenOnAnyPaper) {
 TEST(MediaPicker, AClickIsForTheSelectedLinesTooAndSaysTheColour) {
   Studio studio({.live = false});
   studio.import(QStringLiteral("test"),
-                Sketch{{"s", felt::testing::straight_stroke({10, 10}, {90, 40}, 1, 2)}});
+                std::vector{std::make_shared<const Stroke>(
+                    felt::testing::straight_stroke({10, 10}, {90, 40}, 1, 2))});
   studio.apply(SelectStrokes{SelectStrokes::What::kAll});
   QSignalSpy said(&studio, &Studio::refused);
   const std::size_t steps = studio.session().history().undo_count();
   ASSERT_TRUE(choose_medium(studio, "crayon"));
-  EXPECT_EQ(studio.session().sketch().front().stroke.material(), "crayon");
+  EXPECT_EQ(visible_strokes(studio.session().document()).front()->material(), "crayon");
   EXPECT_EQ(studio.session().history().undo_count(), steps + 1);
   ASSERT_EQ(said.count(), 1);
   EXPECT_TRUE(said[0][0].toString().contains(QLatin1Char('#')));

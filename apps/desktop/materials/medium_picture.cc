@@ -5,6 +5,7 @@
 
 #include "felt/material/relief.h"
 #include "felt/render/page.h"
+#include "felt/stroke/fit/width_map.h"
 #include "felt/tools/medium_line.h"
 
 namespace felt::desktop {
@@ -70,14 +71,14 @@ QImage draw_medium(const MediumPicture& picture) {
   const QSizeF size_mm = kMmPerPx * QSizeF(picture.size);
   const std::size_t lines = std::max<std::size_t>(picture.forces.size(), 1);
   const double line_mm = size_mm.height() / static_cast<double>(lines);
-  Sketch strokes;
+  std::vector<StrokePtr> strokes;
   for (std::size_t i = 0; i < lines; ++i) {
     const double top_mm = line_mm * static_cast<double>(i);
     const bool rises = picture.forces.empty();
     const Result<Stroke> stroke =
         stroke_in(picture, {0.0, top_mm, size_mm.width(), top_mm + line_mm},
                   rises ? kLightest : picture.forces[i], rises ? kHardest : picture.forces[i]);
-    if (stroke) strokes.push_back({std::to_string(i), *stroke});
+    if (stroke) strokes.push_back(std::make_shared<const Stroke>(*stroke));
   }
   Materials media = Materials::built_in();
   if (!picture.grain) media.put(picture.medium);

@@ -286,13 +286,13 @@ void ColorsPanel::note_drawn(const Edit& edit) {
   recent_->show();
 }
 
-GplPalette ColorsPanel::own_palette() const {
+Palette ColorsPanel::own_palette() const {
   return {tr("My colours").toStdString(), 0, stored_colors(panel_settings::kOwnColors)};
 }
 
 void ColorsPanel::list_palettes(const QString& wanted) {
   sources_ = built_in_palettes();
-  const GplPalette own = own_palette();
+  const Palette own = own_palette();
   if (!own.colors.empty()) sources_.push_back({QString::fromStdString(own.name), {}, own});
   for (PaletteSource& file : palette_files(opened_files())) sources_.push_back(std::move(file));
   // What is there already is not offered twice.
@@ -318,7 +318,7 @@ void ColorsPanel::list_palettes(const QString& wanted) {
 void ColorsPanel::show_palette(int i) {
   PaletteSource& source = sources_[static_cast<std::size_t>(i)];
   if (!source.path.isEmpty() && source.palette.colors.empty()) {
-    Result<GplPalette> read = load_palette(source.path);
+    Result<Palette> read = load_palette(source.path);
     if (!read) {
       Q_EMIT studio_.refused(QString::fromStdString(read.error().message));
       swatches_->set_colors({});
@@ -331,7 +331,7 @@ void ColorsPanel::show_palette(int i) {
 }
 
 bool ColorsPanel::open_palette(const QString& path) {
-  const Result<GplPalette> read = load_palette(path);
+  const Result<Palette> read = load_palette(path);
   if (!read) {
     Q_EMIT studio_.refused(QString::fromStdString(read.error().message));
     return false;
@@ -350,17 +350,17 @@ bool ColorsPanel::export_palette(const QString& path) {
   return saved.has_value();
 }
 
-GplPalette ColorsPanel::shown_palette() const {
+Palette ColorsPanel::shown_palette() const {
   const PaletteSource& source = sources_[static_cast<std::size_t>(palettes_->currentIndex())];
-  GplPalette palette = source.palette;
+  Palette palette = source.palette;
   // A name has its limit in the file, and must not end within a letter.
   QString title = source.title;
-  while (title.toUtf8().size() > static_cast<int>(GplLimits::kMaxNameBytes)) title.chop(1);
+  while (title.toUtf8().size() > static_cast<int>(PaletteLimits::kMaxNameBytes)) title.chop(1);
   palette.name = title.toStdString();
   return palette;
 }
 
-void ColorsPanel::show_drawing_palette(const GplPalette& palette) {
+void ColorsPanel::show_drawing_palette(const Palette& palette) {
   of_drawing_ = palette;
   const QString before = palettes_->currentText();
   list_palettes(palette.colors.empty() ? before : QString::fromStdString(palette.name));
@@ -380,7 +380,7 @@ void ColorsPanel::ask_export() {
 }
 
 void ColorsPanel::keep_color() {
-  GplPalette own = own_palette();
+  Palette own = own_palette();
   const Rgba now = color();
   const NamedColor kept{{now.r, now.g, now.b}, {}};
   if (std::find(own.colors.begin(), own.colors.end(), kept) == own.colors.end() &&
@@ -392,7 +392,7 @@ void ColorsPanel::keep_color() {
 }
 
 void ColorsPanel::drop_color() {
-  GplPalette own = own_palette();
+  Palette own = own_palette();
   const Rgba now = color();
   std::erase_if(own.colors, [&now](const NamedColor& entry) {
     return entry.color == Rgba{now.r, now.g, now.b};

@@ -35,10 +35,10 @@ class ColorsPanel : public QWidget {
   /// Writes the palette that is shown. Likewise.
   bool export_palette(const QString& path);
   /// The palette that is shown, by its name.
-  [[nodiscard]] GplPalette shown_palette() const;
+  [[nodiscard]] Palette shown_palette() const;
   /// A drawing brought this one: it is offered and shown until another drawing comes. An empty one
   /// changes nothing but the offer.
-  void show_drawing_palette(const GplPalette& palette);
+  void show_drawing_palette(const Palette& palette);
   /// Asks for the file.
   void ask_open();
   void ask_export();
@@ -65,7 +65,7 @@ class ColorsPanel : public QWidget {
   void note_drawn(const Edit& edit);
   void list_palettes(const QString& wanted);
   void show_palette(int i);
-  [[nodiscard]] GplPalette own_palette() const;
+  [[nodiscard]] Palette own_palette() const;
 
   Studio& studio_;
   ColorField* field_;
@@ -77,7 +77,7 @@ class ColorsPanel : public QWidget {
   QComboBox* palettes_;
   SwatchView* swatches_;
   std::vector<PaletteSource> sources_;  // as in palettes_
-  GplPalette of_drawing_;
+  Palette of_drawing_;
 };
 
 /// Adds edit.palette_open, edit.palette_export, edit.palette_keep, edit.palette_drop. Both must

@@ -15,6 +15,7 @@
 #include "desktop/engine/settings.h"
 #include "desktop/panels/settings_keys.h"
 #include "desktop/panels/testing/panels_fixture.h"
+#include "felt/document/visible_strokes.h"
 #include "felt/stroke/color_text.h"
 
 namespace felt::desktop {
@@ -60,14 +61,14 @@ class ColorsPanelTest : public ::testing::Test {
 TEST_F(ColorsPanelTest, ADrawingsPaletteIsOfferedWhileItIsThere) {
   auto* list = panel->findChild<QComboBox*>();
   const int usual = list->count();
-  const GplPalette leaves{"Leaves", 0, {{{10, 90, 20, 255}, "leaf"}}};
+  const Palette leaves{"Leaves", 0, {{{10, 90, 20, 255}, "leaf"}}};
   panel->show_drawing_palette(leaves);
   EXPECT_EQ(list->count(), usual + 1);
   EXPECT_EQ(list->currentText(), QStringLiteral("Leaves"));
   EXPECT_EQ(panel->shown_palette(), leaves);
   panel->show_drawing_palette({});
   EXPECT_EQ(list->count(), usual);
-  const GplPalette usual_one = panel->shown_palette();
+  const Palette usual_one = panel->shown_palette();
   panel->show_drawing_palette(usual_one);  // there already
   EXPECT_EQ(list->count(), usual);
   EXPECT_EQ(panel->shown_palette(), usual_one);
@@ -269,7 +270,9 @@ TEST(ColorsPanel, ASwatchIsForTheSelectedLinesToo) {
   SwatchView* swatches = panel.findChildren<SwatchView*>().back();
   const Rgba wanted{10, 120, 200, 255};
   Q_EMIT swatches->chosen(wanted);
-  for (const SketchStroke& s : studio.session().sketch()) EXPECT_EQ(s.stroke.color(), wanted);
+  for (const StrokePtr& stroke : visible_strokes(studio.session().document())) {
+    EXPECT_EQ(stroke->color(), wanted);
+  }
   EXPECT_EQ(studio.session().history().undo_count(), steps + 1);
   EXPECT_EQ(studio.session().sheet().color(), wanted);
 }

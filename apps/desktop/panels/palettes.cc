@@ -119,16 +119,16 @@ std::vector<PaletteSource> palette_files(const QStringList& opened) {
   return sources;
 }
 
-Result<GplPalette> load_palette(const QString& path) {
+Result<Palette> load_palette(const QString& path) {
   QFile file(path);
   if (!file.open(QIODevice::ReadOnly)) return fail(ErrorCode::kIo, reason(path, file));
   // One byte more than is allowed, for read_gpl() to say so.
-  const QByteArray bytes = file.read(qint64(GplLimits::kMaxBytes) + 1);
+  const QByteArray bytes = file.read(qint64(PaletteLimits::kMaxBytes) + 1);
   if (file.error() != QFileDevice::NoError) return fail(ErrorCode::kIo, reason(path, file));
   return read_gpl(path.toStdString(), {bytes.constData(), static_cast<std::size_t>(bytes.size())});
 }
 
-Result<void> save_palette(const QString& path, const GplPalette& palette) {
+Result<void> save_palette(const QString& path, const Palette& palette) {
   const std::string palette_text = write_gpl(palette);
   QSaveFile file(path);
   const bool written =

@@ -11,8 +11,8 @@ namespace felt::desktop {
 /// A palette by what people call it: one of ours, or a file that is read when it is chosen.
 struct PaletteSource {
   QString title;
-  QString path = {};        ///< "" for ours
-  GplPalette palette = {};  ///< of ours
+  QString path = {};     ///< "" for ours
+  Palette palette = {};  ///< of ours
 };
 
 /// Ours: a box of pencils, the colours of Okabe and Ito, which people with any colour vision tell
@@ -24,8 +24,8 @@ std::vector<PaletteSource> built_in_palettes();
 std::vector<PaletteSource> palette_files(const QStringList& opened);
 
 /// Reads a .gpl file. Error: the message names the file, the line and the reason.
-Result<GplPalette> load_palette(const QString& path);
+Result<Palette> load_palette(const QString& path);
 /// Writes one, all of it or nothing. Error: the message names the file and the reason.
-Result<void> save_palette(const QString& path, const GplPalette& palette);
+Result<void> save_palette(const QString& path, const Palette& palette);
 
 }  // namespace felt::desktop

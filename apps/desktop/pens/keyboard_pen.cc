@@ -43,7 +43,7 @@ bool KeyboardPen::wants(const QKeyEvent& event) const {
 
 bool KeyboardPen::may_touch() const {
   return is_leading_ || canvas_.has_focus_by_key() || hand_.is_down(PenHand::Source::kKeys) ||
-         !canvas_.studio().device().hand();
+         !canvas_.studio().loop().device().hand();
 }
 
 bool KeyboardPen::press(const QKeyEvent& event) {
@@ -59,7 +59,7 @@ bool KeyboardPen::press(const QKeyEvent& event) {
     return true;
   }
   if (event.isAutoRepeat()) return true;
-  if (canvas_.studio().device().device().set_pen_down(true)) {
+  if (canvas_.studio().loop().device().device().set_pen_down(true)) {
     held_ = event.key();
     Q_EMIT said(tr("The pen is down"));
     return true;
@@ -81,7 +81,7 @@ void KeyboardPen::release(const QKeyEvent& event) {
 
 void KeyboardPen::let_go() {
   if (std::exchange(held_, 0) == 0) return;
-  canvas_.studio().device().device().set_pen_down(false);
+  canvas_.studio().loop().device().device().set_pen_down(false);
   Q_EMIT said(tr("The pen is up"));
 }
 

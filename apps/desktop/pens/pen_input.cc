@@ -50,7 +50,7 @@ PenInput::PenInput(Canvas& canvas)
 
 void PenInput::load_settings() {
   settings_ = PenSettings::load();
-  canvas_.studio().set_mouse_pressure(settings_.mouse);
+  canvas_.studio().loop().set_mouse_pressure(settings_.mouse);
   canvas_.set_right_button(settings_.right == ButtonRole::kNone ? QString()
                                                                 : label_of(settings_.right));
   say_pressure();

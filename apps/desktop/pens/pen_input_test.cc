@@ -57,8 +57,10 @@ class PenInputTest : public ::testing::Test {
   StudioOptions options() {
     StudioOptions options;
     options.live = false;
-    options.on_event = [this](const Event& event) {
-      if (const auto* pen = std::get_if<PenEvent>(&event.what)) samples_.push_back(*pen);
+    options.connect_early = [this](Studio& studio) {
+      QObject::connect(&studio, &Studio::event_applied, [this](const Event& event) {
+        if (const auto* pen = std::get_if<PenEvent>(&event.what)) samples_.push_back(*pen);
+      });
     };
     return options;
   }
@@ -133,9 +135,7 @@ class PenInputTest : public ::testing::Test {
   [[nodiscard]] bool is_down() const { return in_contact(studio_.pen().sample); }
   [[nodiscard]] std::string drawing() const {
     std::string text;
-    for (const SketchStroke& stroke : studio_.session().sketch()) {
-      append_sketch_line(text, stroke.id, stroke.stroke.data());
-    }
+    append_sketch_lines(text, studio_.session().document());
     return text;
   }
 

@@ -2767,6 +2767,13 @@ Ihre Zeichnung ist noch da: speichern Sie sie anderswo.</translation>
     </message>
 </context>
 <context>
+    <name>felt::desktop::HapticLoop</name>
+    <message>
+        <source>%1 stopped responding and was disconnected. Your drawing is safe. Restart Feltline to use it again.</source>
+        <translation>%1 antwortet nicht mehr und wurde getrennt. Ihre Zeichnung ist sicher. Starten Sie Feltline neu, um es wieder zu benutzen.</translation>
+    </message>
+</context>
+<context>
     <name>felt::desktop::HelpActions</name>
     <message>
         <source>&amp;Guide</source>
@@ -4265,10 +4272,6 @@ Doppelklick benennt um, Ziehen verschiebt</translation>
 </context>
 <context>
     <name>felt::desktop::Studio</name>
-    <message>
-        <source>%1 hangs in its maker&apos;s software and was given up. The drawing is kept. Start Feltline anew to use it again.</source>
-        <translation>%1 hängt in der Software des Herstellers und wurde aufgegeben. Die Zeichnung ist erhalten. Starten Sie Feltline neu, um es wieder zu benutzen.</translation>
-    </message>
     <message>
         <source>This drawing has its own figures for: %1. Yours stay as they are.</source>
         <translation>Diese Zeichnung hat eigene Werte für: %1. Die Ihren bleiben, wie sie sind.</translation>

@@ -2767,6 +2767,13 @@ Je tekening is er nog: sla haar ergens anders op.</translation>
     </message>
 </context>
 <context>
+    <name>felt::desktop::HapticLoop</name>
+    <message>
+        <source>%1 stopped responding and was disconnected. Your drawing is safe. Restart Feltline to use it again.</source>
+        <translation>%1 reageert niet meer en is losgekoppeld. Je tekening is veilig. Start Feltline opnieuw om het weer te gebruiken.</translation>
+    </message>
+</context>
+<context>
     <name>felt::desktop::HelpActions</name>
     <message>
         <source>&amp;Guide</source>
@@ -4265,10 +4272,6 @@ Dubbelklik om te hernoemen, sleep om te verplaatsen</translation>
 </context>
 <context>
     <name>felt::desktop::Studio</name>
-    <message>
-        <source>%1 hangs in its maker&apos;s software and was given up. The drawing is kept. Start Feltline anew to use it again.</source>
-        <translation>%1 hangt in de software van de maker en is opgegeven. De tekening is behouden. Start Feltline opnieuw om het weer te gebruiken.</translation>
-    </message>
     <message>
         <source>This drawing has its own figures for: %1. Yours stay as they are.</source>
         <translation>Deze tekening heeft eigen waarden voor: %1. Die van jou blijven zoals ze zijn.</translation>

@@ -46,12 +46,10 @@ constexpr int kLeastLines = 8;  // of a panel that scrolls
 /// Of the height, in per cent: a tool has more options than a drawing has layers.
 constexpr int kOptionsShare = 64;
 
-StoredView stored_view(const CanvasView& view) {
+Viewport stored_view(const CanvasView& view) {
   const auto half = [](double px) { return 0.5 * px; };
   const Point center = view.to_mm({half(view.size().width()), half(view.size().height())});
-  const auto near = [](double mm) {
-    return std::clamp(mm, -StoredView::kMostMm, StoredView::kMostMm);
-  };
+  const auto near = [](double mm) { return std::clamp(mm, -Viewport::kMaxMm, Viewport::kMaxMm); };
   return {{near(center.x), near(center.y)},
           view.px_per_mm(),
           std::clamp(view.angle_deg(), -180.0, 180.0),
@@ -59,7 +57,7 @@ StoredView stored_view(const CanvasView& view) {
 }
 
 /// The same place in a window of whatever size.
-CanvasView canvas_view(const StoredView& stored, const CanvasView& present) {
+CanvasView canvas_view(const Viewport& stored, const CanvasView& present) {
   CanvasView view;
   view.set_size(present.size());
   if (stored.mirrored) view.mirror();

@@ -314,19 +314,19 @@ TEST(Windows, ASignalEndsThemWithoutForceAndKeepsWhatWasDrawn) {
   working.removeRecursively();
   Windows windows(still());
   QPointer<MainWindow> window = windows.open();
-  window->files().keep_journal({working.path()});
+  window->files().start_autosave({working.path()});
   touch(*window, true);
   touch(*window, false);
   window->studio().advance(300'000'000);
   ASSERT_TRUE(window->studio().is_modified());
-  window->studio().set_forces(true);
+  window->studio().loop().set_forces(true);
   const SignalWatch signals;
   QSignalSpy asked(&signals, &SignalWatch::asked);
   ASSERT_EQ(std::raise(SIGTERM), 0);
   ASSERT_TRUE(asked.count() == 1 || asked.wait(5000));
   windows.let_go();
-  const QString folder = window->files().journal()->folder();
-  EXPECT_FALSE(window->studio().forces_are_on());
+  const QString folder = window->files().autosave()->folder();
+  EXPECT_FALSE(window->studio().loop().forces_are_on());
   windows.end();  // with no question
   EXPECT_TRUE(window.isNull());
   EXPECT_FALSE(folder.isEmpty());

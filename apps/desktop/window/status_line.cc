@@ -33,9 +33,9 @@ StatusLine::StatusLine(Studio& studio, Canvas& canvas, QWidget* parent)
   saved_ = field(tr("State of the file"), QString());
   connect(&canvas, &Canvas::hint_changed, this, &StatusLine::show_tool);
   connect(&studio, &Studio::shown, this, &StatusLine::show_pen);
-  connect(&studio, &Studio::device_changed, this, &StatusLine::show_device);
-  connect(&studio, &Studio::forces_changed, this, &StatusLine::show_device);
-  connect(&studio, &Studio::device_status_changed, this, &StatusLine::show_device);
+  connect(&studio.loop(), &HapticLoop::device_changed, this, &StatusLine::show_device);
+  connect(&studio.loop(), &HapticLoop::forces_changed, this, &StatusLine::show_device);
+  connect(&studio.loop(), &HapticLoop::device_status_changed, this, &StatusLine::show_device);
   connect(&studio, &Studio::modified_changed, this, &StatusLine::show_saved);
   connect(&studio, &Studio::opened, this, &StatusLine::show_saved);
   connect(&canvas, &Canvas::view_changed, this, &StatusLine::show_view);
@@ -99,14 +99,15 @@ void StatusLine::show_view() {
 }
 
 void StatusLine::show_device() {
-  const PenDeviceInfo& info = studio_.device().info();
+  const PenDeviceInfo& info = studio_.loop().device().info();
   const QString& name = info.short_label.isEmpty() ? info.label : info.short_label;
-  const DeviceStatus status = studio_.device_status();
+  const DeviceStatus status = studio_.loop().device_status();
   // Only where a person's hand is pushed, how often; a simulated loop is nobody's concern.
-  const double rate_hz = status.rate_hz > 0.0
-                             ? status.rate_hz
-                             : 1e9 / double(studio_.device().device().capabilities().period_ns);
-  QString text = studio_.forces_are_on() ? name : tr("%1, forces off").arg(name);
+  const double rate_hz =
+      status.rate_hz > 0.0
+          ? status.rate_hz
+          : 1e9 / double(studio_.loop().device().device().capabilities().period_ns);
+  QString text = studio_.loop().forces_are_on() ? name : tr("%1, forces off").arg(name);
   if (status.fault) text = tr("%1: %2").arg(name, words_for(*status.fault));
   device_->setToolTip(info.moves_hand ? tr("%1, %L2 Hz").arg(info.label).arg(rate_hz, 0, 'f', 0)
                                       : info.label);

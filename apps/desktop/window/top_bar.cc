@@ -80,7 +80,7 @@ void TopBar::add_forces(const Actions& actions) {
   auto* button = qobject_cast<QToolButton*>(widgetForAction(forces_));
   if (!button) return;
   button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
-  connect(&studio_, &Studio::forces_changed, this, &TopBar::show_forces);
+  connect(&studio_.loop(), &HapticLoop::forces_changed, this, &TopBar::show_forces);
   connect(forces_, &QAction::changed, button,
           [this, button] { button->setAccessibleName(forces_->text().remove(QLatin1Char('&'))); });
   show_forces();
@@ -88,7 +88,7 @@ void TopBar::add_forces(const Actions& actions) {
 
 void TopBar::show_forces() {
   if (!forces_) return;
-  forces_->setIcon(studio_.forces_are_on()
+  forces_->setIcon(studio_.loop().forces_are_on()
                        ? stop_icon(palette(), iconSize().height(), devicePixelRatioF())
                        : icon_of("force-on"));
 }

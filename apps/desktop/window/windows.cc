@@ -60,9 +60,9 @@ MainWindow* Windows::open_file(const QString& path) {
 }
 
 void Windows::let_go() {
-  for (MainWindow* window : windows_) window->studio().set_forces(false);
+  for (MainWindow* window : windows_) window->studio().loop().set_forces(false);
   for (MainWindow* window : windows_) {
-    if (Journal* journal = window->files().journal()) journal->flush();
+    if (StudioAutosave* autosave = window->files().autosave()) autosave->flush();
   }
 }
 
@@ -70,7 +70,7 @@ void Windows::end() {
   let_go();
   for (MainWindow* window : QList<MainWindow*>(windows_)) {
     window->keep_layout();
-    delete window;  // its device is closed without force; its journal stays where it is needed
+    delete window;  // its device is closed without force; its autosave stays if it is needed
   }
 }
 

@@ -8,10 +8,11 @@
 #include <cstring>
 #include <random>
 
+#include "felt/autosave/autosave_database.h"
 #include "felt/autosave/recovery.h"
-#include "felt/autosave/testing/saver_test_desk.h"
-#include "felt/autosave/working_store.h"
+#include "felt/autosave/testing/autosave_fixture.h"
 #include "felt/session/session.h"
+#include "felt/store/felt_extras.h"
 #include "felt/store/felt_file.h"
 #include "felt/tools/tool.h"
 
@@ -55,8 +56,8 @@ Recorded draw() {
   return {recorder.take(), session.document()};
 }
 
-StoredDrawing drawing_of(const Recorded& recorded) {
-  StoredDrawing drawing;
+Drawing drawing_of(const Recorded& recorded) {
+  Drawing drawing;
   drawing.document = recorded.document;
   EXPECT_TRUE(add_recording(drawing, recorded.recording));
   return drawing;
@@ -65,7 +66,7 @@ StoredDrawing drawing_of(const Recorded& recorded) {
 TEST(FeltRecording, PlayedBackGivesTheSameDrawing) {
   const Recorded recorded = draw();
   const std::string bytes = felt_bytes(drawing_of(recorded)).value();
-  const StoredDrawing back = parse_felt(bytes).value();
+  const Drawing back = parse_felt(bytes).value();
   const FeltRecording recording = read_recording(back, 0).value();
   EXPECT_TRUE(recording == recorded.recording);
   Session session(make_tools(), {.device = {}, .document = {}, .on_event = {}, .on_edit = {}});
@@ -75,8 +76,8 @@ TEST(FeltRecording, PlayedBackGivesTheSameDrawing) {
 
 TEST(FeltRecording, IsCarriedUnreadAndOthersAreAdded) {
   const Recorded recorded = draw();
-  StoredDrawing drawing = parse_felt(felt_bytes(drawing_of(recorded)).value()).value();
-  EXPECT_NE(drawing.extras.file, nullptr);
+  Drawing drawing = parse_felt(felt_bytes(drawing_of(recorded)).value()).value();
+  EXPECT_NE(felt_extras(drawing).file, nullptr);
   const std::string once = felt_bytes(drawing).value();
   EXPECT_EQ(felt_bytes(parse_felt(once).value()).value(), once);
   FeltRecording second;
@@ -92,7 +93,7 @@ TEST(FeltRecording, IsCarriedUnreadAndOthersAreAdded) {
   EXPECT_TRUE(read_recording(drawing, 0).value() == recorded.recording);
   EXPECT_TRUE(read_recording(drawing, 1).value() == second);
   EXPECT_EQ(read_recording(drawing, 2).error().code, ErrorCode::kNotFound);
-  EXPECT_TRUE(recordings_of(StoredDrawing()).value().empty());
+  EXPECT_TRUE(recordings_of(Drawing()).value().empty());
 }
 
 /// What draw() recorded, by a pen that leans in its middle part.
@@ -105,10 +106,10 @@ FeltRecording leaning() {
 }
 
 TEST(FeltRecording, APensLeanIsKept) {
-  StoredDrawing drawing;
+  Drawing drawing;
   ASSERT_TRUE(add_recording(drawing, leaning()));
   const std::string once = felt_bytes(drawing).value();
-  const StoredDrawing back = parse_felt(once).value();
+  const Drawing back = parse_felt(once).value();
   EXPECT_TRUE(read_recording(back, 0).value() == leaning());
   EXPECT_EQ(felt_bytes(back).value(), once) << "carried as it is";
 }
@@ -122,7 +123,7 @@ TEST(FeltRecording, WithoutLeanItIsTheSameFileAsEver) {
 TEST(FeltRecording, OneThatLeansStandsBesideOneThatDoesNot) {
   const FeltRecording plain = draw().recording, leans = leaning();
   for (const bool plain_first : {true, false}) {
-    StoredDrawing drawing;
+    Drawing drawing;
     ASSERT_TRUE(add_recording(drawing, plain_first ? plain : leans));
     drawing = parse_felt(felt_bytes(drawing).value()).value();
     ASSERT_TRUE(add_recording(drawing, plain_first ? leans : plain));
@@ -132,20 +133,20 @@ TEST(FeltRecording, OneThatLeansStandsBesideOneThatDoesNot) {
   }
 }
 
-/// The working store does not hold them: they are where they were.
+/// The autosave does not have them: they are where they were.
 TEST(FeltRecording, IsThereAfterARecovery) {
   const felt::testing::TestFolder folder;
   ASSERT_TRUE(write_felt(folder.at("a.felt"), drawing_of(draw())));
-  const StoredDrawing drawing = read_felt(folder.at("a.felt")).value();
+  const Drawing drawing = read_felt(folder.at("a.felt")).value();
   std::string left;
   {
-    WorkingStore store = WorkingStore::create(folder.at("state"), "a").value();
+    AutosaveDatabase store = AutosaveDatabase::create(folder.at("state"), "a").value();
     ASSERT_TRUE(store.write_base(drawing));
-    ASSERT_TRUE(store.put_about({"a", folder.at("a.felt"), false, {}}));
+    ASSERT_TRUE(store.put_info({"a", folder.at("a.felt"), false, {}}));
     ASSERT_TRUE(store.commit());
     left = store.folder();
   }
-  const RecoveredDrawing recovered = recover_store(left).value();
+  const Recovered recovered = recover_autosave(left).value();
   EXPECT_TRUE(recovered.drawing.document == drawing.document);
   EXPECT_EQ(recordings_of(recovered.drawing).value().size(), 1u);
 }
@@ -202,7 +203,7 @@ TEST_F(Queries, PlainSqlReadsSamplesForcesAndEvents) {
 
 TEST_F(Queries, PlainSqlReadsTheLean) {
   sqlite3_close(db_);
-  StoredDrawing drawing;
+  Drawing drawing;
   ASSERT_TRUE(add_recording(drawing, leaning()));
   bytes_ = felt_bytes(drawing).value();
   open();
@@ -213,7 +214,7 @@ TEST_F(Queries, PlainSqlReadsTheLean) {
 /// A lean that was changed, or taken away, is damage that the sum of the leans shows.
 TEST_F(Queries, AChangedLeanIsDamage) {
   sqlite3_close(db_);
-  StoredDrawing drawing;
+  Drawing drawing;
   ASSERT_TRUE(add_recording(drawing, leaning()));
   const std::string good = felt_bytes(drawing).value();
   for (const char* change : {"UPDATE recording_sample SET lean_deg = 12.0 WHERE id = 326",
@@ -233,14 +234,14 @@ TEST_F(Queries, AChangedLeanIsDamage) {
 }
 
 TEST_F(Queries, ASampleTakesFewBytes) {
-  StoredDrawing drawing;
+  Drawing drawing;
   drawing.document = recorded_.document;
   const auto all = static_cast<double>(bytes_.size() - felt_bytes(drawing).value().size());
   EXPECT_LT(all / 903.0, 80.0);  // of 112 as plain doubles; four tables and views weigh in, too
 }
 
 TEST(FeltRecording, WhatIsOutOfOrderOrDamagedIsAnError) {
-  StoredDrawing drawing;
+  Drawing drawing;
   FeltRecording bad;
   bad.samples = {{5, {}, std::nullopt}, {4, {}, std::nullopt}};
   EXPECT_THAT(add_recording(drawing, bad).error().message, HasSubstr("sample 1"));
@@ -253,7 +254,7 @@ TEST(FeltRecording, WhatIsOutOfOrderOrDamagedIsAnError) {
   bad.samples.clear();
   bad.events = {{1, {0, UndoEvent{}}}};
   EXPECT_THAT(add_recording(drawing, bad).error().message, HasSubstr("event 0"));
-  EXPECT_TRUE(drawing.extras.empty());
+  EXPECT_EQ(drawing.extras, nullptr);
 
   ASSERT_TRUE(add_recording(drawing, leaning()));
   const std::string bytes = felt_bytes(drawing).value();
@@ -261,7 +262,7 @@ TEST(FeltRecording, WhatIsOutOfOrderOrDamagedIsAnError) {
   for (int run = 0; run < 100; ++run) {
     std::string changed = bytes;
     changed[random() % bytes.size()] ^= static_cast<char>(1 << random() % 8);
-    const Result<StoredDrawing> read = parse_felt(changed);
+    const Result<Drawing> read = parse_felt(changed);
     if (!read) continue;
     EXPECT_TRUE(felt_bytes(*read)) << "run " << run;
     if (const Result<FeltRecording> recording = read_recording(*read, 0)) {

@@ -5,55 +5,15 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include <array>
 #include <cerrno>
-#include <csignal>
 #include <cstdlib>
 #include <cstring>
-#include <fstream>
 #include <utility>
 
 namespace felt {
 namespace {
 
-std::string first_line(const std::string& path) {
-  std::ifstream file(path);
-  std::string line;
-  std::getline(file, line);
-  return line;
-}
-
-/// When the process began, in ticks since the boot: the 22nd word of its `stat`; the second is in
-/// brackets and may hold anything. "" where it does not live, or nobody says.
-std::string start_of(const std::string& pid) {
-  const std::string stat = first_line("/proc/" + pid + "/stat");
-  std::size_t at = stat.rfind(')');
-  for (int word = 2; word < 22 && at != std::string::npos; ++word) at = stat.find(' ', at + 1);
-  return at == std::string::npos ? "" : stat.substr(at + 1, stat.find(' ', at + 1) - at - 1);
-}
-
-/// "PID START BOOT"
-std::string who_we_are() {
-  const std::string pid = std::to_string(::getpid());
-  return pid + ' ' + start_of(pid) + ' ' + first_line("/proc/sys/kernel/random/boot_id");
-}
-
-/// Whether the process that wrote this into a lock lives. For file systems that know no locks.
-bool lives(const std::string& who) {
-  const std::size_t first = who.find(' '), second = who.find(' ', first + 1);
-  if (second == std::string::npos) return false;
-  const std::string pid = who.substr(0, first);
-  if (who.substr(second + 1) != first_line("/proc/sys/kernel/random/boot_id")) return false;
-  return !pid.empty() && start_of(pid) == who.substr(first + 1, second - first - 1);
-}
-
-std::string read_all(int fd) {
-  std::array<char, 256> bytes{};
-  const ssize_t n = ::pread(fd, bytes.data(), bytes.size(), 0);
-  return n > 0 ? std::string(bytes.data(), static_cast<std::size_t>(n)) : std::string();
-}
-
-/// The name still leads to this file: nobody removed the folder meanwhile.
+/// True if the path still names this file: nobody has removed the folder meanwhile.
 bool is_at(int fd, const std::string& path) {
   struct stat here {};
   struct stat there {};
@@ -82,19 +42,10 @@ Result<FolderLock> FolderLock::take(const std::string& folder) {
   FolderLock lock;
   lock.fd_ = ::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW, 0600);
   if (lock.fd_ < 0) return lock_error(folder, "cannot be locked");
-  const auto in_use = [&] {
+  const bool is_locked = ::flock(lock.fd_, LOCK_EX | LOCK_NB) == 0;
+  if (!is_locked && errno != EWOULDBLOCK) return lock_error(folder, "cannot be locked");
+  if (!is_locked || !is_at(lock.fd_, path)) {
     return fail(ErrorCode::kUnsupported, folder + ": is in use by another program");
-  };
-  if (::flock(lock.fd_, LOCK_EX | LOCK_NB) != 0) {
-    if (errno == EWOULDBLOCK) return in_use();
-    const std::string who = read_all(lock.fd_);
-    if (lives(who)) return in_use();  // this process, too
-  }
-  if (!is_at(lock.fd_, path)) return in_use();
-  const std::string who = who_we_are();
-  if (::ftruncate(lock.fd_, 0) != 0 ||
-      ::pwrite(lock.fd_, who.data(), who.size(), 0) != static_cast<ssize_t>(who.size())) {
-    return lock_error(folder, "cannot be locked");
   }
   return lock;
 }
@@ -130,7 +81,7 @@ Result<void> make_private_folder(const std::string& path) {
   return {};
 }
 
-std::vector<std::string> working_roots() {
+std::vector<std::string> autosave_roots() {
   std::vector<std::string> roots;
   const auto add = [&roots](const std::string& folder, const std::string& name) {
     if (!folder.empty()) roots.push_back(folder + name);

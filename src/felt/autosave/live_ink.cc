@@ -14,10 +14,10 @@ namespace {
 
 constexpr std::size_t kMaxScriptBytes = std::size_t{1} << 20;  // of a context
 constexpr std::size_t kMaxMarks = std::size_t{1} << 26;
-constexpr std::size_t kMostUntold = std::size_t{1} << 20;  // 17 min at 1 kHz
+constexpr std::size_t kMaxOverhang = std::size_t{1} << 20;  // 17 min at 1 kHz
 constexpr std::size_t kSampleBytes = 8 + 4 * 8 + 4;
 constexpr std::size_t kLeaningBytes = kSampleBytes + 8;
-constexpr std::size_t kLeastSelectedBytes = 12;
+constexpr std::size_t kMinSelectedBytes = 12;
 
 PenSample sample_of(const Event& event, const PenEvent& pen) {
   PenSample sample;
@@ -29,7 +29,7 @@ PenSample sample_of(const Event& event, const PenEvent& pen) {
   return sample;
 }
 
-/// NaN is none.
+/// NaN stands for none.
 double number_or_nan(std::optional<double> value) {
   return value.value_or(std::numeric_limits<double>::quiet_NaN());
 }
@@ -59,26 +59,26 @@ PenSample read_sample(ByteReader& in, LiveKind kind) {
 
 }  // namespace
 
-void LiveInk::begin() {
+void LiveInk::clear() {
   close();
   options_.clear();
   materials_.clear();
   tool_.clear();
   layer_ = {};
   selection_ = {};
-  air_.clear();
-  untold_.clear();
+  hover_.clear();
+  overhang_.clear();
   contact_ = {};
 }
 
-void LiveInk::context(const Event& event) {
+void LiveInk::add_context(const Event& event) {
   if (const auto* tool = std::get_if<SelectTool>(&event.what)) tool_ = tool->id;
   if (const auto* option = std::get_if<SetOption>(&event.what))
     options_[option->id] = option->value;
   if (const auto* device = std::get_if<UseDevice>(&event.what)) device_ = *device;
-  if (const auto* told = std::get_if<UseMaterial>(&event.what)) {
-    if (const Result<AnyMaterial> material = read_material(told->text)) {
-      materials_[material_key(*material)] = told->text;
+  if (const auto* used = std::get_if<UseMaterial>(&event.what)) {
+    if (const Result<AnyMaterial> material = read_material(used->text)) {
+      materials_[material_key(*material)] = used->text;
     }
   }
   if (const auto* layer = std::get_if<LayerEvent>(&event.what)) {
@@ -86,12 +86,12 @@ void LiveInk::context(const Event& event) {
   }
 }
 
-void LiveInk::told(const Event& event, bool gesture_in_work) {
-  told_ns_ = std::max(told_ns_, event.time_ns);
-  while (!untold_.empty() && untold_.front().time_ns <= told_ns_) untold_.pop_front();
+void LiveInk::event_applied(const Event& event, bool gesture_in_progress) {
+  session_ns_ = std::max(session_ns_, event.time_ns);
+  while (!overhang_.empty() && overhang_.front().time_ns <= session_ns_) overhang_.pop_front();
   const auto* pen = std::get_if<PenEvent>(&event.what);
   if (!pen) {
-    context(event);
+    add_context(event);
     if (open_) append_event_line(events_, event);
     return;
   }
@@ -100,27 +100,27 @@ void LiveInk::told(const Event& event, bool gesture_in_work) {
   if (touches && !open_) open();
   if (in_contact(sample)) last_contact_ns_ = event.time_ns;
   if (!open_) {
-    // With the pen down, what came of its gesture is known: the rest of it does nothing, and must
-    // not look like another one.
-    if (contact_.is_down()) return air_.clear();
-    air_.push_back(event);
-    if (air_.size() > kAirSamples) air_.pop_front();
+    // With the pen down, its gesture is over: the rest of the contact does nothing, and must not
+    // look like another gesture.
+    if (contact_.is_down()) return hover_.clear();
+    hover_.push_back(event);
+    if (hover_.size() > kHoverSamples) hover_.pop_front();
     return;
   }
   append_event_line(events_, event);
-  if (event.time_ns - last_contact_ns_ > kNothingCameNs && !gesture_in_work) close();
+  if (event.time_ns - last_contact_ns_ > kNoEditNs && !gesture_in_progress) close();
 }
 
-void LiveInk::edit() {
+void LiveInk::edit_applied() {
   close();
-  air_.clear();
+  hover_.clear();
 }
 
-void LiveInk::sample(const PenSample& sample) {
-  if (sample.time_ns > told_ns_ && untold_.size() < kMostUntold) untold_.push_back(sample);
+void LiveInk::add_loop_sample(const PenSample& sample) {
+  if (sample.time_ns > session_ns_ && overhang_.size() < kMaxOverhang) overhang_.push_back(sample);
 }
 
-/// Some option names the material of this key.
+/// True if some option names the material of this key.
 bool LiveInk::is_chosen(std::string_view key) const {
   const std::string_view id = key.substr(key.find(' ') + 1);
   return std::any_of(options_.begin(), options_.end(), [&](const auto& option) {
@@ -129,10 +129,10 @@ bool LiveInk::is_chosen(std::string_view key) const {
   });
 }
 
-/// What the ink of this gesture depends on besides the document, as events.
+/// Starts a stretch with what the ink of the gesture depends on besides the document, as events.
 void LiveInk::open() {
   open_ = true;
-  const std::int64_t time_ns = air_.empty() ? 0 : air_.front().time_ns;
+  const std::int64_t time_ns = hover_.empty() ? 0 : hover_.front().time_ns;
   std::string script;
   const auto add = [&](decltype(Event::what) what) {
     append_event_line(script, {time_ns, std::move(what)});
@@ -144,8 +144,8 @@ void LiveInk::open() {
   }
   for (const auto& [id, value] : options_) add(SetOption{id, value});
   if (layer_) add(LayerEvent{LayerEvent::Do::kUse, layer_, {}});
-  for (const Event& event : air_) append_event_line(script, event);
-  air_.clear();
+  for (const Event& event : hover_) append_event_line(script, event);
+  hover_.clear();
   context_.clear();
   ByteWriter out(context_);
   out.text(script);
@@ -154,8 +154,8 @@ void LiveInk::open() {
     out.u64(id.value);
     out.text({reinterpret_cast<const char*>(marks.data()), marks.size()});
   }
-  // Where the session was told nothing yet, the script has no later event than these.
-  last_contact_ns_ = std::max(last_contact_ns_, told_ns_);
+  // Before the session's first event, the script has no later event than these.
+  last_contact_ns_ = std::max(last_contact_ns_, session_ns_);
 }
 
 void LiveInk::close() {
@@ -168,14 +168,14 @@ void LiveInk::close() {
   kept_ns_ = INT64_MIN;
 }
 
-/// The pen comes down in what the session was not told. What of it is the end of a gesture that is
-/// over is no overhang.
+/// True if the pen comes down in the overhang. Samples that belong to a gesture that is over are
+/// removed from it.
 bool LiveInk::overhang_touches() {
   Contact contact = contact_;
   std::size_t over = 0;
-  for (std::size_t i = 0; i < untold_.size(); ++i) {
-    if (contact.update(untold_[i]) == Contact::Change::kTouched) {
-      untold_.erase(untold_.begin(), untold_.begin() + static_cast<std::ptrdiff_t>(over));
+  for (std::size_t i = 0; i < overhang_.size(); ++i) {
+    if (contact.update(overhang_[i]) == Contact::Change::kTouched) {
+      overhang_.erase(overhang_.begin(), overhang_.begin() + static_cast<std::ptrdiff_t>(over));
       return true;
     }
     if (contact.is_down()) over = i + 1;
@@ -184,18 +184,18 @@ bool LiveInk::overhang_touches() {
 }
 
 void LiveInk::keep(Changes& changes, LiveKind kind, std::string bytes) {
-  if (bytes_ + bytes.size() > kMostBytes) return;
+  if (bytes_ + bytes.size() > kMaxBytes) return;
   bytes_ += bytes.size();
   chunks_.push_back({kind, std::move(bytes)});
   changes.chunks.push_back(chunks_.back());
 }
 
-LiveInk::Changes LiveInk::take() {
+LiveInk::Changes LiveInk::take_changes() {
   if (!open_) {
     if (overhang_touches()) {
       open();
     } else {
-      while (untold_.size() > kAirSamples) untold_.pop_front();
+      while (overhang_.size() > kHoverSamples) overhang_.pop_front();
     }
   }
   Changes changes;
@@ -205,14 +205,14 @@ LiveInk::Changes LiveInk::take() {
   if (!events_.empty()) keep(changes, LiveKind::kEvents, std::exchange(events_, {}));
   std::string samples;
   ByteWriter out(samples);
-  const bool leans = std::any_of(untold_.begin(), untold_.end(), [](const PenSample& sample) {
+  const bool leans = std::any_of(overhang_.begin(), overhang_.end(), [](const PenSample& sample) {
     return sample.lean_deg.has_value();
   });
   const LiveKind kind = leans ? LiveKind::kLeaning : LiveKind::kSamples;
-  for (const PenSample& sample : untold_) {
+  for (const PenSample& sample : overhang_) {
     if (sample.time_ns > kept_ns_) append_sample(out, sample, kind);
   }
-  if (!untold_.empty()) kept_ns_ = std::max(kept_ns_, untold_.back().time_ns);
+  if (!overhang_.empty()) kept_ns_ = std::max(kept_ns_, overhang_.back().time_ns);
   if (!samples.empty()) keep(changes, kind, std::move(samples));
   return changes;
 }
@@ -236,7 +236,7 @@ Result<void> read_live_chunk(LiveKind kind, std::string_view bytes, LiveStretch&
   if (kind != LiveKind::kContext) return damaged();
   stretch.script = std::string(in.text(kMaxScriptBytes));
   const std::uint32_t count = in.u32();
-  if (!in.has(count, kLeastSelectedBytes)) return damaged();
+  if (!in.has(count, kMinSelectedBytes)) return damaged();
   for (std::uint32_t i = 0; i < count; ++i) {
     const StrokeId id{in.u64()};
     const std::string_view marks = in.text(kMaxMarks);

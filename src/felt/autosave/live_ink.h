@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "felt/autosave/working_store.h"
+#include "felt/autosave/autosave_database.h"
 #include "felt/document/document.h"
 #include "felt/document/selection.h"
 #include "felt/haptics/pen_sample.h"
@@ -22,43 +22,46 @@ struct LiveChunk {
   std::string bytes;
 };
 
-/// What of a drawing is not an edit yet, as chunks of a working store: the gesture in work, with
-/// all that its ink depends on besides the document. It hears the same from two sides:
-///   - what the session was *told*, in order, by the edit thread;
-///   - the samples of the haptic loop, by the saver's own ring, whether the session was told them
-///     or not. Those that come after the last told event are the *overhang*. It grows while the
-///     edit thread hangs, and ink in it is as good as told.
-/// A stretch of chunks begins when the pen touches the sheet and ends with the edit that came of
-/// it, or when nothing came of it. No clock, thread or file; one thread.
+/// The part of a drawing that is not an edit yet, as chunks of an AutosaveDatabase: the gesture in
+/// progress, with everything that its ink depends on besides the document. It gets the same from
+/// two sides:
+///   - the events that the session handled, in order, from the edit thread;
+///   - the samples of the haptic loop, from the autosave's own ring, whether the session has
+///   handled
+///     them or not. Those after the session's last event are the *overhang*. It grows while the
+///     edit thread hangs, and its ink counts as drawn.
+/// A stretch of chunks begins when the pen touches the surface and ends with the edit of that
+/// gesture, or when there is none. No clock, thread or file; one thread.
 class LiveInk {
  public:
-  static constexpr std::size_t kAirSamples = 64;  ///< enough for velocity and contact to settle
-  static constexpr std::int64_t kNothingCameNs = 200'000'000;  ///< in the air since
+  static constexpr std::size_t kHoverSamples = 64;  ///< enough for velocity and contact to settle
+  /// A gesture without an edit is over after so long in the air.
+  static constexpr std::int64_t kNoEditNs = 200'000'000;
   /// Largest stretch: ten minutes without a lift. What comes after it is not kept.
-  static constexpr std::size_t kMostBytes = std::size_t{64} << 20;
+  static constexpr std::size_t kMaxBytes = std::size_t{64} << 20;
 
-  /// Another session: everything is forgotten but the device.
-  void begin();
-  /// An event that says what the next gesture depends on.
-  void context(const Event& event);
-  void selection(Selection selection) { selection_ = std::move(selection); }
-  /// The session took this; whether a gesture was in work just before.
-  void told(const Event& event, bool gesture_in_work);
-  /// The document took an edit: what was in work is in it.
-  void edit();
-  /// The loop handed this over; its time is the session's.
-  void sample(const PenSample& sample);
+  /// Another session: forgets everything but the device.
+  void clear();
+  /// Adds an event that says what the next gesture depends on.
+  void add_context(const Event& event);
+  void set_selection(Selection selection) { selection_ = std::move(selection); }
+  /// The session handled this event. `gesture_in_progress`: just before it.
+  void event_applied(const Event& event, bool gesture_in_progress);
+  /// The document applied an edit, which contains the gesture.
+  void edit_applied();
+  /// Adds a sample of the haptic loop, on the session's clock.
+  void add_loop_sample(const PenSample& sample);
 
-  /// What became of the stretch since the last call: whether the chunks that the store has are void
-  /// now, and what is to be added.
+  /// What happened to the stretch since the last call: whether the chunks in the database are void
+  /// now, and which ones to add.
   struct Changes {
     bool clear = false;
     std::vector<LiveChunk> chunks;
   };
-  Changes take();
-  /// All of the stretch that was taken, for another store.
+  Changes take_changes();
+  /// The whole stretch up to the last take_changes(), for another database.
   [[nodiscard]] const std::vector<LiveChunk>& chunks() const noexcept { return chunks_; }
-  /// Of the newest sample that was taken before it was told; INT64_MIN where there is none.
+  /// Time of the newest sample of the overhang in chunks(); INT64_MIN if there is none.
   [[nodiscard]] std::int64_t kept_ns() const noexcept { return kept_ns_; }
 
  private:
@@ -74,24 +77,24 @@ class LiveInk {
   std::string tool_;
   LayerId layer_;
   Selection selection_;
-  std::deque<Event> air_;         // the last told samples above the sheet
-  std::deque<PenSample> untold_;  // the overhang
-  std::int64_t told_ns_ = INT64_MIN, last_contact_ns_ = INT64_MIN, kept_ns_ = INT64_MIN;
-  Contact contact_;  // after the last told sample
+  std::deque<Event> hover_;         // the session's last samples above the surface
+  std::deque<PenSample> overhang_;  // and before it samples that hover
+  std::int64_t session_ns_ = INT64_MIN, last_contact_ns_ = INT64_MIN, kept_ns_ = INT64_MIN;
+  Contact contact_;  // after the session's last sample
   bool open_ = false, clear_ = false;
-  std::string context_, events_;  // not taken yet
+  std::string context_, events_;  // not in chunks_ yet
   std::vector<LiveChunk> chunks_;
   std::size_t bytes_ = 0;
 };
 
-/// What the chunks of a stretch say, read back.
+/// The chunks of a stretch, read back.
 struct LiveStretch {
   Selection selection;
   std::string script;               ///< events as lines
-  std::vector<PenSample> overhang;  ///< in order; some may be in the script, too
+  std::vector<PenSample> overhang;  ///< in order; the script may have some of them, too
 };
 
-/// Adds a chunk. Error: its bytes are damaged.
+/// Adds a chunk to `stretch`. Fails if its bytes are damaged.
 Result<void> read_live_chunk(LiveKind kind, std::string_view bytes, LiveStretch& stretch);
 
 }  // namespace felt

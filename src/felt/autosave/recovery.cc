@@ -11,11 +11,11 @@
 #include <system_error>
 #include <utility>
 
+#include "felt/autosave/autosave_database.h"
+#include "felt/autosave/autosave_reader.h"
+#include "felt/autosave/autosave_rows.h"
 #include "felt/autosave/edit_blob.h"
 #include "felt/autosave/live_ink.h"
-#include "felt/autosave/store_reader.h"
-#include "felt/autosave/working_rows.h"
-#include "felt/autosave/working_store.h"
 #include "felt/io/events/event_reader.h"
 #include "felt/session/session.h"
 #include "felt/store/byte_stream.h"
@@ -32,46 +32,46 @@ std::int64_t changed_at(const std::string& path) {
   return ::stat(path.c_str(), &info) == 0 ? std::int64_t{info.st_mtime} : 0;
 }
 
-std::int64_t store_changed_at(const std::string& folder) {
-  const std::string path = folder + '/' + kWorkingStoreFile;
+std::int64_t autosave_changed_at(const std::string& folder) {
+  const std::string path = folder + '/' + kAutosaveDatabaseFile;
   return std::max(changed_at(path), changed_at(path + "-wal"));
 }
 
-/// A folder with a copy of a store, which goes with it.
-class StoreCopy {
+/// A folder with a copy of a database. The destructor deletes it.
+class DatabaseCopy {
  public:
-  static Result<StoreCopy> of(const std::string& folder) {
+  static Result<DatabaseCopy> of(const std::string& folder) {
     std::error_code error;
     const fs::path temporary = fs::temp_directory_path(error);
     std::string why;
     for (const fs::path& place : {fs::path(folder).parent_path(), temporary}) {
-      StoreCopy copy;
+      DatabaseCopy copy;
       const Result<void> made = copy.make(place.string(), folder);
       if (made) return copy;
       why = made.error().message;
     }
     return fail(ErrorCode::kIo, folder + ": cannot be copied: " + why);
   }
-  StoreCopy(StoreCopy&& other) noexcept
+  DatabaseCopy(DatabaseCopy&& other) noexcept
       : folder_(std::exchange(other.folder_, {})), lock_(std::move(other.lock_)) {}
-  StoreCopy& operator=(StoreCopy&& other) = delete;
-  ~StoreCopy() {
-    if (!folder_.empty()) static_cast<void>(remove_store_folder(folder_));
+  DatabaseCopy& operator=(DatabaseCopy&& other) = delete;
+  ~DatabaseCopy() {
+    if (!folder_.empty()) static_cast<void>(remove_autosave_folder(folder_));
   }
-  [[nodiscard]] std::string path() const { return folder_ + '/' + kCopiedStoreFile; }
+  [[nodiscard]] std::string path() const { return folder_ + '/' + kCopiedDatabaseFile; }
 
  private:
-  StoreCopy() = default;
+  DatabaseCopy() = default;
 
   Result<void> make(const std::string& place, const std::string& from) {
     std::string name = place + "/copy-XXXXXX";
     if (!::mkdtemp(name.data())) return fail(ErrorCode::kIo, place + ": cannot be written to");
     folder_ = name;
-    // Locked, so that whoever clears away what dead processes left leaves it alone.
+    // Locked, so that nobody deletes it as something that a dead process left.
     Result<FolderLock> lock = FolderLock::take(folder_);
     if (!lock) return tl::unexpected(lock.error());
     lock_ = *std::move(lock);
-    const std::string store = from + '/' + kWorkingStoreFile;
+    const std::string store = from + '/' + kAutosaveDatabaseFile;
     for (const char* end : {"", "-wal"}) {
       std::error_code error;
       const bool there = fs::exists(store + end, error);
@@ -87,22 +87,23 @@ class StoreCopy {
   std::optional<FolderLock> lock_;
 };
 
-/// Puts a drawing together from the rows of a store.
+/// Puts a drawing together from the rows of a database.
 class Assembly {
  public:
-  explicit Assembly(const StoreReader& store, std::vector<std::string> problems) : store_(store) {
+  explicit Assembly(const AutosaveReader& database, std::vector<std::string> problems)
+      : database_(database) {
     out_.problems = std::move(problems);
   }
 
-  Result<RecoveredDrawing> run() {
-    read_about();
+  Result<Recovered> run() {
+    read_info();
     read_base();
     read_edits();
     use_about();
-    if (store_.ran_out_of_memory()) return fail(ErrorCode::kIo, "not enough memory");
+    if (database_.ran_out_of_memory()) return fail(ErrorCode::kIo, "not enough memory");
     if (failure_) return tl::unexpected(*failure_);
     read_live();
-    if (store_.ran_out_of_memory()) return fail(ErrorCode::kIo, "not enough memory");
+    if (database_.ran_out_of_memory()) return fail(ErrorCode::kIo, "not enough memory");
     return std::move(out_);
   }
 
@@ -118,12 +119,12 @@ class Assembly {
 
   void problem(std::string what) { out_.problems.push_back(std::move(what)); }
 
-  void read_about() {
+  void read_info() {
     bool whole = true;
-    const bool all = store_.rows("about", "id", "crc, bytes", 1, [&](const Statement& row) {
+    const bool all = database_.rows("about", "id", "crc, bytes", 1, [&](const Statement& row) {
       whole = false;
       if (row_crc(1, 0, row.blob(2)) != row.integer(1)) return;
-      Result<WorkingAbout> about = read_about_row(row.blob(2));
+      Result<AutosaveInfo> about = read_about_row(row.blob(2));
       if (!about) return note(about.error());
       about_ = *std::move(about);
       whole = about_.has_value();
@@ -135,14 +136,14 @@ class Assembly {
     out_.path = about_->path;
   }
 
-  static Result<WorkingAbout> read_about_row(std::string_view bytes) {
-    return felt::read_about(bytes);
+  static Result<AutosaveInfo> read_about_row(std::string_view bytes) {
+    return felt::read_info(bytes);
   }
 
   /// The newest base that is whole.
   std::optional<Generation> find_generation() {
     std::optional<Generation> found;
-    store_.rows("generation", "id", "serial, parts, crc", 0, [&found](const Statement& row) {
+    database_.rows("generation", "id", "serial, parts, crc", 0, [&found](const Statement& row) {
       const Generation row_says{row.integer(0), row.integer(1), row.integer(2)};
       std::string parts;
       ByteWriter(parts).u64(static_cast<std::uint64_t>(row_says.parts));
@@ -160,7 +161,7 @@ class Assembly {
     }
     // The process died while a drawing that it had just opened was copied.
     if (!out_.path.empty()) {
-      if (Result<StoredDrawing> file = read_felt(out_.path)) {
+      if (Result<Drawing> file = read_felt(out_.path)) {
         out_.drawing = *std::move(file);
         return problem("the drawing was not copied wholly yet: this is " + out_.path +
                        " as it is now, with what was changed since it was opened");
@@ -174,7 +175,7 @@ class Assembly {
   void read_parts(std::int64_t generation, std::int64_t parts) {
     std::map<std::int64_t, std::string> rows;
     const auto first = base_row(static_cast<std::uint64_t>(generation), 0);
-    store_.rows("base", "id", "crc, bytes", first, [&](const Statement& row) {
+    database_.rows("base", "id", "crc, bytes", first, [&](const Statement& row) {
       const std::int64_t part = row.integer(0) - first;
       if (part >= std::int64_t{1} << 32) return;
       const std::int64_t crc = row_crc(static_cast<std::uint64_t>(generation),
@@ -183,7 +184,7 @@ class Assembly {
     });
     std::int64_t lost = parts > 0 ? parts - static_cast<std::int64_t>(rows.size()) : 0;
     if (const auto head = rows.find(0); head != rows.end()) {
-      if (Result<StoredDrawing> drawing = read_base_head(head->second)) {
+      if (Result<Drawing> drawing = read_base_head(head->second)) {
         out_.drawing = *std::move(drawing);
       } else {
         ++lost;
@@ -219,25 +220,26 @@ class Assembly {
   void read_edits() {
     std::int64_t next = first_serial_ + 1;
     std::int64_t lost = 0, loose = 0;
-    const bool whole = store_.rows("edit", "serial", "crc, bytes", next, [&](const Statement& row) {
-      const std::int64_t serial = row.integer(0);
-      lost += serial - next;
-      next = serial + 1;
-      const std::string_view bytes = row.blob(2);
-      if (row_crc(static_cast<std::uint64_t>(serial), 0, bytes) != row.integer(1)) {
-        ++lost;
-        return;
-      }
-      ++out_.edits;
-      Document& document = out_.drawing.document;
-      const Result<Edit> edit = read_edit_blob(bytes, document);
-      if (edit && document.apply(*edit)) return;
-      if (apply_what_fits(bytes, document)) {
-        ++loose;
-      } else {
-        ++lost;
-      }
-    });
+    const bool whole =
+        database_.rows("edit", "serial", "crc, bytes", next, [&](const Statement& row) {
+          const std::int64_t serial = row.integer(0);
+          lost += serial - next;
+          next = serial + 1;
+          const std::string_view bytes = row.blob(2);
+          if (row_crc(static_cast<std::uint64_t>(serial), 0, bytes) != row.integer(1)) {
+            ++lost;
+            return;
+          }
+          ++out_.edits;
+          Document& document = out_.drawing.document;
+          const Result<Edit> edit = read_edit_blob(bytes, document);
+          if (edit && document.apply(*edit)) return;
+          if (apply_what_fits(bytes, document)) {
+            ++loose;
+          } else {
+            ++lost;
+          }
+        });
     if (!whole && lost == 0) problem("changes at the end could not be read");
     if (lost > 0) problem(std::to_string(lost) + " changes could not be read");
     if (loose > 0) {
@@ -260,8 +262,8 @@ class Assembly {
     LiveStretch stretch;
     bool good = true, any = false;
     std::int64_t next = 0;
-    const bool whole =
-        store_.rows("live", "sequence", "kind, length, crc, bytes", 0, [&](const Statement& row) {
+    const bool whole = database_.rows(
+        "live", "sequence", "kind, length, crc, bytes", 0, [&](const Statement& row) {
           if (!good) return;
           const std::int64_t sequence = row.integer(0), kind = row.integer(1);
           const std::string_view bytes = row.blob(4);
@@ -309,21 +311,21 @@ class Assembly {
     out_.drawing.document = session.document();
   }
 
-  const StoreReader& store_;
-  RecoveredDrawing out_;
-  std::optional<WorkingAbout> about_;
+  const AutosaveReader& database_;
+  Recovered out_;
+  std::optional<AutosaveInfo> about_;
   std::optional<Error> failure_;
   std::int64_t first_serial_ = 0;
 };
 
 }  // namespace
 
-Result<void> AbandonedStore::remove() && {
-  return remove_store_folder(folder);
+Result<void> AbandonedAutosave::remove() && {
+  return remove_autosave_folder(folder);
 }
 
-std::vector<AbandonedStore> find_abandoned(const std::vector<std::string>& roots) {
-  std::vector<AbandonedStore> found;
+std::vector<AbandonedAutosave> find_abandoned_autosaves(const std::vector<std::string>& roots) {
+  std::vector<AbandonedAutosave> found;
   for (const std::string& root : roots) {
     std::error_code error, end;
     for (fs::directory_iterator at(root, end); !end && at != fs::directory_iterator();
@@ -333,38 +335,36 @@ std::vector<AbandonedStore> find_abandoned(const std::vector<std::string>& roots
       std::string folder = entry.path().string();
       Result<FolderLock> lock = FolderLock::take(folder);
       if (!lock) continue;  // its process lives
-      const fs::file_status there = fs::status(folder + '/' + kWorkingStoreFile, error);
+      const fs::file_status there = fs::status(folder + '/' + kAutosaveDatabaseFile, error);
       // What cannot be looked at may be a drawing.
       if (there.type() == fs::file_type::none) continue;
       if (fs::exists(there)) {
-        const std::int64_t when = store_changed_at(folder);
+        const std::int64_t when = autosave_changed_at(folder);
         found.push_back({std::move(folder), *std::move(lock), when});
       } else {
-        static_cast<void>(remove_store_folder(folder));
+        static_cast<void>(remove_autosave_folder(folder));
       }
     }
   }
-  std::sort(found.begin(), found.end(), [](const AbandonedStore& a, const AbandonedStore& b) {
+  std::sort(found.begin(), found.end(), [](const AbandonedAutosave& a, const AbandonedAutosave& b) {
     return std::pair(a.changed_at_s, a.folder) > std::pair(b.changed_at_s, b.folder);
   });
   return found;
 }
 
-Result<RecoveredDrawing> recover_store(const std::string& folder) {
-  const Result<StoreCopy> copy = StoreCopy::of(folder);
+Result<Recovered> recover_autosave(const std::string& folder) {
+  const Result<DatabaseCopy> copy = DatabaseCopy::of(folder);
   if (!copy) return tl::unexpected(copy.error());
   std::vector<std::string> problems;
-  const Result<StoreReader> store = StoreReader::open(copy->path(), problems);
-  if (!store) return tl::unexpected(with_context(store.error(), folder));
-  Result<RecoveredDrawing> out = Assembly(*store, std::move(problems)).run();
+  const Result<AutosaveReader> database = AutosaveReader::open(copy->path(), problems);
+  if (!database) return tl::unexpected(with_context(database.error(), folder));
+  Result<Recovered> out = Assembly(*database, std::move(problems)).run();
   if (!out) return tl::unexpected(with_context(out.error(), folder));
-  out->changed_at_s = store_changed_at(folder);
+  out->changed_at_s = autosave_changed_at(folder);
   // Recordings, and what a newer Feltline keeps, never change while one draws: they are still in
   // the person's file. Without it there is the drawing at least.
-  if (out->drawing.extras.empty() && !out->path.empty()) {
-    if (Result<StoredDrawing> file = read_felt(out->path)) {
-      out->drawing.extras = std::move(file->extras);
-    }
+  if (!out->drawing.extras && !out->path.empty()) {
+    if (const Result<Drawing> file = read_felt(out->path)) out->drawing.extras = file->extras;
   }
   return out;
 }

@@ -10,43 +10,44 @@
 
 namespace felt {
 
-/// What a working store gives.
-struct RecoveredDrawing {
-  StoredDrawing drawing;
+/// A drawing recovered from an autosave.
+struct Recovered {
+  Drawing drawing;
   std::string name;               ///< what the drawing was called
-  std::string path;               ///< the person's file, or ""
-  bool has_changes = false;       ///< there is something that no file of the person's has
-  std::int64_t changed_at_s = 0;  ///< when the store was written last, seconds since 1970
-  std::uint64_t edits = 0;        ///< that were carried out since the base
-  /// Of the newest sample that is in the drawing, on the session's clock; -1 where no gesture was
-  /// in work.
+  std::string path;               ///< the user's file, or ""
+  bool has_changes = false;       ///< there are unsaved changes
+  std::int64_t changed_at_s = 0;  ///< when the autosave was last written, seconds since 1970
+  std::uint64_t edits = 0;        ///< applied since the base
+  /// Time of the newest sample in the drawing, on the session's clock; -1 if no gesture was in
+  /// progress.
   std::int64_t last_sample_ns = -1;
-  /// What could not be read, and what became of it, a sentence each; none as a rule.
+  /// What could not be read, and what happened to it, a sentence each; usually none.
   std::vector<std::string> problems;
 };
 
-/// A store that a dead process left behind. Nobody else can have it as long as this lives.
-struct AbandonedStore {
+/// The autosave of a dead process. It stays locked while this object lives.
+struct AbandonedAutosave {
   std::string folder;
   FolderLock lock;
-  std::int64_t changed_at_s = 0;  ///< likewise
+  std::int64_t changed_at_s = 0;  ///< when it was last written, seconds since 1970
 
-  /// Deletes it with all that is in it: a person said so, or saved what was in it.
+  /// Deletes it: the user discarded the drawing, or saved it.
   Result<void> remove() &&;
 };
 
-/// All stores below these folders whose process is gone, the newest first. Folders that are not
-/// there hold none. Takes away what a killed start or recovery left behind that holds no drawing.
-std::vector<AbandonedStore> find_abandoned(const std::vector<std::string>& roots);
+/// Returns all autosaves below these folders whose process is gone, the newest first. Folders that
+/// do not exist have none. Deletes what a killed start or recovery left that holds no drawing.
+std::vector<AbandonedAutosave> find_abandoned_autosaves(const std::vector<std::string>& roots);
 
-/// The drawing as it was last: base, edits, and the gesture in work drawn from its samples. Works
-/// on a copy that it makes beside the folder (where that fails, in the folder for temporary files)
-/// and deletes: the store itself is only read, so that it may be repeated after whatever happens.
+/// Returns the drawing as it was last: base, edits, and the unfinished gesture drawn from its
+/// samples. Works on a copy that it makes beside the folder (or in the folder for temporary files,
+/// if that fails) and deletes. The autosave itself is only read, so recovery can be repeated
+/// whatever happens.
 ///
-/// A damaged store gives what is intact, and says what is not: rows whose checksum is wrong are
-/// left out, a base that never came to be whole is replaced by the person's file, edits that no
-/// longer fit give their strokes all the same. Error: there is nothing to be had; names the folder.
-/// Any thread.
-Result<RecoveredDrawing> recover_store(const std::string& folder);
+/// From a damaged autosave it returns what is intact, and reports what is not: rows with a wrong
+/// checksum are skipped, an incomplete base is replaced by the user's file, and the strokes of
+/// edits that do not fit any more are kept. Fails if nothing can be read; names the folder. Any
+/// thread.
+Result<Recovered> recover_autosave(const std::string& folder);
 
 }  // namespace felt

@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-#include "felt/base/id.h"
+#include "felt/document/edit.h"
 #include "felt/geometry/bvh.h"
 #include "felt/stroke/stroke.h"
 

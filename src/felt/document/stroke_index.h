@@ -12,7 +12,7 @@
 #include "felt/document/document.h"
 #include "felt/document/segment_forest.h"
 #include "felt/document/unindexed_strokes.h"
-#include "felt/stroke/stroke_tip.h"
+#include "felt/stroke/stroke.h"
 
 namespace felt {
 

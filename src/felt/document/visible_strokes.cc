@@ -2,15 +2,26 @@
 
 namespace felt {
 
-Sketch visible_strokes(const Document& document) {
-  Sketch sketch;
+std::vector<StrokePtr> visible_strokes(const Document& document) {
+  std::vector<StrokePtr> strokes;
   for (const Layer& layer : document.layers()) {
     if (!layer.visible) continue;
-    for (const StrokeId id : layer.strokes) {
-      sketch.push_back({"s" + std::to_string(id.value), *document.find(id)});
-    }
+    for (const StrokeId id : layer.strokes) strokes.push_back(document.find(id));
   }
-  return sketch;
+  return strokes;
+}
+
+Rect ink_bounds(const Document& document, LayerChoice layers) {
+  Rect ink;
+  for (const Layer& layer : document.layers()) {
+    if (layers == LayerChoice::kVisible && !layer.visible) continue;
+    for (const StrokeId id : layer.strokes) ink.extend(document.find(id)->bounds());
+  }
+  return ink;
+}
+
+std::string stroke_name(StrokeId id) {
+  return "s" + std::to_string(id.value);
 }
 
 }  // namespace felt

@@ -1,11 +1,23 @@
 #pragma once
 
+#include <string>
+#include <vector>
+
 #include "felt/document/document.h"
-#include "felt/stroke/sketch.h"
+#include "felt/geometry/rect.h"
 
 namespace felt {
 
-/// The strokes of visible layers in drawing order, each named after its id: "s12".
-Sketch visible_strokes(const Document& document);
+/// Which layers of a document are meant.
+enum class LayerChoice { kAll, kVisible };
+
+/// Returns the strokes of visible layers in drawing order. They are shared, not copied.
+std::vector<StrokePtr> visible_strokes(const Document& document);
+
+/// Returns the bounds of the ink in these layers; empty if there is none.
+Rect ink_bounds(const Document& document, LayerChoice layers = LayerChoice::kVisible);
+
+/// The name that files give a stroke: "s12".
+std::string stroke_name(StrokeId id);
 
 }  // namespace felt

@@ -1,21 +1,65 @@
 #pragma once
 
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "felt/base/result.h"
-#include "felt/driver/cue_device.h"
-#include "felt/driver/device_status.h"
 #include "felt/driver/diagnosis.h"
 #include "felt/driver/plane_calibration.h"
-#include "felt/driver/system_view.h"
 #include "felt/haptics/capabilities.h"
 #include "felt/rt/device.h"
-#include "felt/rt/loop_host.h"
 
 namespace felt {
+
+class CueDevice;
+
+/// A short text that is copied as bytes, so that the haptic thread can hand a vendor's own words
+/// over. What does not fit is cut at the end, never inside a UTF-8 character.
+class ShortText {
+ public:
+  static constexpr std::size_t kBytes = 191;
+
+  constexpr ShortText() noexcept = default;
+  explicit constexpr ShortText(std::string_view text) noexcept {
+    std::size_t size = std::min(text.size(), kBytes);
+    while (size > 0 && size < text.size() &&
+           (static_cast<unsigned char>(text[size]) & 0xC0) == 0x80)
+      --size;
+    std::copy_n(text.begin(), size, bytes_.begin());
+    size_ = static_cast<std::uint8_t>(size);
+  }
+  [[nodiscard]] constexpr std::string_view view() const noexcept { return {bytes_.data(), size_}; }
+  [[nodiscard]] constexpr bool empty() const noexcept { return size_ == 0; }
+  friend constexpr bool operator==(const ShortText& a, const ShortText& b) noexcept {
+    return a.view() == b.view();
+  }
+
+ private:
+  std::array<char, kBytes> bytes_{};
+  std::uint8_t size_ = 0;
+};
+
+/// How an open device is. Trivially copyable: made on the haptic thread, read on the edit side
+/// through a LatestValue.
+struct DeviceStatus {
+  std::optional<DeviceFault> fault;         ///< that holds at present; none: it reads and writes
+  std::optional<DeviceFault> last_fault;    ///< the newest one, though it be over
+  ShortText vendor_words;                   ///< the maker's own text for the newest fault, verbatim
+  std::int64_t vendor_code = 0;             ///< and its number
+  ShortText notice;                         ///< its newest word that is no fault: a flat battery,
+                                            ///< a filter of its own that acts on our forces
+  std::uint64_t faults = 0;                 ///< since it was opened
+  std::uint64_t reads = 0;                  ///< that succeeded, since it was opened
+  std::optional<double> motor_temperature;  ///< 0 cold .. 1 too warm, the warmest motor
+  double rate_hz = 0.0;  ///< that the device itself says it is served at; 0 = says nothing
+};
 
 /// What kind of output a device has (architecture section 5).
 enum class DeviceKind : std::uint8_t {
@@ -110,9 +154,7 @@ class Driver {
   virtual Result<std::unique_ptr<DriverDevice>> open(const DeviceDescriptor& device,
                                                      const OpenOptions& options) = 0;
   /// Likewise a cue device.
-  virtual Result<std::unique_ptr<CueDevice>> open_cue(const DeviceDescriptor& device) {
-    return fail(ErrorCode::kUnsupported, "\"" + device.id + "\" plays no cues");
-  }
+  virtual Result<std::unique_ptr<CueDevice>> open_cue(const DeviceDescriptor& device);
   /// How it usually stands on a desk: where the drawing plane lies until a person has shown it. The
   /// middle of what the device reaches there is the sheet's (0, 0). Here: a right-handed frame with
   /// x to the right, y up and z to the person, and the sheet upright before it, like an easel.

@@ -5,7 +5,7 @@
 
 #include "felt/haptics/capabilities.h"
 #include "felt/haptics/force.h"
-#include "felt/haptics/safety/safety_motors.h"
+#include "felt/haptics/safety/safety_guards.h"
 
 namespace felt {
 

@@ -6,8 +6,8 @@
 #include <string_view>
 #include <vector>
 
+#include "felt/driver/diagnosis.h"
 #include "felt/driver/evdev_codes.h"
-#include "felt/driver/system_view.h"
 
 namespace felt {
 

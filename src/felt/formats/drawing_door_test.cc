@@ -12,12 +12,15 @@
 #include "felt/formats/format_traits.h"
 #include "felt/formats/testing/random_drawing.h"
 #include "felt/io/ndjson/ndjson_writer.h"
+#include "felt/io/testing/test_drawings.h"
 #include "felt/io/unpack.h"
 
 namespace felt {
 namespace {
 
+using felt::testing::by_value;
 using felt::testing::random_drawing;
+using felt::testing::strokes_in;
 using ::testing::HasSubstr;
 using ::testing::StartsWith;
 
@@ -39,7 +42,7 @@ class Door : public ::testing::Test {
   std::string folder_;
 };
 
-std::string message(const Result<OpenedDrawing>& result) {
+std::string message(const Result<Imported>& result) {
   return result ? "" : result.error().message;
 }
 
@@ -47,7 +50,7 @@ TEST_F(Door, LosslessFormatsGiveTheSameDrawingBack) {
   for (const FormatTraits& row : format_table()) {
     if (!row.lossless) continue;
     for (std::uint64_t seed = 1; seed <= 25; ++seed) {
-      StoredDrawing drawing = random_drawing(seed);
+      Drawing drawing = random_drawing(seed);
       const auto bytes = drawing_bytes(drawing, row.format);
       ASSERT_TRUE(bytes) << row.name << " seed " << seed << ": " << bytes.error().message;
       const auto back = parse_drawing(*bytes, "-");
@@ -55,7 +58,7 @@ TEST_F(Door, LosslessFormatsGiveTheSameDrawingBack) {
       EXPECT_EQ(back->drawing.document, drawing.document) << row.name << " seed " << seed;
       EXPECT_EQ(back->drawing.page, drawing.page) << row.name << " seed " << seed;
       EXPECT_TRUE(back->is_exact) << row.name;
-      EXPECT_TRUE(back->has_page) << row.name;
+      EXPECT_TRUE(back->drawing.has_page) << row.name;
       EXPECT_TRUE(back->report.empty()) << notice_text(back->report.notices().front());
       EXPECT_TRUE(drawing_bytes(back->drawing, row.format).value() == *bytes) << row.name;
     }
@@ -64,23 +67,23 @@ TEST_F(Door, LosslessFormatsGiveTheSameDrawingBack) {
 
 TEST_F(Door, FormatsWithoutLayersHoldWhatIsSeen) {
   std::uint64_t seed = 1;
-  const auto hides_some = [](const StoredDrawing& d) {
+  const auto hides_some = [](const Drawing& d) {
     const std::size_t seen = visible_strokes(d.document).size();
     return seen > 0 && seen < d.document.stroke_count();
   };
   while (!hides_some(random_drawing(seed))) ++seed;
-  const StoredDrawing drawing = random_drawing(seed);
-  const Sketch seen = visible_strokes(drawing.document);
+  const Drawing drawing = random_drawing(seed);
+  const auto seen = by_value(visible_strokes(drawing.document));
   const auto bytes = drawing_bytes(drawing, FileFormat::kNdjson);
   const auto back = parse_drawing(*bytes, "a.ndjson");
   ASSERT_TRUE(back) << message(back);
-  EXPECT_EQ(visible_strokes(back->drawing.document), seen);
+  EXPECT_EQ(strokes_in(back->drawing.document), seen);
   EXPECT_EQ(back->drawing.document.layers().size(), 1u);
-  EXPECT_FALSE(back->has_page);
+  EXPECT_FALSE(back->drawing.has_page);
 }
 
 TEST_F(Door, TheContentIsBelievedAndAWrongNameTold) {
-  const StoredDrawing drawing = random_drawing(5);
+  const Drawing drawing = random_drawing(5);
   const auto felt = drawing_bytes(drawing, FileFormat::kFelt);
   const auto opened = read_drawing(put("a.svg", *felt));
   ASSERT_TRUE(opened) << message(opened);
@@ -123,7 +126,7 @@ TEST_F(Door, WhatCannotBeReadSaysWhy) {
 }
 
 TEST_F(Door, WritesWholeOrNotAtAllAndSaysWhere) {
-  const StoredDrawing drawing = random_drawing(2);
+  const Drawing drawing = random_drawing(2);
   for (const FormatTraits& row : format_table()) {
     if (!row.writes) continue;
     const std::string path = at("a" + std::string(row.endings.front()));
@@ -142,7 +145,7 @@ TEST_F(Door, WritesWholeOrNotAtAllAndSaysWhere) {
 }
 
 TEST_F(Door, AnSvgzIsReallyCompressed) {
-  const StoredDrawing drawing = random_drawing(3);
+  const Drawing drawing = random_drawing(3);
   ASSERT_TRUE(write_drawing(at("a.SVGZ"), drawing, FileFormat::kSvg));
   std::ifstream file(at("a.SVGZ"), std::ios::binary);
   const std::string bytes{std::istreambuf_iterator<char>(file), {}};

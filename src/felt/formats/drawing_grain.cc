@@ -7,7 +7,7 @@
 
 namespace felt {
 
-Result<Grain> grain_of(const StoredDrawing& drawing, const Materials& here) {
+Result<Grain> grain_of(const Drawing& drawing, const Materials& here) {
   const Materials known = with_texts(drawing.materials, here);
   const std::string& id = drawing.page.surface;
   const SurfaceMaterial* surface = id.empty() ? &known.surfaces().front() : known.find_surface(id);

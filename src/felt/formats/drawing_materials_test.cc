@@ -8,7 +8,7 @@
 #include "felt/formats/drawing_grain.h"
 #include "felt/formats/drawing_reader.h"
 #include "felt/formats/drawing_writer.h"
-#include "felt/formats/layered_drawing.h"
+#include "felt/io/testing/test_drawings.h"
 #include "felt/material/material_file.h"
 #include "felt/material/relief.h"
 #include "felt/stroke/testing/random_stroke.h"
@@ -35,12 +35,11 @@ Medium my_pen(const std::string& id) {
 }
 
 /// One stroke of that medium, on that sheet.
-StoredDrawing drawing_of(const std::string& medium, const std::string& surface) {
+Drawing drawing_of(const std::string& medium, const std::string& surface) {
   StrokeData data = testing::straight_stroke({10, 10}, {90, 40}, 2.0, 3.0).data();
   data.material = medium;
-  LayeredSketch sketch;
-  sketch.layers.push_back({"Ink", true, false, {{"s1", Stroke::create(data).value()}}});
-  StoredDrawing drawing = stored_drawing(std::move(sketch));
+  Drawing drawing = testing::drawing_of({Stroke::create(data).value()});
+  drawing.has_page = true;
   drawing.page.surface = surface;
   return drawing;
 }
@@ -51,7 +50,7 @@ TEST(DrawingMaterials, ADrawingBringsWhatItUses) {
   known.put(my_pen("my-pen"));
   known.put(my_pen("other-pen"));
   const std::string paper = write_material(my_paper()), pen = write_material(my_pen("my-pen"));
-  const StoredDrawing drawing = drawing_of("my-pen", "my-paper");
+  const Drawing drawing = drawing_of("my-pen", "my-paper");
   EXPECT_THAT(texts_of_used(drawing.document, "my-paper", known), ElementsAre(paper, pen));
   EXPECT_THAT(texts_of_used(drawing.document, "glass", known), ElementsAre(pen));
   EXPECT_THAT(texts_of_used({}, "", known), IsEmpty());
@@ -68,11 +67,11 @@ TEST(DrawingMaterials, ADrawingBringsWhatItUses) {
 }
 
 TEST(DrawingMaterials, TravelInEveryFormatThatHasASheet) {
-  StoredDrawing drawing = drawing_of("my-pen", "my-paper");
+  Drawing drawing = drawing_of("my-pen", "my-paper");
   drawing.materials = {write_material(my_paper()), write_material(my_pen("my-pen"))};
   for (const FileFormat format : {FileFormat::kFelt, FileFormat::kSvg, FileFormat::kInkml}) {
     const std::string bytes = drawing_bytes(drawing, format).value();
-    const OpenedDrawing opened = parse_drawing(bytes, "-").value();
+    const Imported opened = parse_drawing(bytes, "-").value();
     EXPECT_TRUE(opened.report.empty());
     EXPECT_TRUE(opened.drawing == drawing) << static_cast<int>(format);
     EXPECT_EQ(drawing_bytes(opened.drawing, format).value(), bytes);
@@ -82,12 +81,12 @@ TEST(DrawingMaterials, TravelInEveryFormatThatHasASheet) {
 }
 
 TEST(DrawingMaterials, ABadOneIsNamedAndTheDrawingOpens) {
-  StoredDrawing drawing = drawing_of("my-pen", "my-paper");
+  Drawing drawing = drawing_of("my-pen", "my-paper");
   const std::string good = write_material(my_paper());
   drawing.materials = {"kind = \"medium\"\nid = \"my-pen\"\nloudness = ", good, "hello"};
   for (const FileFormat format : {FileFormat::kFelt, FileFormat::kSvg, FileFormat::kInkml}) {
     const std::string bytes = drawing_bytes(drawing, format).value();
-    const OpenedDrawing opened = parse_drawing(bytes, "-").value();
+    const Imported opened = parse_drawing(bytes, "-").value();
     EXPECT_THAT(opened.drawing.materials, ElementsAre(good));
     EXPECT_EQ(opened.drawing.document.stroke_count(), 1u);
     ASSERT_EQ(opened.report.notices().size(), 2u);
@@ -99,7 +98,7 @@ TEST(DrawingMaterials, ABadOneIsNamedAndTheDrawingOpens) {
 TEST(DrawingMaterials, TheGrainIsThatOfTheSheet) {
   EXPECT_FALSE(grain_of(drawing_of("pencil", "")).value().is_smooth());  // paper
   EXPECT_TRUE(grain_of(drawing_of("pencil", "glass")).value().is_smooth());
-  StoredDrawing drawing = drawing_of("pencil", "my-paper");
+  Drawing drawing = drawing_of("pencil", "my-paper");
   EXPECT_THAT(grain_of(drawing).error().message, HasSubstr("'my-paper' is not known"));
   drawing.materials = {write_material(my_paper())};
   EXPECT_FALSE(grain_of(drawing).value().is_smooth());
@@ -109,7 +108,7 @@ TEST(DrawingMaterials, WhatIsKnownHereCountsWhereTheDrawingSaysNothing) {
   Materials here = Materials::built_in();
   here.put(my_paper());
   here.put(my_pen("my-pen"));
-  StoredDrawing drawing = drawing_of("my-pen", "my-paper");
+  Drawing drawing = drawing_of("my-pen", "my-paper");
   EXPECT_EQ(grain_of(drawing, here).value(), Grain(surface_grain(my_paper()), here));
 
   SurfaceMaterial smooth = my_paper();
@@ -124,18 +123,17 @@ TEST(DrawingMaterials, WhatIsKnownHereCountsWhereTheDrawingSaysNothing) {
 
 // A picture of a part of the sheet, or one whose size nobody chose, names what it is drawn on.
 TEST(DrawingMaterials, TheSheetIsNamedWithoutAPage) {
-  const StoredDrawing drawing = drawing_of("pencil", "wood");
-  WriteOptions part;
-  part.area = Rect{0, 0, 50, 40};
-  for (const auto& [format, options] :
-       {std::pair{FileFormat::kSvg, part},
-        std::pair{FileFormat::kSvg, WriteOptions{.no_page = true}},
-        std::pair{FileFormat::kInkml, WriteOptions{.no_page = true}}}) {
+  Drawing drawing = drawing_of("pencil", "wood");
+  const auto expect_surface = [&](FileFormat format, const WriteOptions& options) {
     const std::string bytes = drawing_bytes(drawing, format, options).value();
-    const OpenedDrawing opened = parse_drawing(bytes, "-").value();
-    EXPECT_FALSE(opened.has_page);
+    const Imported opened = parse_drawing(bytes, "-").value();
+    EXPECT_FALSE(opened.drawing.has_page);
     EXPECT_EQ(opened.drawing.page.surface, "wood");
-  }
+  };
+  expect_surface(FileFormat::kSvg, {.area = Rect{0, 0, 50, 40}});
+  drawing.has_page = false;
+  expect_surface(FileFormat::kSvg, {});
+  expect_surface(FileFormat::kInkml, {});
 }
 
 }  // namespace

@@ -7,12 +7,12 @@
 #include "felt/base/read_file.h"
 #include "felt/formats/drawing_materials.h"
 #include "felt/formats/format_traits.h"
-#include "felt/formats/layered_drawing.h"
 #include "felt/formats/line_drawing.h"
 #include "felt/io/inkml/inkml_import.h"
 #include "felt/io/quickdraw/quickdraw_import.h"
 #include "felt/io/svg/svg_import.h"
 #include "felt/io/xopp/xopp_import.h"
+#include "felt/store/felt_file.h"
 #include "felt/store/felt_salvage.h"
 
 namespace felt {
@@ -31,17 +31,8 @@ void note_wrong_ending(const std::string& path, FileFormat found, ImportReport& 
                  std::string(traits_of(found).title) + " and was read as such");
 }
 
-OpenedDrawing opened(ImportedDrawing imported, FileFormat format) {
-  OpenedDrawing result;
-  result.format = format;
-  result.has_page = imported.drawing.page.has_value();
-  result.report = std::move(imported.report);
-  result.drawing = stored_drawing(std::move(imported.drawing));
-  return result;
-}
-
-Result<ImportedDrawing> import_foreign(std::string_view bytes, FileFormat format,
-                                       const ReadOptions& options) {
+Result<Imported> import_foreign(std::string_view bytes, FileFormat format,
+                                const ReadOptions& options) {
   switch (format) {
     case FileFormat::kSvg:
       return import_svg(bytes, options.import);
@@ -63,11 +54,9 @@ Result<ImportedDrawing> import_foreign(std::string_view bytes, FileFormat format
 }
 
 /// A .felt file; where it is damaged and that is wanted, what can be had of it.
-Result<OpenedDrawing> read_own(std::string_view bytes, bool salvage) {
-  OpenedDrawing result;
-  result.format = FileFormat::kFelt;
-  result.has_page = true;
-  Result<StoredDrawing> drawing = parse_felt(bytes);
+Result<Imported> read_own(std::string_view bytes, bool salvage) {
+  Imported result;
+  Result<Drawing> drawing = parse_felt(bytes);
   result.is_exact = drawing.has_value();
   if (drawing) {
     result.drawing = *std::move(drawing);
@@ -118,36 +107,31 @@ Result<FileFormat> readable_format(std::string_view head, const std::string& pat
                                            readable_names());
 }
 
-Result<OpenedDrawing> parse_drawing(std::string_view bytes, const std::string& path,
-                                    const ReadOptions& options) {
+Result<Imported> parse_drawing(std::string_view bytes, const std::string& path,
+                               const ReadOptions& options) {
   const Result<FileFormat> format = readable_format(bytes, path);
   if (!format) return tl::unexpected(format.error());
-  OpenedDrawing result;
-  if (*format == FileFormat::kFelt) {
-    Result<OpenedDrawing> drawing = read_own(bytes, options.salvage);
-    if (!drawing) return drawing;
-    result = *std::move(drawing);
-  } else {
-    if (bytes.size() > kMaxDrawingBytes) {
-      return fail(ErrorCode::kLimitExceeded, "is larger than 1 GiB");
-    }
-    Result<ImportedDrawing> imported = import_foreign(bytes, *format, options);
-    if (!imported) return tl::unexpected(imported.error());
-    result = opened(*std::move(imported), *format);
-    result.is_exact = result.report.empty() && is_ours(bytes, *format);
+  const bool is_own = *format == FileFormat::kFelt;
+  if (!is_own && bytes.size() > kMaxDrawingBytes) {
+    return fail(ErrorCode::kLimitExceeded, "is larger than 1 GiB");
   }
-  drop_bad_texts(result.drawing.materials, result.report);
-  note_wrong_ending(path, *format, result.report);
+  Result<Imported> result =
+      is_own ? read_own(bytes, options.salvage) : import_foreign(bytes, *format, options);
+  if (!result) return result;
+  result->format = *format;
+  if (!is_own) result->is_exact = result->report.empty() && is_ours(bytes, *format);
+  drop_bad_texts(result->drawing.materials, result->report);
+  note_wrong_ending(path, *format, result->report);
   return result;
 }
 
-Result<OpenedDrawing> read_drawing(const std::string& path, const ReadOptions& options) {
+Result<Imported> read_drawing(const std::string& path, const ReadOptions& options) {
   if (Result<void> fine = check_kind(path, options.files_only); !fine) {
     return tl::unexpected(fine.error());
   }
   const Result<std::string> bytes = read_file(path, kMaxFeltBytes);
   if (!bytes) return tl::unexpected(bytes.error());
-  Result<OpenedDrawing> drawing = parse_drawing(*bytes, path, options);
+  Result<Imported> drawing = parse_drawing(*bytes, path, options);
   if (drawing) return drawing;
   return tl::unexpected(with_context(drawing.error(), shown(path)));
 }

@@ -5,25 +5,14 @@
 #include <string_view>
 
 #include "felt/base/result.h"
+#include "felt/document/drawing.h"
 #include "felt/formats/file_format.h"
 #include "felt/io/import.h"
-#include "felt/store/felt_file.h"
 
 namespace felt {
 
 /// Largest file of a foreign format, or of lines, that is read as a whole.
 inline constexpr std::size_t kMaxDrawingBytes = std::size_t{1} << 30;
-
-/// A drawing that was read, and what to tell about it.
-struct OpenedDrawing {
-  StoredDrawing drawing;
-  ImportReport report;    ///< what could not be taken as it was; empty for a sound .felt
-  FileFormat format{};    ///< by its content
-  bool has_page = false;  ///< the file says which sheet; else it is the default one
-  /// The drawing is all that the file holds, number for number: it was written by Feltline in a
-  /// lossless format and nothing had to be left out.
-  bool is_exact = false;
-};
 
 /// How a drawing is read.
 struct ReadOptions {
@@ -41,11 +30,11 @@ struct ReadOptions {
 ///
 /// The file is not trusted. Error: it cannot be read, is a folder, larger than the format's limit,
 /// of no known format, or damaged; the message begins with the path. Any thread.
-Result<OpenedDrawing> read_drawing(const std::string& path, const ReadOptions& options = {});
+Result<Imported> read_drawing(const std::string& path, const ReadOptions& options = {});
 
 /// The same, of bytes in memory that came by the name `path`. Messages do not begin with it.
-Result<OpenedDrawing> parse_drawing(std::string_view bytes, const std::string& path,
-                                    const ReadOptions& options = {});
+Result<Imported> parse_drawing(std::string_view bytes, const std::string& path,
+                               const ReadOptions& options = {});
 
 /// What a file is, by its first bytes or, where they show nothing, by its name. Error: neither
 /// tells, or a format that is not read; the message does not begin with the path.

@@ -4,61 +4,29 @@
 #include <utility>
 
 #include "felt/base/atomic_file.h"
-#include "felt/formats/layered_drawing.h"
+#include "felt/document/visible_strokes.h"
 #include "felt/formats/line_drawing.h"
 #include "felt/io/inkml/inkml_writer.h"
-#include "felt/io/ndjson/ndjson_writer.h"
 #include "felt/io/picture/pdf_writer.h"
 #include "felt/io/picture/png.h"
 #include "felt/io/svg/svg_writer.h"
 #include "felt/io/xopp/xopp_writer.h"
 #include "felt/render/page.h"
-#include "felt/render/raster.h"
+#include "felt/store/felt_file.h"
 
 namespace felt {
 namespace {
 
-Result<std::string> png_bytes(const StoredDrawing& drawing, const WriteOptions& options) {
-  PageOptions page;
-  page.dpi = options.dpi;
-  page.sheet = options.area.value_or(drawing.page.area());
-  page.paper = options.paper.value_or(drawing.page.paper);
-  page.grain = options.grain;
-  Result<Image> image = render_page({}, page);  // the paper
-  if (!image) return tl::unexpected(image.error());
-  const View view = View::at_dpi({page.sheet->x0, page.sheet->y0}, page.dpi);
-  const Pixels pixels = image->pixels();
-  Rasterizer rasterizer;
-  const DrawingView visible = view_of(drawing, LayerChoice::kVisible);
-  for (const LayerView& layer : visible.layers) {
-    for (std::size_t i = 0; i < layer.count; ++i) {
-      rasterizer.draw(layer.stroke(i), view, pixels.rect(), options.grain, pixels);
-    }
-  }
-  return encode_png(*image, options.dpi);
-}
-
-void leave_out_page(DrawingView& view) {
-  if (view.page) view.surface = std::move(view.page->surface);
-  view.page.reset();
-}
-
-/// All layers, on a sheet of the colour that was asked for.
-DrawingView sheet_with(const StoredDrawing& drawing, const WriteOptions& options) {
-  DrawingView view = view_of(drawing);
-  view.page->paper = options.paper.value_or(drawing.page.paper);
-  if (options.no_page) leave_out_page(view);
-  return view;
-}
-
-/// The page says what is shown, unless another part was asked for.
-Result<std::unique_ptr<DrawingParts>> parts_of_svg(const StoredDrawing& drawing,
-                                                   const WriteOptions& options) {
-  DrawingView view = sheet_with(drawing, options);
-  const Rgba paper = options.paper.value_or(drawing.page.paper);
-  if (options.area) leave_out_page(view);
-  return svg_parts(std::move(view),
-                   {.sheet = options.area, .paper = paper, .grain = options.grain_print});
+Result<std::string> png_bytes(const Drawing& drawing, const WriteOptions& options) {
+  PageOptions options_of_page;
+  options_of_page.dpi = options.dpi;
+  options_of_page.sheet = options.area.value_or(drawing.page.area());
+  options_of_page.paper = options.paper.value_or(drawing.page.paper);
+  options_of_page.grain = options.grain;
+  Result<PagePainter> page = PagePainter::create({}, options_of_page);
+  if (!page) return tl::unexpected(page.error());
+  for (const StrokePtr& stroke : visible_strokes(drawing.document)) page->draw(*stroke);
+  return encode_png(page->image(), options.dpi);
 }
 
 /// What is made as a whole.
@@ -86,7 +54,7 @@ std::unique_ptr<DrawingParts> whole(WholeFile::Bytes bytes) {
 
 }  // namespace
 
-Result<std::unique_ptr<DrawingParts>> drawing_parts(const StoredDrawing& drawing, FileFormat format,
+Result<std::unique_ptr<DrawingParts>> drawing_parts(const Drawing& drawing, FileFormat format,
                                                     const WriteOptions& options) {
   const Rect area = options.area.value_or(drawing.page.area());
   const Rgba paper = options.paper.value_or(drawing.page.paper);
@@ -94,30 +62,30 @@ Result<std::unique_ptr<DrawingParts>> drawing_parts(const StoredDrawing& drawing
     case FileFormat::kFelt:
       return whole([&drawing] { return felt_bytes(drawing); });
     case FileFormat::kNdjson:
-      return line_parts(view_of(drawing, LayerChoice::kVisible));
+      return line_parts(drawing);
     case FileFormat::kSvg:
-      return parts_of_svg(drawing, options);
+      return svg_parts(drawing,
+                       {.sheet = options.area, .paper = paper, .grain = options.grain_print});
     case FileFormat::kPdf:
-      return pdf_parts(view_of(drawing, LayerChoice::kVisible),
-                       {.sheet = area, .paper = paper, .grain = options.grain_print});
+      return pdf_parts(drawing, {.sheet = area, .paper = paper, .grain = options.grain_print});
     case FileFormat::kPng:
       return whole([&drawing, options] { return png_bytes(drawing, options); });
     case FileFormat::kInkml:
-      return inkml_parts(sheet_with(drawing, options));
+      return inkml_parts(drawing, options.paper);
     case FileFormat::kXopp:
-      return xopp_parts(sheet_with(drawing, options));
+      return xopp_parts(drawing, options.paper);
   }
   return fail(ErrorCode::kInvalidArgument, "there is no such format");
 }
 
-Result<std::string> drawing_bytes(const StoredDrawing& drawing, FileFormat format,
+Result<std::string> drawing_bytes(const Drawing& drawing, FileFormat format,
                                   const WriteOptions& options) {
   const Result<std::unique_ptr<DrawingParts>> parts = drawing_parts(drawing, format, options);
   if (!parts) return tl::unexpected(parts.error());
   return bytes_of(**parts);
 }
 
-Result<void> write_drawing(const std::string& path, const StoredDrawing& drawing, FileFormat format,
+Result<void> write_drawing(const std::string& path, const Drawing& drawing, FileFormat format,
                            const WriteOptions& options) {
   if (format == FileFormat::kFelt && path != "-") return write_felt(path, drawing);
   const auto about_path = [&path](const Error& error) {

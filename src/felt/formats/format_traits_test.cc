@@ -40,10 +40,10 @@ TEST(FormatTraits, NamesAreUnderstoodInEitherCaseAndWithADot) {
 // What the table promises is what the door does.
 TEST(FormatTraits, WhatIsWrittenAndReadIsWhatTheTableSays) {
   for (const FormatTraits& row : format_table()) {
-    const auto bytes = drawing_bytes(StoredDrawing{}, row.format, {.dpi = 10.0});
+    const auto bytes = drawing_bytes(Drawing{}, row.format, {.dpi = 10.0});
     ASSERT_EQ(bytes.has_value(), row.writes) << row.name << bytes.error().message;
     if (!row.writes) continue;
-    EXPECT_EQ(drawing_bytes(StoredDrawing{}, row.format, {.dpi = 10.0}).value(), *bytes);
+    EXPECT_EQ(drawing_bytes(Drawing{}, row.format, {.dpi = 10.0}).value(), *bytes);
     EXPECT_EQ(format_of_bytes(*bytes), row.format) << row.name;
     const auto read = parse_drawing(*bytes, "x" + std::string(row.endings.front()));
     EXPECT_EQ(read.has_value(), row.reads) << row.name;

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "felt/formats/file_format.h"
+#include "felt/io/drawing_builder.h"
 #include "felt/io/ndjson/ndjson_writer.h"
 #include "felt/io/quickdraw/quickdraw_line.h"
 #include "felt/stroke/edit/mend_joints.h"
@@ -12,14 +13,14 @@ namespace {
 
 constexpr std::size_t kBatchBytes = std::size_t{64} << 10;
 
-Result<std::optional<SketchStroke>> named(std::string id, Result<Stroke> stroke) {
+Result<std::optional<NamedStroke>> named(std::string id, Result<Stroke> stroke) {
   if (!stroke) return tl::unexpected(stroke.error());
-  return SketchStroke{std::move(id), *std::move(stroke)};
+  return NamedStroke{std::move(id), *std::move(stroke)};
 }
 
 }  // namespace
 
-Result<std::optional<SketchStroke>> LineStrokes::read(const NdjsonLine& line) {
+Result<std::optional<NamedStroke>> LineStrokes::read(const NdjsonLine& line) {
   was_mended_ = false;
   const std::string_view text = line.text();
   if (looks_like_quickdraw(text)) return fail(ErrorCode::kUnsupported, kUnknownQuickdraw);
@@ -28,7 +29,7 @@ Result<std::optional<SketchStroke>> LineStrokes::read(const NdjsonLine& line) {
   return is_raw ? read_raw(line) : read_fitted(line);
 }
 
-Result<std::optional<SketchStroke>> LineStrokes::read_fitted(const NdjsonLine& line) {
+Result<std::optional<NamedStroke>> LineStrokes::read_fitted(const NdjsonLine& line) {
   SketchRecord record;
   const Result<NdjsonKind> kind = parser_.sketch_stroke(line, record);
   if (!kind) return tl::unexpected(kind.error());
@@ -37,7 +38,7 @@ Result<std::optional<SketchStroke>> LineStrokes::read_fitted(const NdjsonLine& l
   return named(std::move(record.id), Stroke::create(std::move(record.data)));
 }
 
-Result<std::optional<SketchStroke>> LineStrokes::read_raw(const NdjsonLine& line) {
+Result<std::optional<NamedStroke>> LineStrokes::read_raw(const NdjsonLine& line) {
   const Result<NdjsonKind> kind = parser_.raw_stroke(line, raw_);
   if (!kind) return tl::unexpected(kind.error());
   if (*kind == NdjsonKind::kHeader) return std::nullopt;
@@ -48,7 +49,7 @@ Result<std::optional<SketchStroke>> LineStrokes::read_raw(const NdjsonLine& line
   return named(raw_.id, fitter_.stroke());
 }
 
-Result<ImportedDrawing> import_lines(std::string_view text, const ImportOptions& options) {
+Result<Imported> import_lines(std::string_view text, const ImportOptions& options) {
   if (ndjson_content(text.substr(0, kFormatHeadBytes)) == NdjsonContent::kEvents) {
     return fail(ErrorCode::kUnsupported,
                 "holds events, not strokes; `feltline replay` draws what they say");
@@ -56,31 +57,34 @@ Result<ImportedDrawing> import_lines(std::string_view text, const ImportOptions&
   LineReader lines(read_text(text));
   LineBatch batch;
   LineStrokes strokes(options.fit);
-  Sketch sketch;
-  ImportedDrawing result;
+  DrawingBuilder builder;
+  const std::size_t layer = builder.add_layer({"Ink"});
+  std::size_t count = 0;
+  ImportReport report;
   for (;;) {
     const Result<bool> more = lines.fill(batch, kBatchBytes);
     if (!more) return tl::unexpected(more.error());
     if (!*more) break;
     for (std::size_t i = 0; i < batch.size(); ++i) {
       const NdjsonLine line = batch.line(i);
-      Result<std::optional<SketchStroke>> stroke = strokes.read(line);
+      Result<std::optional<NamedStroke>> stroke = strokes.read(line);
       if (!stroke) {
-        result.report.add(line.number(), {}, "was left out: " + stroke.error().message);
+        report.add(line.number(), {}, "was left out: " + stroke.error().message);
       } else if (*stroke) {
-        if ((*stroke)->id.empty()) (*stroke)->id = "s" + std::to_string(sketch.size() + 1);
+        NamedStroke& named = **stroke;
+        if (named.id.empty()) named.id = stroke_name({count + 1});
         if (strokes.was_mended()) {
-          result.report.add(line.number(), "stroke '" + (*stroke)->id + "'", kMendedNotice);
+          report.add(line.number(), "stroke '" + named.id + "'", kMendedNotice);
         }
-        sketch.push_back(**std::move(stroke));
+        builder.add(layer, std::move(named.stroke), named.id);
+        ++count;
       }
     }
   }
-  if (sketch.empty() && !result.report.empty()) {
-    return fail(ErrorCode::kInvalidData, notice_text(result.report.notices().front()));
+  if (count == 0 && !report.empty()) {
+    return fail(ErrorCode::kInvalidData, notice_text(report.notices().front()));
   }
-  result.drawing.layers.push_back({"Ink", true, false, std::move(sketch)});
-  return result;
+  return Imported{std::move(builder).build(), std::move(report)};
 }
 
 namespace {
@@ -88,8 +92,10 @@ namespace {
 /// Part 0 is the header.
 class LineParts final : public DrawingParts {
  public:
-  LineParts(DrawingView drawing, LineHeader header)
-      : drawing_(std::move(drawing)), ranges_(stroke_ranges(drawing_)), header_(header) {}
+  LineParts(const Document& document, LineHeader header)
+      : document_(document),
+        ranges_(stroke_ranges(document, LayerChoice::kVisible)),
+        header_(header) {}
 
   [[nodiscard]] std::size_t count() const override { return ranges_.size() + 1; }
   Result<void> make(std::size_t i, DrawingPart& out) const override {
@@ -99,34 +105,28 @@ class LineParts final : public DrawingParts {
       return {};
     }
     const StrokeRange& range = ranges_[i - 1];
-    const LayerView& layer = drawing_.layers[range.layer];
+    const Layer& layer = document_.layers()[range.layer];
     for (std::size_t k = range.first; k < range.last; ++k) {
-      const StrokeData& data = layer.stroke(k).data();
-      if (auto fits = check_sketch_numbers(data); !fits) {
-        return tl::unexpected(with_context(fits.error(), "stroke " + layer.id(k)));
+      const std::string name = stroke_name(layer.strokes[k]);
+      const StrokePtr stroke = document_.find(layer.strokes[k]);
+      if (auto fits = check_sketch_numbers(stroke->data()); !fits) {
+        return tl::unexpected(with_context(fits.error(), "stroke " + name));
       }
-      append_sketch_line(out.bytes, layer.id(k), data);
+      append_sketch_line(out.bytes, name, stroke->data());
     }
     return {};
   }
 
  private:
-  DrawingView drawing_;
+  const Document& document_;
   std::vector<StrokeRange> ranges_;
   LineHeader header_;
 };
 
 }  // namespace
 
-std::unique_ptr<DrawingParts> line_parts(DrawingView drawing, LineHeader header) {
-  return std::make_unique<LineParts>(std::move(drawing), header);
-}
-
-std::string lines_of(const Sketch& sketch) {
-  std::string text;
-  append_header_line(text);
-  for (const SketchStroke& s : sketch) append_sketch_line(text, s.id, s.stroke.data());
-  return text;
+std::unique_ptr<DrawingParts> line_parts(const Drawing& drawing, LineHeader header) {
+  return std::make_unique<LineParts>(drawing.document, header);
 }
 
 }  // namespace felt

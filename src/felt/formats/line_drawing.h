@@ -10,6 +10,7 @@
 #include "felt/io/import.h"
 #include "felt/io/ndjson/ndjson_parser.h"
 #include "felt/stroke/fit/ink_fitter.h"
+#include "felt/stroke/named_stroke.h"
 
 namespace felt {
 
@@ -20,13 +21,13 @@ class LineStrokes {
   explicit LineStrokes(const InkFitOptions& fit = {}) : fitter_(fit) {}
 
   /// None for a header. The id is "" where the line has none. Error: the line is no stroke.
-  Result<std::optional<SketchStroke>> read(const NdjsonLine& line);
+  Result<std::optional<NamedStroke>> read(const NdjsonLine& line);
   /// True if the stroke of the last line had rounded coordinates that were mended (mend_rounding).
   [[nodiscard]] bool was_mended() const noexcept { return was_mended_; }
 
  private:
-  Result<std::optional<SketchStroke>> read_fitted(const NdjsonLine& line);
-  Result<std::optional<SketchStroke>> read_raw(const NdjsonLine& line);
+  Result<std::optional<NamedStroke>> read_fitted(const NdjsonLine& line);
+  Result<std::optional<NamedStroke>> read_raw(const NdjsonLine& line);
 
   NdjsonParser parser_;
   InkFitter fitter_;
@@ -43,16 +44,13 @@ inline constexpr const char* kMendedNotice =
 /// Strokes without a name are called after their line's number among the strokes.
 ///
 /// Error: nothing could be taken though there are lines (the first reason), or they hold events.
-Result<ImportedDrawing> import_lines(std::string_view text, const ImportOptions& options = {});
+Result<Imported> import_lines(std::string_view text, const ImportOptions& options = {});
 
 /// Whether the first line says what the file is.
 enum class LineHeader { kWritten, kLeftOut };
 
-/// All strokes of a drawing as lines, in parts.
-std::unique_ptr<DrawingParts> line_parts(DrawingView drawing,
+/// The strokes of visible layers as lines, in parts.
+std::unique_ptr<DrawingParts> line_parts(const Drawing& drawing,
                                          LineHeader header = LineHeader::kWritten);
-
-/// The sketch as lines, the header first.
-std::string lines_of(const Sketch& sketch);
 
 }  // namespace felt

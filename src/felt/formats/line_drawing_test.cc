@@ -8,23 +8,28 @@
 #include <cstdlib>
 #include <string>
 
+#include "felt/io/testing/test_drawings.h"
 #include "felt/stroke/testing/test_ink.h"
 
 namespace felt {
 namespace {
 
-Sketch inked(int strokes) {
-  Sketch sketch;
-  for (int i = 0; i < strokes; ++i) {
+Drawing inked(int count) {
+  std::vector<Stroke> strokes;
+  for (int i = 0; i < count; ++i) {
     testing::TestInk random(static_cast<std::uint64_t>(i));
     InkFitter fitter({});
     for (const Point p : random.draw(testing::InkShape::kSmooth, random.pick(1, 300))) {
       fitter.push({.position = p, .pressure = random.uniform(0.2, 0.8), .time_ns = {}});
     }
     fitter.end();
-    sketch.push_back({"s" + std::to_string(i), fitter.stroke().value()});
+    strokes.push_back(fitter.stroke().value());
   }
-  return sketch;
+  return testing::drawing_of(strokes);
+}
+
+std::string lines_of(const Drawing& drawing) {
+  return bytes_of(*line_parts(drawing)).value();
 }
 
 // The text with every number that has a point printed with so many decimals.
@@ -54,26 +59,27 @@ double largest_move(const Stroke& a, const Stroke& b) {
 }
 
 TEST(LineDrawing, ASketchPrintedWithFewDecimalsIsReadWholeAndSaidOnce) {
-  const Sketch sketch = inked(120);
+  const Drawing drawing = inked(120);
+  const std::vector<Stroke> strokes = testing::strokes_in(drawing.document);
   for (const int decimals : {3, 5}) {
     SCOPED_TRACE(decimals);
-    const auto read = import_lines(printed_with(lines_of(sketch), decimals));
+    const auto read = import_lines(printed_with(lines_of(drawing), decimals));
     ASSERT_TRUE(read) << read.error().message;
-    const Sketch& back = read->drawing.layers[0].strokes;
-    ASSERT_EQ(back.size(), sketch.size());
+    const std::vector<Stroke> back = testing::strokes_in(read->drawing.document);
+    ASSERT_EQ(back.size(), strokes.size());
     // Half of the last decimal is lost in each coordinate, and mending moves by less than 0.001 mm.
     const double lost = std::sqrt(0.5) * std::pow(10.0, -decimals);
     for (std::size_t i = 0; i < back.size(); ++i) {
-      EXPECT_LE(largest_move(back[i].stroke, sketch[i].stroke), lost + 0.002) << i;
+      EXPECT_LE(largest_move(back[i], strokes[i]), lost + 0.002) << i;
     }
     ASSERT_EQ(read->report.notices().size(), 1u);
     EXPECT_EQ(read->report.notices()[0].what, kMendedNotice);
     EXPECT_GT(read->report.notices()[0].count, 60);
   }
-  const auto exact = import_lines(lines_of(sketch));
+  const auto exact = import_lines(lines_of(drawing));
   ASSERT_TRUE(exact);
   EXPECT_TRUE(exact->report.empty());
-  EXPECT_EQ(exact->drawing.layers[0].strokes, sketch);
+  EXPECT_EQ(exact->drawing, drawing);
 }
 
 TEST(LineDrawing, WhatRoundingDoesNotExplainIsStillRefused) {

@@ -14,7 +14,7 @@ inline constexpr double kMostLeanDeg = 90.0;
 inline constexpr double kFreeLeanDeg = 40.0;
 inline constexpr double kFullLeanDeg = 65.0;
 
-/// 0..1 of a lean in degrees, as media count it (material/medium.h); what is not a number is
+/// 0..1 of a lean in degrees, as media count it (material/materials.h); what is not a number is
 /// upright. Real-time safe.
 constexpr double lean_share(double lean_deg) noexcept {
   if (!(lean_deg > kFreeLeanDeg)) return 0.0;

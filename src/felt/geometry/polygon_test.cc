@@ -1,4 +1,4 @@
-#include "felt/geometry/polygon.h"
+#include "felt/geometry/polyline.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
@@ -6,8 +6,6 @@
 #include <algorithm>
 #include <cmath>
 #include <vector>
-
-#include "felt/geometry/polyline.h"
 
 namespace felt {
 namespace {

@@ -10,7 +10,6 @@
 #include "felt/haptics/bricks/stabiliser.h"
 #include "felt/haptics/bricks/tether.h"
 #include "felt/haptics/bricks/well.h"
-#include "felt/haptics/compose.h"
 #include "felt/haptics/testing/feel_rig.h"
 
 namespace felt {

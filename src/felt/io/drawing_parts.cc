@@ -1,5 +1,6 @@
 #include "felt/io/drawing_parts.h"
 
+#include <cmath>
 #include <utility>
 
 #include "felt/io/unpack.h"
@@ -70,14 +71,15 @@ Result<std::string> bytes_of(DrawingParts& parts) {
   return all;
 }
 
-std::vector<StrokeRange> stroke_ranges(const DrawingView& drawing) {
+std::vector<StrokeRange> stroke_ranges(const Document& document, LayerChoice layers) {
   std::vector<StrokeRange> ranges;
   std::size_t before = 0;
-  for (std::size_t l = 0; l < drawing.layers.size(); ++l) {
-    const LayerView& layer = drawing.layers[l];
+  for (std::size_t l = 0; l < document.layers().size(); ++l) {
+    const Layer& layer = document.layers()[l];
+    if (layers == LayerChoice::kVisible && !layer.visible) continue;
     std::size_t first = 0, points = 0;
-    for (std::size_t i = 0; i < layer.count; ++i) {
-      const std::size_t more = layer.stroke(i).data().points.size();
+    for (std::size_t i = 0; i < layer.strokes.size(); ++i) {
+      const std::size_t more = document.find(layer.strokes[i])->data().points.size();
       if (i > first && (i - first == kPartStrokes || points + more > kPartPoints)) {
         ranges.push_back({l, first, i, before + first});
         first = i;
@@ -85,10 +87,17 @@ std::vector<StrokeRange> stroke_ranges(const DrawingView& drawing) {
       }
       points += more;
     }
-    ranges.push_back({l, first, layer.count, before + first});
-    before += layer.count;
+    ranges.push_back({l, first, layer.strokes.size(), before + first});
+    before += layer.strokes.size();
   }
   return ranges;
+}
+
+Rect picture_area(const Rect& ink, const std::optional<Rect>& page, double margin_mm) noexcept {
+  if (page) return *page;
+  const Rect area = (ink.empty() ? Rect{0.0, 0.0, 0.0, 0.0} : ink).inflated(margin_mm);
+  return {std::floor(area.x0 * 100.0) / 100.0, std::floor(area.y0 * 100.0) / 100.0,
+          std::ceil(area.x1 * 100.0) / 100.0, std::ceil(area.y1 * 100.0) / 100.0};
 }
 
 std::unique_ptr<DrawingParts> gzip_parts(std::unique_ptr<DrawingParts> text) {

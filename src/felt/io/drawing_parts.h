@@ -7,7 +7,8 @@
 #include <string_view>
 
 #include "felt/base/result.h"
-#include "felt/io/drawing_view.h"
+#include "felt/document/drawing.h"
+#include "felt/document/visible_strokes.h"
 
 namespace felt {
 
@@ -30,7 +31,7 @@ struct DrawingPart {
 /// A file in the making, in parts of a bounded number of strokes, so that no more than a few of
 /// them are in memory. The file is parts 0, 1, ... count() - 1 and then the tail. Parts do not
 /// depend on each other, so several threads make them and the bytes are the same for any number of
-/// threads. Valid as long as the drawing view that it was made of.
+/// threads. Valid as long as the drawing that it was made of, which must not change.
 class DrawingParts {
  public:
   virtual ~DrawingParts() = default;
@@ -52,10 +53,10 @@ Result<void> write_parts(DrawingParts& parts, const ByteSink& sink);
 /// The same as one string.
 Result<std::string> bytes_of(DrawingParts& parts);
 
-/// Strokes [first, last) of a layer.
+/// Strokes [first, last) of a layer, which is named by its index in the document.
 struct StrokeRange {
   std::size_t layer = 0, first = 0, last = 0;
-  /// Strokes in all layers before `first`.
+  /// Strokes before `first`, those of lower layers that are written included.
   std::size_t before = 0;
 };
 
@@ -63,9 +64,13 @@ struct StrokeRange {
 inline constexpr std::size_t kPartStrokes = 128;
 inline constexpr std::size_t kPartPoints = 8192;
 
-/// Cuts the strokes of a drawing into ranges for one part each, in order. A layer without strokes
-/// has one empty range.
-std::vector<StrokeRange> stroke_ranges(const DrawingView& drawing);
+/// Cuts the strokes of these layers into ranges for one part each, in order. A layer without
+/// strokes has one empty range.
+std::vector<StrokeRange> stroke_ranges(const Document& document, LayerChoice layers);
+
+/// Returns the part of the page that a picture shows: `page`, or else the ink and `margin_mm`
+/// around it, with its edges rounded outwards to 0.01 mm.
+Rect picture_area(const Rect& ink, const std::optional<Rect>& page, double margin_mm) noexcept;
 
 /// Parts that are a text, as one gzip file: each part is packed for itself. It holds neither a time
 /// nor a name.

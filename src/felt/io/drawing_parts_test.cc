@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "felt/io/drawing_builder.h"
 #include "felt/io/inkml/inkml_writer.h"
 #include "felt/io/picture/pdf_writer.h"
 #include "felt/io/svg/svg_import.h"
@@ -15,33 +16,32 @@
 namespace felt {
 namespace {
 
-LayeredSketch drawing_of(std::size_t strokes) {
-  LayeredSketch drawing;
-  drawing.layers.resize(3);
+Drawing drawing_of(std::size_t strokes) {
+  DrawingBuilder builder;
+  for (int i = 0; i < 3; ++i) builder.add_layer({});
   for (std::size_t i = 0; i < strokes; ++i) {
-    drawing.layers[i % 2].strokes.push_back(
-        {"s" + std::to_string(i + 1), felt::testing::random_stroke(i % 40)});
+    builder.add(i % 2, felt::testing::random_stroke(i % 40), "s" + std::to_string(i + 1));
   }
-  return drawing;
+  return std::move(builder).build();
 }
 
 using Made = Result<std::unique_ptr<DrawingParts>>;
 
-std::vector<Made> all_formats(const LayeredSketch& drawing) {
+std::vector<Made> all_formats(const Drawing& drawing) {
   std::vector<Made> all;
-  all.push_back(svg_parts(view_of(drawing), {}));
-  all.push_back(svg_parts(view_of(drawing), {}).map([](std::unique_ptr<DrawingParts> parts) {
+  all.push_back(svg_parts(drawing, {}));
+  all.push_back(svg_parts(drawing, {}).map([](std::unique_ptr<DrawingParts> parts) {
     return gzip_parts(std::move(parts));
   }));
-  all.push_back(inkml_parts(view_of(drawing)));
-  all.push_back(xopp_parts(view_of(drawing)));
-  all.push_back(pdf_parts(view_of(drawing), {}));
+  all.push_back(inkml_parts(drawing));
+  all.push_back(xopp_parts(drawing));
+  all.push_back(pdf_parts(drawing, {}));
   return all;
 }
 
 std::vector<std::size_t> largest_parts(std::size_t strokes) {
   std::vector<std::size_t> largest;
-  const LayeredSketch drawing = drawing_of(strokes);
+  const Drawing drawing = drawing_of(strokes);
   for (const Made& made : all_formats(drawing)) {
     DrawingPart part;
     std::size_t bytes = 0;
@@ -66,7 +66,7 @@ TEST(DrawingParts, R53_TheLargestPartDoesNotGrowWithTheDrawing) {
 
 /// Threads finish in any order: a part is the same whatever was made before it.
 TEST(DrawingParts, PartsDoNotDependOnEachOther) {
-  const LayeredSketch drawing = drawing_of(700);
+  const Drawing drawing = drawing_of(700);
   for (const Made& made : all_formats(drawing)) {
     DrawingParts& parts = **made;
     ASSERT_TRUE(parts.any_order());
@@ -83,20 +83,20 @@ TEST(DrawingParts, PartsDoNotDependOnEachOther) {
 }
 
 TEST(DrawingParts, ManyPartsReadBackEqual) {
-  const LayeredSketch drawing = drawing_of(700);
+  const Drawing drawing = drawing_of(700);
   const std::string text = svg_text(drawing, {}).value();
-  const std::unique_ptr<DrawingParts> packed = gzip_parts(svg_parts(view_of(drawing), {}).value());
+  const std::unique_ptr<DrawingParts> packed = gzip_parts(svg_parts(drawing, {}).value());
   EXPECT_EQ(gunzip(bytes_of(*packed).value()).value(), text);
-  const Result<ImportedDrawing> back = import_svg(text);
+  const Result<Imported> back = import_svg(text);
   ASSERT_TRUE(back);
   EXPECT_TRUE(back->report.empty());
   EXPECT_EQ(back->drawing, drawing);
 }
 
 TEST(DrawingParts, RangesHaveEachStrokeOnce) {
-  const LayeredSketch drawing = drawing_of(1000);
+  const Drawing drawing = drawing_of(1000);
   std::size_t number = 0;
-  for (const StrokeRange& range : stroke_ranges(view_of(drawing))) {
+  for (const StrokeRange& range : stroke_ranges(drawing.document, LayerChoice::kAll)) {
     EXPECT_EQ(range.before, number);
     EXPECT_LE(range.last - range.first, kPartStrokes);
     number += range.last - range.first;

@@ -64,7 +64,7 @@ std::size_t character(std::string_view text) {
 
 /// Why a name cannot be one; "" where it can.
 std::string_view fault_of(std::string_view name) {
-  if (name.size() > GplLimits::kMaxNameBytes) return "the name is longer than 200 bytes";
+  if (name.size() > PaletteLimits::kMaxNameBytes) return "the name is longer than 200 bytes";
   while (!name.empty()) {
     const std::size_t length = character(name);
     if (length == 0) return "the name is not UTF-8 text";
@@ -89,7 +89,7 @@ class GplReader {
     return color(line);
   }
 
-  GplPalette palette;
+  Palette palette;
 
  private:
   std::string_view name(std::string_view text) {
@@ -98,7 +98,7 @@ class GplReader {
   }
 
   std::string_view columns(std::string_view text) {
-    const auto number = take_number(text, GplLimits::kMaxColumns);
+    const auto number = take_number(text, PaletteLimits::kMaxColumns);
     if (!number || !trimmed(text).empty()) return "the columns are not a number from 0 to 64";
     palette.columns = *number;
     return {};
@@ -109,7 +109,8 @@ class GplReader {
     const auto g = r ? take_number(line, 255) : std::nullopt;
     const auto b = g ? take_number(line, 255) : std::nullopt;
     if (!b) return "a colour is three numbers from 0 to 255 and a name";
-    if (palette.colors.size() >= GplLimits::kMaxColors) return "there are more than 10000 colours";
+    if (palette.colors.size() >= PaletteLimits::kMaxColors)
+      return "there are more than 10000 colours";
     const std::string_view name = trimmed(line);
     palette.colors.push_back({{static_cast<std::uint8_t>(*r), static_cast<std::uint8_t>(*g),
                                static_cast<std::uint8_t>(*b)},
@@ -120,8 +121,8 @@ class GplReader {
 
 }  // namespace
 
-Result<GplPalette> read_gpl(const std::string& file, std::string_view text) {
-  if (text.size() > GplLimits::kMaxBytes) {
+Result<Palette> read_gpl(const std::string& file, std::string_view text) {
+  if (text.size() > PaletteLimits::kMaxBytes) {
     return fail(ErrorCode::kLimitExceeded, file + ": is larger than a palette of 1 MiB");
   }
   GplReader reader;
@@ -138,7 +139,7 @@ Result<GplPalette> read_gpl(const std::string& file, std::string_view text) {
   return std::move(reader.palette);
 }
 
-std::string write_gpl(const GplPalette& palette) {
+std::string write_gpl(const Palette& palette) {
   std::string text = std::string(kMagic) + "\n";
   if (!palette.name.empty()) text += "Name: " + palette.name + "\n";
   if (palette.columns > 0) text += "Columns: " + std::to_string(palette.columns) + "\n";

@@ -8,20 +8,20 @@ namespace felt {
 namespace {
 
 std::string error_of(const std::string& text) {
-  const Result<GplPalette> read = read_gpl("p.gpl", text);
+  const Result<Palette> read = read_gpl("p.gpl", text);
   return read ? "" : read.error().message;
 }
 
-TEST(GplPalette, ReadsNameColumnsColoursAndComments) {
-  const Result<GplPalette> read = read_gpl("p.gpl",
-                                           "GIMP Palette\r\n"
-                                           "Name: Box of pencils\r\n"
-                                           "Columns: 4\r\n"
-                                           "# made by hand\r\n"
-                                           "\r\n"
-                                           "  0   0   0\tBlack\r\n"
-                                           "255 128 0 Signal  orange \r\n"
-                                           "1 2 3");
+TEST(Palette, ReadsNameColumnsColoursAndComments) {
+  const Result<Palette> read = read_gpl("p.gpl",
+                                        "GIMP Palette\r\n"
+                                        "Name: Box of pencils\r\n"
+                                        "Columns: 4\r\n"
+                                        "# made by hand\r\n"
+                                        "\r\n"
+                                        "  0   0   0\tBlack\r\n"
+                                        "255 128 0 Signal  orange \r\n"
+                                        "1 2 3");
   ASSERT_TRUE(read) << read.error().message;
   EXPECT_EQ(read->name, "Box of pencils");
   EXPECT_EQ(read->columns, 4U);
@@ -30,8 +30,8 @@ TEST(GplPalette, ReadsNameColumnsColoursAndComments) {
   EXPECT_EQ(read->colors, wanted);
 }
 
-TEST(GplPalette, ReadsTheOldFormWithoutAHeadAndAByteOrderMark) {
-  const Result<GplPalette> read =
+TEST(Palette, ReadsTheOldFormWithoutAHeadAndAByteOrderMark) {
+  const Result<Palette> read =
       read_gpl("p.gpl", "\xef\xbb\xbfGIMP Palette\n#\n9 8 7\tGr\xc3\xbcn\n");
   ASSERT_TRUE(read) << read.error().message;
   EXPECT_EQ(read->name, "");
@@ -39,7 +39,7 @@ TEST(GplPalette, ReadsTheOldFormWithoutAHeadAndAByteOrderMark) {
   EXPECT_EQ(read->colors[0], (NamedColor{{9, 8, 7}, "Gr\xc3\xbcn"}));
 }
 
-TEST(GplPalette, SaysWhichLineIsWrongAndWhy) {
+TEST(Palette, SaysWhichLineIsWrongAndWhy) {
   const std::string head = "GIMP Palette\n";
   EXPECT_EQ(error_of(""), "p.gpl:1: this is no GIMP palette: its first line is another");
   EXPECT_EQ(error_of("gimp palette\n"),
@@ -60,20 +60,20 @@ TEST(GplPalette, SaysWhichLineIsWrongAndWhy) {
   }
 }
 
-TEST(GplPalette, KeepsItsLimits) {
+TEST(Palette, KeepsItsLimits) {
   const std::string head = "GIMP Palette\n";
-  const std::string name(GplLimits::kMaxNameBytes, 'n');
+  const std::string name(PaletteLimits::kMaxNameBytes, 'n');
   EXPECT_EQ(error_of(head + "1 2 3 " + name), "");
   EXPECT_EQ(error_of(head + "1 2 3 " + name + "n"), "p.gpl:2: the name is longer than 200 bytes");
   std::string many = head;
-  for (std::size_t i = 0; i < GplLimits::kMaxColors; ++i) many += "1 2 3\n";
+  for (std::size_t i = 0; i < PaletteLimits::kMaxColors; ++i) many += "1 2 3\n";
   EXPECT_EQ(error_of(many), "");
   EXPECT_EQ(error_of(many + "1 2 3\n"), "p.gpl:10002: there are more than 10000 colours");
-  EXPECT_EQ(error_of(head + "#" + std::string(GplLimits::kMaxBytes, '-')),
+  EXPECT_EQ(error_of(head + "#" + std::string(PaletteLimits::kMaxBytes, '-')),
             "p.gpl: is larger than a palette of 1 MiB");
 }
 
-TEST(GplPalette, WritesWhatItReads) {
+TEST(Palette, WritesWhatItReads) {
   for (unsigned seed = 0; seed < 200; ++seed) {
     SCOPED_TRACE(seed);
     std::mt19937 random(seed);
@@ -84,18 +84,18 @@ TEST(GplPalette, WritesWhatItReads) {
       for (std::size_t i = random() % 6; i-- > 0;) text += kLetters[random() % 7];
       return text;
     };
-    GplPalette palette{word(), random() % (GplLimits::kMaxColumns + 1), {}};
+    Palette palette{word(), random() % (PaletteLimits::kMaxColumns + 1), {}};
     for (std::size_t i = random() % 20; i-- > 0;) {
       const auto part = [&random] { return static_cast<std::uint8_t>(random()); };
       palette.colors.push_back({{part(), part(), part()}, word()});
     }
-    const Result<GplPalette> read = read_gpl("p.gpl", write_gpl(palette));
+    const Result<Palette> read = read_gpl("p.gpl", write_gpl(palette));
     ASSERT_TRUE(read) << read.error().message;
     EXPECT_EQ(*read, palette);
   }
 }
 
-TEST(GplPalette, AnyBytesAreReadOrRefusedAndWhatIsReadIsWrittenAgain) {
+TEST(Palette, AnyBytesAreReadOrRefusedAndWhatIsReadIsWrittenAgain) {
   constexpr std::string_view kPieces[] = {
       "GIMP Palette\n", "Name: ", "Columns: ", "\n",  "255 ", "0\t", "#", "x", "\r",
       "\xc3",           "\xa4",   "-",         "300", " ",    "\x00"};
@@ -105,10 +105,10 @@ TEST(GplPalette, AnyBytesAreReadOrRefusedAndWhatIsReadIsWrittenAgain) {
     std::mt19937 random(seed);
     std::string text = random() % 8 ? "GIMP Palette\n" : "";
     for (std::size_t i = random() % 12; i-- > 0;) text += kPieces[random() % 15];
-    const Result<GplPalette> read = read_gpl("p", text);
+    const Result<Palette> read = read_gpl("p", text);
     if (!read) continue;
     ++good;
-    const Result<GplPalette> again = read_gpl("p", write_gpl(*read));
+    const Result<Palette> again = read_gpl("p", write_gpl(*read));
     ASSERT_TRUE(again) << again.error().message;
     EXPECT_EQ(*again, *read);
   }

@@ -7,8 +7,8 @@
 #include <string_view>
 #include <vector>
 
-#include "felt/io/layered_sketch.h"
-#include "felt/stroke/fit/ink_fitter.h"
+#include "felt/document/drawing.h"
+#include "felt/stroke/fit/ink_fit.h"
 
 namespace felt {
 
@@ -47,10 +47,16 @@ std::string notice_kind(std::string_view text);
 /// "line 12: text 'title' is no ink and was left out (and 3 more like it)".
 std::string notice_text(const ImportNotice& notice);
 
-/// What a reader of a foreign format gives: all that it could take, and what it could not.
-struct ImportedDrawing {
-  LayeredSketch drawing;
+enum class FileFormat;
+
+/// What a reader returns: the drawing and a report of what was skipped or changed.
+struct Imported {
+  Drawing drawing;
   ImportReport report;
+  FileFormat format{};  ///< by its content
+  /// The drawing is all that the file holds, number for number: Feltline wrote it in a lossless
+  /// format, and nothing was skipped.
+  bool is_exact = false;
 };
 
 /// The medium of lines that come from a program without media: it is shown solid and in exactly the

@@ -5,6 +5,9 @@
 #include <utility>
 
 #include "felt/io/line_steps.h"
+#include "felt/stroke/fit/ink_fitter.h"
+#include "felt/stroke/fit/width_fitter.h"
+#include "felt/stroke/fit/width_map.h"
 
 namespace felt {
 namespace {

@@ -6,7 +6,8 @@
 #include <numbers>
 #include <random>
 
-#include "felt/stroke/outline/flatten.h"
+#include "felt/stroke/fit/width_map.h"
+#include "felt/stroke/outline/outline.h"
 
 namespace felt {
 namespace {

@@ -7,8 +7,7 @@
 #include <string>
 #include <string_view>
 
-#include "felt/material/medium.h"
-#include "felt/material/surface_material.h"
+#include "felt/material/materials.h"
 
 namespace felt {
 

@@ -130,7 +130,8 @@ TEST(MaterialFile, RefusesWhatIsNoMaterial) {
     EXPECT_THAT(error_of(sheet_with(header)), StartsWith("my-paper.toml:3: ")) << header;
   }
   EXPECT_EQ(error_of(sheet_with("label = \"\xE5\"")), "my-paper.toml: is not UTF-8");
-  for (const char* stray : {"ä = 1", "feel.friction ä= 1", "label = \"a\" ä", "ä", "a = 7'7ɔ = 1"}) {
+  for (const char* stray :
+       {"ä = 1", "feel.friction ä= 1", "label = \"a\" ä", "ä", "a = 7'7ɔ = 1"}) {
     EXPECT_THAT(error_of(sheet_with(stray)), StartsWith("my-paper.toml:3: ")) << stray;
   }
   for (const char* fine :

@@ -1,4 +1,5 @@
 #include "felt/material/materials.h"
+#include "felt/geometry/lean.h"
 
 #include <gtest/gtest.h>
 

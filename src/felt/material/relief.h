@@ -1,7 +1,7 @@
 #pragma once
 
 #include "felt/geometry/height_field.h"
-#include "felt/material/surface_material.h"
+#include "felt/material/materials.h"
 
 namespace felt {
 

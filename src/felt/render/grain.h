@@ -63,4 +63,13 @@ class Grain {
   std::shared_ptr<const State> state_;
 };
 
+/// Grain in a file whose strokes are outlines (.svg, .pdf): on which relief, and how fine.
+struct GrainPrint {
+  static constexpr double kLeastDpi = 20.0;
+  static constexpr double kMostDpi = 1200.0;
+
+  Grain grain;
+  double dpi = 200.0;  ///< kLeastDpi..kMostDpi
+};
+
 }  // namespace felt

@@ -18,6 +18,10 @@
 namespace felt {
 namespace {
 
+Result<Image> picture_of(const Stroke& stroke, const PageOptions& options) {
+  return render_page(std::vector{std::make_shared<const Stroke>(stroke)}, options);
+}
+
 using testing::random_stroke;
 using testing::straight_stroke;
 
@@ -44,7 +48,7 @@ Stroke swelling(const char* material) {
 Image page_of(const Stroke& stroke, const Grain& grain) {
   PageOptions options{.dpi = 200, .sheet = Rect{0, 0, 100, 20}};
   options.grain = grain;
-  return render_page({{"s", stroke}}, options).value();
+  return picture_of(stroke, options).value();
 }
 
 /// Share of the ink that is seen of a wide, straight line of a tone.
@@ -111,16 +115,16 @@ TEST(Grain, PlainIsSolidInkAndSoAreMediaWithoutALook) {
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
     const Stroke stroke = of_material(random_stroke(seed), "solid");
     const PageOptions plain{.dpi = 120, .sheet = Rect{0, 0, 20, 20}};
-    const Image as_before = render_page({{"s", stroke}}, plain).value();
+    const Image as_before = picture_of(stroke, plain).value();
     PageOptions other = plain;
     for (const HeightField* field : {&paper(), &flat, static_cast<const HeightField*>(nullptr)}) {
       other.grain = Grain(field, materials);
-      EXPECT_EQ(render_page({{"s", stroke}}, other).value(), as_before) << seed;
+      EXPECT_EQ(picture_of(stroke, other).value(), as_before) << seed;
     }
     // Of what nobody knows, and on a sheet of glass: like the pencil there.
     other.grain = Grain(&flat, materials);
     const auto drawn = [&](const char* material) {
-      return render_page({{"s", of_material(stroke, material)}}, other).value();
+      return picture_of(of_material(stroke, material), other).value();
     };
     EXPECT_EQ(drawn("from far away"), drawn("pencil"));
     EXPECT_NE(drawn("pencil"), as_before);
@@ -174,7 +178,7 @@ TEST(Grain, FromAfarOneSeesTheMean) {
     const auto mean_at = [&](double dpi) {
       PageOptions options{.dpi = dpi, .sheet = Rect{20, 8, 80, 12}};
       options.grain = grain;
-      const Image image = render_page({{"s", swelling(material)}}, options).value();
+      const Image image = picture_of(swelling(material), options).value();
       double sum = 0.0;
       for (std::size_t i = 0; i < image.bytes().size(); i += 4) sum += image.bytes()[i];
       return sum / (0.25 * static_cast<double>(image.bytes().size()));
@@ -197,11 +201,13 @@ TEST(Grain, EqualGrainsLookAlike) {
 
 TEST(Grain, R47_ThePictureIsTheSameFromRunToRun) {
   const auto picture = [] {
-    Sketch sketch;
-    for (std::uint64_t seed = 1; seed <= 5; ++seed) sketch.push_back({"s", random_stroke(seed)});
+    std::vector<StrokePtr> strokes;
+    for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+      strokes.push_back(std::make_shared<const Stroke>(random_stroke(seed)));
+    }
     PageOptions options{.dpi = 150, .sheet = Rect{0, 0, 20, 20}};
     options.grain = Grain(&paper());
-    return render_page(sketch, options).value();
+    return render_page(strokes, options).value();
   };
   EXPECT_EQ(picture(), picture());
 }

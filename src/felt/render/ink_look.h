@@ -5,7 +5,7 @@
 #include <memory>
 #include <vector>
 
-#include "felt/material/medium.h"
+#include "felt/material/materials.h"
 #include "felt/render/pressure_map.h"
 #include "felt/render/relief_texture.h"
 #include "felt/render/view.h"

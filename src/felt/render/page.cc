@@ -2,8 +2,6 @@
 
 #include <cmath>
 
-#include "felt/render/raster.h"
-
 namespace felt {
 namespace {
 
@@ -18,19 +16,18 @@ int pixels_for(double mm, double px_per_mm) noexcept {
 
 }  // namespace
 
-Rect ink_bounds(const Sketch& sketch) noexcept {
+Rect ink_bounds(std::span<const StrokePtr> strokes) noexcept {
   Rect area;
-  for (const SketchStroke& s : sketch) area.extend(s.stroke.bounds());
+  for (const StrokePtr& stroke : strokes) area.extend(stroke->bounds());
   return area;
 }
 
-Rect page_area(const Sketch& sketch, const PageOptions& options) noexcept {
+Rect page_area(const Rect& ink, const PageOptions& options) noexcept {
   if (options.sheet) return *options.sheet;
-  const Rect ink = ink_bounds(sketch);
   return (ink.empty() ? Rect{0.0, 0.0, 0.0, 0.0} : ink).inflated(options.margin_mm);
 }
 
-Result<Image> render_page(const Sketch& sketch, const PageOptions& options) {
+Result<PagePainter> PagePainter::create(const Rect& ink, const PageOptions& options) {
   if (!(options.dpi > 0.0 && options.dpi <= kFinestDpi)) {
     return fail(ErrorCode::kInvalidArgument,
                 "the resolution must be above 0 and at most 100000 dpi");
@@ -38,21 +35,29 @@ Result<Image> render_page(const Sketch& sketch, const PageOptions& options) {
   if (!(options.margin_mm >= 0.0 && options.margin_mm <= kWidestMarginMm)) {
     return fail(ErrorCode::kInvalidArgument, "the margin must be between 0 and 10000 mm");
   }
-  const Rect area = page_area(sketch, options);
+  const Rect area = page_area(ink, options);
   if (area.empty() || !std::isfinite(area.width()) || !std::isfinite(area.height())) {
     return fail(ErrorCode::kInvalidArgument, "the sheet to draw is empty or not finite");
   }
   const View view = View::at_dpi({area.x0, area.y0}, options.dpi);
   auto image = Image::create(pixels_for(area.width(), view.px_per_mm),
                              pixels_for(area.height(), view.px_per_mm));
-  if (!image) return image;
-  const Pixels target = image->pixels();
-  fill(target, target.rect(), options.paper);
-  Rasterizer rasterizer;
-  for (const SketchStroke& s : sketch) {
-    rasterizer.draw(s.stroke, view, target.rect(), options.grain, target);
-  }
-  return image;
+  if (!image) return tl::unexpected(image.error());
+  const Pixels pixels = image->pixels();
+  fill(pixels, pixels.rect(), options.paper);
+  return PagePainter(*std::move(image), view, options.grain);
+}
+
+void PagePainter::draw(const Stroke& stroke) {
+  const Pixels pixels = image_.pixels();
+  rasterizer_.draw(stroke, view_, pixels.rect(), grain_, pixels);
+}
+
+Result<Image> render_page(std::span<const StrokePtr> strokes, const PageOptions& options) {
+  Result<PagePainter> page = PagePainter::create(ink_bounds(strokes), options);
+  if (!page) return tl::unexpected(page.error());
+  for (const StrokePtr& stroke : strokes) page->draw(*stroke);
+  return std::move(page->image());
 }
 
 }  // namespace felt

@@ -1,12 +1,16 @@
 #pragma once
 
 #include <optional>
+#include <span>
+#include <utility>
 
 #include "felt/base/result.h"
+#include "felt/document/edit.h"
 #include "felt/render/grain.h"
 #include "felt/render/image.h"
+#include "felt/render/raster.h"
 #include "felt/render/view.h"
-#include "felt/stroke/sketch.h"
+#include "felt/stroke/stroke.h"
 
 namespace felt {
 
@@ -20,15 +24,37 @@ struct PageOptions {
   Grain grain{};                   ///< the relief of the sheet, in the ink; smooth without
 };
 
-/// Bounds of all ink; empty for no strokes.
-Rect ink_bounds(const Sketch& sketch) noexcept;
+/// Returns the bounds of all ink; empty for no strokes.
+Rect ink_bounds(std::span<const StrokePtr> strokes) noexcept;
 
-/// The part of the sheet that the options show: `sheet`, or the ink and its margin, or for an
-/// empty sketch a square of the margin around the origin.
-Rect page_area(const Sketch& sketch, const PageOptions& options) noexcept;
+/// Returns the part of the page that the options show: `sheet`, or the ink and its margin, or
+/// without ink a square of the margin around the origin.
+Rect page_area(const Rect& ink, const PageOptions& options) noexcept;
 
-/// Draws the strokes in order onto paper. Error: options that make no sense (a resolution or
-/// margin that is not finite, an empty sheet), or a picture larger than Image::kMaxPixels.
-Result<Image> render_page(const Sketch& sketch, const PageOptions& options);
+/// Draws strokes one by one onto the paper of a page.
+class PagePainter {
+ public:
+  /// Prepares a page that shows `ink` or what the options say. Error: options that make no sense
+  /// (a resolution or margin that is not finite, an empty sheet), or a picture larger than
+  /// Image::kMaxPixels.
+  static Result<PagePainter> create(const Rect& ink, const PageOptions& options);
+
+  /// Draws a stroke on top of the others.
+  void draw(const Stroke& stroke);
+  [[nodiscard]] const View& view() const noexcept { return view_; }
+  [[nodiscard]] Image& image() noexcept { return image_; }
+
+ private:
+  PagePainter(Image image, const View& view, const Grain& grain)
+      : image_(std::move(image)), view_(view), grain_(grain) {}
+
+  Image image_;
+  View view_;
+  Grain grain_;
+  Rasterizer rasterizer_;
+};
+
+/// Returns a picture of the strokes in their order. Error: see PagePainter.
+Result<Image> render_page(std::span<const StrokePtr> strokes, const PageOptions& options);
 
 }  // namespace felt

@@ -9,8 +9,8 @@
 namespace felt {
 namespace {
 
-Sketch one_line() {
-  return {{"a", testing::straight_stroke({10, 20}, {40, 20}, 2.0, 2.0)}};
+std::vector<StrokePtr> one_line() {
+  return {std::make_shared<const Stroke>(testing::straight_stroke({10, 20}, {40, 20}, 2.0, 2.0))};
 }
 
 TEST(Page, FitsTheInkWithItsMargin) {
@@ -55,10 +55,11 @@ TEST(Page, RefusesNonsense) {
 }
 
 TEST(Page, TheSameSketchGivesTheSamePixels) {
-  Sketch sketch;
-  for (std::uint64_t seed = 0; seed < 8; ++seed)
-    sketch.push_back({"", testing::random_stroke(seed)});
-  EXPECT_EQ(*render_page(sketch, {.dpi = 100.0}), *render_page(sketch, {.dpi = 100.0}));
+  std::vector<StrokePtr> strokes;
+  for (std::uint64_t seed = 0; seed < 8; ++seed) {
+    strokes.push_back(std::make_shared<const Stroke>(testing::random_stroke(seed)));
+  }
+  EXPECT_EQ(*render_page(strokes, {.dpi = 100.0}), *render_page(strokes, {.dpi = 100.0}));
 }
 
 }  // namespace

@@ -4,7 +4,7 @@
 #include <span>
 #include <string_view>
 
-#include "felt/geometry/vec.h"
+#include "felt/geometry/point.h"
 #include "felt/render/image.h"
 
 namespace felt {

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "felt/geometry/vec.h"
+#include "felt/geometry/point.h"
 #include "felt/render/image.h"
 
 namespace felt {

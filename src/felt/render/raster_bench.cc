@@ -8,13 +8,13 @@ namespace {
 
 /// The whole screen, outlines traced anew.
 void FullScreen(benchmark::State& state) {
-  const Sketch sketch = testing::screen_of_strokes(static_cast<int>(state.range(0)));
+  const std::vector<Stroke> strokes = testing::screen_of_strokes(static_cast<int>(state.range(0)));
   Image image = Image::create(1920, 1080).value();
   Rasterizer rasterizer;
   for (auto _ : state) {
     fill(image.pixels(), {0, 0, 1920, 1080}, {255, 255, 255, 255});
-    for (const auto& s : sketch) {
-      rasterizer.draw(s.stroke, {{0, 0}, 4.0}, {0, 0, 1920, 1080}, image.pixels());
+    for (const Stroke& s : strokes) {
+      rasterizer.draw(s, {{0, 0}, 4.0}, {0, 0, 1920, 1080}, image.pixels());
     }
   }
   state.SetItemsProcessed(state.iterations() * state.range(0));
@@ -34,14 +34,14 @@ void FullScreenOfMedium(benchmark::State& state) {
     materials.put(medium);
   }
   const Grain grain = n == 0 ? Grain() : Grain(&relief, materials);
-  const Sketch sketch = testing::screen_of_strokes(1000);
+  const std::vector<Stroke> strokes = testing::screen_of_strokes(1000);
   Image image = Image::create(1920, 1080).value();
   Rasterizer rasterizer;
-  rasterizer.draw(sketch[0].stroke, {{0, 0}, 4.0}, {0, 0, 1920, 1080}, grain, image.pixels());
+  rasterizer.draw(strokes[0], {{0, 0}, 4.0}, {0, 0, 1920, 1080}, grain, image.pixels());
   for (auto _ : state) {
     fill(image.pixels(), {0, 0, 1920, 1080}, {255, 255, 255, 255});
-    for (const auto& s : sketch) {
-      rasterizer.draw(s.stroke, {{0, 0}, 4.0}, {0, 0, 1920, 1080}, grain, image.pixels());
+    for (const Stroke& s : strokes) {
+      rasterizer.draw(s, {{0, 0}, 4.0}, {0, 0, 1920, 1080}, grain, image.pixels());
     }
   }
 }
@@ -49,14 +49,14 @@ BENCHMARK(FullScreenOfMedium)->DenseRange(0, 9)->Unit(benchmark::kMillisecond);
 
 /// A dirty patch of 64 x 64 pixels; every stroke is asked whether it touches it.
 void DirtyPatch(benchmark::State& state) {
-  const Sketch sketch = testing::screen_of_strokes(static_cast<int>(state.range(0)));
+  const std::vector<Stroke> strokes = testing::screen_of_strokes(static_cast<int>(state.range(0)));
   Image image = Image::create(1920, 1080).value();
   Rasterizer rasterizer;
   const PixelRect patch{900, 500, 964, 564};
   for (auto _ : state) {
     fill(image.pixels(), patch, {255, 255, 255, 255});
-    for (const auto& s : sketch) {
-      rasterizer.draw(s.stroke, {{0, 0}, 4.0}, patch, image.pixels());
+    for (const Stroke& s : strokes) {
+      rasterizer.draw(s, {{0, 0}, 4.0}, patch, image.pixels());
     }
   }
 }

@@ -133,9 +133,7 @@ void RecordCopy::keep(const Session& session) {
   }
   is_changed_ = is_drawing;  // what comes of the stroke in progress replaces it
   std::string text;
-  for (const SketchStroke& stroke : session.sketch()) {
-    append_sketch_line(text, stroke.id, stroke.stroke.data());
-  }
+  append_sketch_lines(text, session.document());
   append_stroke_in_progress(text, session);
   // A copy without a stroke would be offered as something to recover.
   std::error_code none;

@@ -269,15 +269,16 @@ void draw_arc(Session& session, int from, int to) {
 
 /// Returns what a new copy holds, read as the program reads it. A copy is not due at every turn:
 /// the next one waits for 50 times as long as the last one took.
-Sketch read_copy(RecordCopy& copy, const Session& session) {
+std::vector<StrokePtr> read_copy(RecordCopy& copy, const Session& session) {
   std::filesystem::remove(copy.path());
   for (int turn = 0; turn < 2000 && !std::filesystem::exists(copy.path()); ++turn) {
     copy.keep(session);
     copy.wait();
     std::this_thread::sleep_for(std::chrono::milliseconds(5));
   }
-  Result<OpenedDrawing> opened = read_drawing(copy.path());
-  return opened ? visible_strokes(opened->drawing.document) : Sketch();
+  Result<Imported> opened = read_drawing(copy.path());
+  if (!opened) return {};
+  return visible_strokes(opened->drawing.document);
 }
 
 TEST(RecordCopyTest, HasTheStrokeInProgress) {
@@ -286,18 +287,18 @@ TEST(RecordCopyTest, HasTheStrokeInProgress) {
   Session session(make_tools(), {});
   draw_arc(session, 0, 2000);
   ASSERT_EQ(session.document().stroke_count(), 0U);
-  const Sketch one = read_copy(copy, session);
+  const std::vector<StrokePtr> one = read_copy(copy, session);
   ASSERT_EQ(one.size(), 1U);
   draw_arc(session, 2000, 4000);  // more of the same stroke, and no edit
-  const Sketch more = read_copy(copy, session);
+  const std::vector<StrokePtr> more = read_copy(copy, session);
   ASSERT_EQ(more.size(), 1U);
   const auto length_mm = [](const Stroke& stroke) {
     double length = 0.0;
     for (int i = 0; i < stroke.segment_count(); ++i) length += control_length(stroke.segment(i));
     return length;
   };
-  EXPECT_NEAR(length_mm(one[0].stroke), 40.0 * 0.002 * 2000, 3.0);
-  EXPECT_NEAR(length_mm(more[0].stroke), 40.0 * 0.002 * 4000, 3.0);
+  EXPECT_NEAR(length_mm(*one[0]), 40.0 * 0.002 * 2000, 3.0);
+  EXPECT_NEAR(length_mm(*more[0]), 40.0 * 0.002 * 4000, 3.0);
   ASSERT_TRUE(session.finish());
   copy.note_edit();
   EXPECT_EQ(read_copy(copy, session).size(), session.document().stroke_count());

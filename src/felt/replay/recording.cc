@@ -11,9 +11,9 @@ namespace {
 Result<void> apply(const Event& event, const ReadImport& read_import, Session& session) {
   const auto* import = std::get_if<ImportEvent>(&event.what);
   if (!import) return session.apply(event);
-  const Result<Sketch> sketch = read_import(import->path);
-  if (!sketch) return tl::unexpected(sketch.error());
-  return session.import(event.time_ns, *import, *sketch);
+  const Result<std::vector<StrokePtr>> strokes = read_import(import->path);
+  if (!strokes) return tl::unexpected(strokes.error());
+  return session.import(event.time_ns, *import, *strokes);
 }
 
 }  // namespace
@@ -26,7 +26,7 @@ Result<void> apply_script(const std::string& name, ReadBytes read, const ReadImp
   return session.finish();
 }
 
-Result<void> apply_recording(const StoredDrawing& drawing, const ReadImport& read_import,
+Result<void> apply_recording(const Drawing& drawing, const ReadImport& read_import,
                              Session& session) {
   const auto all = recordings_of(drawing);
   if (!all) return tl::unexpected(all.error());

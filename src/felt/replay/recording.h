@@ -16,14 +16,14 @@
 namespace felt {
 
 /// Reads the strokes of the file that an import event names.
-using ReadImport = std::function<Result<Sketch>(const std::string& path)>;
+using ReadImport = std::function<Result<std::vector<StrokePtr>>(const std::string& path)>;
 
 /// Applies a script. `name` is for errors, "NAME:LINE: reason".
 Result<void> apply_script(const std::string& name, ReadBytes read, const ReadImport& read_import,
                           Session& session);
 
 /// Applies the newest recording in a drawing. Fails if there is none.
-Result<void> apply_recording(const StoredDrawing& drawing, const ReadImport& read_import,
+Result<void> apply_recording(const Drawing& drawing, const ReadImport& read_import,
                              Session& session);
 
 }  // namespace felt

@@ -10,7 +10,7 @@ namespace felt {
 namespace {
 
 /// Returns the media whose texts a drawing contains, with or without ink of them.
-std::vector<std::string> media_of(const StoredDrawing& drawing) {
+std::vector<std::string> media_of(const Drawing& drawing) {
   std::vector<std::string> ids;
   for (const std::string& text : drawing.materials) {
     const Result<AnyMaterial> material = read_material(text);
@@ -21,7 +21,7 @@ std::vector<std::string> media_of(const StoredDrawing& drawing) {
 
 }  // namespace
 
-std::vector<std::pair<std::string, std::string>> options_of(const StoredDrawing& drawing,
+std::vector<std::pair<std::string, std::string>> options_of(const Drawing& drawing,
                                                             const Materials& known) {
   std::vector<std::pair<std::string, std::string>> options;
   if (known.find_surface(drawing.page.surface)) {
@@ -31,8 +31,7 @@ std::vector<std::pair<std::string, std::string>> options_of(const StoredDrawing&
   return options;
 }
 
-OpenedDrawing drawing_after(OpenedDrawing start, const Session& session, Document document) {
-  StoredDrawing& drawing = start.drawing;
+Drawing drawing_after(Drawing drawing, const Session& session, Document document) {
   const Materials& known = session.materials();
   const std::string& sheet = session.sheet().material().id;
   // An unknown id stays, unless another surface was chosen than the first one, which the session
@@ -45,7 +44,7 @@ OpenedDrawing drawing_after(OpenedDrawing start, const Session& session, Documen
   drawing.layer = session.layer();
   drawing.materials =
       texts_of_used(drawing.document, drawing.page.surface, known, media_of(drawing));
-  return start;
+  return drawing;
 }
 
 Document seen_document(const Session& session) {

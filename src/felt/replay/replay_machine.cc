@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "felt/document/visible_strokes.h"
 #include "felt/replay/option_text.h"
 #include "felt/session/session_medium.h"
 #include "felt/tools/medium_line.h"
@@ -115,8 +116,8 @@ Result<void> ReplayMachine::set_option(const std::string& id, const std::string&
 Result<void> ReplayMachine::add(const Event& event) {
   const auto* import = std::get_if<ImportEvent>(&event.what);
   if (import && settings_.read_import) {
-    const Result<Sketch> sketch = settings_.read_import(import->path);
-    if (!sketch) return tl::unexpected(sketch.error());
+    const auto strokes = settings_.read_import(import->path);
+    if (!strokes) return tl::unexpected(strokes.error());
   } else if (import || std::holds_alternative<SelectTool>(event.what) ||
              std::holds_alternative<SetOption>(event.what) ||
              std::holds_alternative<UseMaterial>(event.what)) {
@@ -158,9 +159,9 @@ ReplayStats ReplayMachine::take_stats() {
   ReplayStats taken = std::exchange(stats_, {});
   taken.strokes_changed = std::ssize(changed_);
   changed_.clear();
-  for (const SketchStroke& stroke : session_.sketch()) {
+  for (const StrokePtr& stroke : visible_strokes(session_.document())) {
     ++taken.strokes;
-    taken.segments += stroke.stroke.segment_count();
+    taken.segments += stroke->segment_count();
   }
   return taken;
 }

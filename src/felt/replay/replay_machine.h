@@ -9,7 +9,6 @@
 
 #include "felt/base/result.h"
 #include "felt/devices/simulated/hand_script.h"
-#include "felt/devices/simulated/simulated_hand.h"
 #include "felt/devices/simulated/simulated_stylus.h"
 #include "felt/devices/simulated/stylus_presets.h"
 #include "felt/material/materials.h"
@@ -30,7 +29,7 @@ struct ReplaySettings {
   /// Surfaces and media that options may name.
   Materials materials = Materials::built_in();
   /// Reads the strokes of a drawing that a script imports. Null: an import is an error.
-  std::function<Result<Sketch>(const std::string& path)> read_import{};
+  std::function<Result<std::vector<StrokePtr>>(const std::string& path)> read_import{};
 };
 
 /// Returns the settings for a preset and a hand. `rate_hz` and `delay_ticks`: by default the

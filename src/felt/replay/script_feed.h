@@ -9,7 +9,7 @@
 
 #include "felt/base/result.h"
 #include "felt/devices/simulated/hand_script.h"
-#include "felt/geometry/vec.h"
+#include "felt/geometry/point.h"
 #include "felt/io/events/event_reader.h"
 
 namespace felt {

@@ -4,8 +4,7 @@
 #include <optional>
 
 #include "felt/haptics/pen_sample.h"
-#include "felt/haptics/safety/safety_clock.h"
-#include "felt/haptics/safety/safety_motion.h"
+#include "felt/haptics/safety/safety_guards.h"
 
 namespace felt {
 

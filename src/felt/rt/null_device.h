@@ -3,7 +3,7 @@
 #include <optional>
 #include <string_view>
 
-#include "felt/haptics/velocity_filter.h"
+#include "felt/haptics/pen_sample.h"
 #include "felt/rt/device.h"
 #include "felt/rt/latest_value.h"
 

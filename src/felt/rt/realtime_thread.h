@@ -6,8 +6,8 @@
 #include <thread>
 
 #include "felt/base/result.h"
+#include "felt/rt/device.h"
 #include "felt/rt/latest_value.h"
-#include "felt/rt/loop_host.h"
 #include "felt/rt/loop_stats.h"
 #include "felt/rt/servo.h"
 

@@ -107,7 +107,7 @@ TEST(RealtimeThread, TheEditSideMayDoEverythingWhileItRuns) {
     if (i % 7 == 0) servo->disarm();
     PenSample sample;
     while (servo->for_edit().pop(sample)) ++drained;
-    while (servo->for_saver().pop(sample)) {
+    while (servo->for_autosave().pop(sample)) {
     }
     EXPECT_TRUE(is_finite(servo->latest().sent));
     static_cast<void>(loop.stats());

@@ -4,8 +4,9 @@
 
 #include <algorithm>
 
-#include "felt/haptics/safety/safety_motion.h"
+#include "felt/haptics/safety/safety_guards.h"
 #include "felt/rt/float_mode.h"
+#include "felt/rt/leap_filter.h"
 #include "felt/rt/realtime_scope.h"
 
 namespace felt {
@@ -87,9 +88,9 @@ void Servo::sense_and_act(std::int64_t now_ns) noexcept {
 void Servo::hand_over_ink(const PenSample& sample, std::int64_t now_ns) noexcept {
   if (!is_finite(sample)) return;
   if (is_arm_) {
-    const std::optional<PenSample> passed = leaps_.pass(sample, now_ns);
+    const std::optional<PenSample> passed = leaps_->pass(sample, now_ns);
     if (passed) hand_over(*passed);
-    report_.ink_cuts = leaps_.cuts();
+    report_.ink_cuts = leaps_->cuts();
   } else if (report_.sample_ok || !has_force_) {
     hand_over(sample);
   }
@@ -97,7 +98,7 @@ void Servo::hand_over_ink(const PenSample& sample, std::int64_t now_ns) noexcept
 
 void Servo::hand_over(const PenSample& sample) noexcept {
   edit_ring_.push(sample);
-  saver_ring_.push(sample);
+  autosave_ring_.push(sample);
 }
 
 void Servo::hand_over_between() noexcept {

@@ -3,18 +3,20 @@
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 
 #include "felt/haptics/force_memory.h"
 #include "felt/haptics/force_model.h"
 #include "felt/haptics/safety/safety_chain.h"
 #include "felt/rt/device.h"
 #include "felt/rt/latest_value.h"
-#include "felt/rt/leap_filter.h"
 #include "felt/rt/loop_stats.h"
 #include "felt/rt/spsc_ring.h"
 #include "felt/rt/thread_roles.h"
 
 namespace felt {
+
+class LeapFilter;
 
 /// Everything about one tick of the haptic loop: what `--forces` writes and the force panel plots.
 struct TickReport {
@@ -57,6 +59,7 @@ class Servo {
 
   /// The device must outlive the servo. Forces are off until arm().
   Servo(Device& device, const ServoOptions& options);
+  ~Servo();
 
   /// One tick. Haptic thread.
   const TickReport& step(std::int64_t now_ns) noexcept FELT_NONBLOCKING FELT_NOT_EDIT;
@@ -86,11 +89,11 @@ class Servo {
   [[nodiscard]] std::int64_t session_offset_ns() const noexcept {
     return session_offset_ns_.load(std::memory_order_relaxed);
   }
-  /// Samples in order, all of them that are believed, for the session and for the saver. A device
-  /// without forces is always believed (a mouse may jump), as long as it says finite numbers; an
-  /// arm that leaps is not, and its stroke ends (LeapFilter).
+  /// Samples in order, all of them that are believed, for the session and for the autosave. A
+  /// device without forces is always believed (a mouse may jump), as long as it says finite
+  /// numbers; an arm that leaps is not, and its stroke ends (LeapFilter).
   [[nodiscard]] Ring& for_edit() noexcept FELT_NOT_HAPTIC { return edit_ring_; }
-  [[nodiscard]] Ring& for_saver() noexcept FELT_NOT_HAPTIC { return saver_ring_; }
+  [[nodiscard]] Ring& for_autosave() noexcept FELT_NOT_HAPTIC { return autosave_ring_; }
   /// The newest tick, for display; valid until the next call. Edit thread.
   [[nodiscard]] const TickReport& latest() noexcept FELT_NOT_HAPTIC;
 
@@ -130,7 +133,7 @@ class Servo {
 
   // The haptic thread's own.
   SafetyChain chain_;
-  LeapFilter leaps_;
+  std::unique_ptr<LeapFilter> leaps_;
   ForceModel current_;
   ForceMemory memory_;
   ForceModel outgoing_;  // while fade_ < 1
@@ -142,10 +145,10 @@ class Servo {
   TickReport report_;
   LoopStats stats_;
 
-  // Haptic thread to edit side and saver.
+  // Haptic thread to edit side and autosave.
   LatestValue<TickReport> reports_;
   Ring edit_ring_;
-  Ring saver_ring_;
+  Ring autosave_ring_;
 };
 
 }  // namespace felt

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "felt/rt/leap_filter.h"
 #include "felt/rt/servo.h"
 
 namespace felt {
@@ -24,7 +25,9 @@ Servo::Servo(Device& device, const ServoOptions& options)
       has_force_(device.capabilities().has_force()),
       is_arm_(device.is_arm()),
       chain_(options_.limits),
-      leaps_(options_.limits) {}
+      leaps_(std::make_unique<LeapFilter>(options_.limits)) {}
+
+Servo::~Servo() = default;
 
 void Servo::publish(const ForceModel& model) noexcept {
   models_.publish(model);

@@ -223,7 +223,7 @@ TEST(Servo, R49_ASampleThatIsNotANumberGivesZeroAndNoInk) {
     EXPECT_EQ(loop.device.force, Force{});
     EXPECT_FALSE(report.sample_ok);
     EXPECT_EQ(loop.servo->for_edit().size(), ink);
-    EXPECT_EQ(loop.servo->for_saver().size(), ink);
+    EXPECT_EQ(loop.servo->for_autosave().size(), ink);
   }
 }
 
@@ -359,7 +359,7 @@ TEST(Servo, EverySampleArrivesTwiceInOrder) {
     loop.device.sample.position.x = 0.01 * i;
     loop.run(1);
   }
-  for (Servo::Ring* ring : {&loop.servo->for_edit(), &loop.servo->for_saver()}) {
+  for (Servo::Ring* ring : {&loop.servo->for_edit(), &loop.servo->for_autosave()}) {
     PenSample sample;
     for (int i = 0; i < 500; ++i) {
       ASSERT_TRUE(ring->pop(sample));
@@ -377,7 +377,7 @@ TEST(Servo, AHungEditSideCostsItsOwnSamplesAndNobodyElses) {
   const int ticks = static_cast<int>(Servo::kRingSamples) + 1000;
   for (int i = 0; i < ticks; ++i) {
     loop.run(1);
-    saved += loop.servo->for_saver().pop(out);
+    saved += loop.servo->for_autosave().pop(out);
   }
   EXPECT_EQ(loop.servo->for_edit().dropped(), 1000U);
   EXPECT_EQ(saved, static_cast<std::size_t>(ticks));

@@ -6,7 +6,7 @@
 #include <string>
 #include <variant>
 
-#include "felt/base/id.h"
+#include "felt/document/edit.h"
 #include "felt/haptics/capabilities.h"
 #include "felt/haptics/pen_sample.h"
 #include "felt/tools/tool_options.h"

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "felt/haptics/velocity_filter.h"
+#include "felt/haptics/pen_sample.h"
 #include "felt/rt/device.h"
 #include "felt/session/pose_track.h"
 
@@ -244,7 +244,7 @@ class Player::Run {
 
   Result<void> import(std::int64_t time_ns, const ImportEvent& event) {
     if (!options_.read_import) return session_.apply({time_ns, event});
-    const Result<Sketch> strokes = options_.read_import(event);
+    const Result<std::vector<StrokePtr>> strokes = options_.read_import(event);
     if (!strokes) return tl::unexpected(strokes.error());
     return session_.import(time_ns, event, *strokes);
   }

@@ -25,7 +25,7 @@ struct PlayerOptions {
   /// Sees each tick of the loop: for the CSV of forces and for plots.
   std::function<void(const TickReport&)> on_tick = {};
   /// Reads the strokes that an import event names. Without it, import events are errors.
-  std::function<Result<Sketch>(const ImportEvent&)> read_import = {};
+  std::function<Result<std::vector<StrokePtr>>(const ImportEvent&)> read_import = {};
   /// Asked on each turn of the edit side; true ends the play there, with the ink so far.
   std::function<bool()> is_cancelled = {};
 };

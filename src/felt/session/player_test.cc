@@ -8,6 +8,7 @@
 
 #include "felt/base/constants.h"
 #include "felt/base/hash.h"
+#include "felt/document/visible_strokes.h"
 #include "felt/rt/null_device.h"
 #include "felt/session/recorder.h"
 #include "felt/session/testing/fake_tools.h"
@@ -68,7 +69,7 @@ class SpringPen final : public Device, public HandInput {
 /// What came of a script.
 struct Played {
   Result<PlayReport> report = PlayReport{};
-  Sketch sketch;
+  Document document;
   std::uint64_t forces = 0;  ///< fingerprint of all ticks
   std::vector<Event> recorded;
   std::vector<PenSample> samples;
@@ -110,7 +111,7 @@ Played play_on(Device& device, HandInput* hand, const std::vector<Event>& events
   Player player(device, hand, session, std::move(options));
   played.report = player.play(events);
   recorder.flush();
-  played.sketch = session.sketch();
+  played.document = session.document();
   played.forces = hash.value();
   played.undo_count = session.history().undo_count();
   return played;
@@ -143,8 +144,8 @@ std::vector<Event> three_lines() {
 TEST(Player, DrawsWhatThePenDoes) {
   const Played played = play(three_lines<PenEvent>());
   ASSERT_TRUE(played.report) << played.report.error().message;
-  ASSERT_EQ(played.sketch.size(), 2U);
-  const Stroke& first = played.sketch[0].stroke;
+  ASSERT_EQ(played.document.stroke_count(), 2U);
+  const Stroke& first = *visible_strokes(played.document)[0];
   EXPECT_LT(distance(first.position(0), {0, 0}), 0.2);
   EXPECT_LT(distance(first.position(first.segment_count()), {20, 5}), 0.2);
   EXPECT_EQ(played.report->edits, 4U);
@@ -187,7 +188,7 @@ TEST(Player, ForcesMoveAHand) {
   EXPECT_GT(with.report->largest_sent_n, 0.1);
   EXPECT_LT(deepest(without), -0.9);
   EXPECT_GT(deepest(with), -0.5) << "the wall pushes back";
-  EXPECT_EQ(with.sketch.size(), 2U);
+  EXPECT_EQ(with.document.stroke_count(), 2U);
 }
 
 TEST(Player, R51_TheDocumentIsTheSameWithoutForces) {
@@ -204,9 +205,9 @@ TEST(Player, R51_TheDocumentIsTheSameWithoutForces) {
   EXPECT_GT(with.report->largest_sent_n, 0.1);
   EXPECT_EQ(without.report->largest_sent_n, 0.0);
   EXPECT_EQ(unarmed.largest_written_n(), 0.0);
-  EXPECT_FALSE(with.sketch.empty());
-  EXPECT_EQ(with.sketch, without.sketch);
-  EXPECT_EQ(with.sketch, none.sketch);
+  EXPECT_GT(with.document.stroke_count(), 0U);
+  EXPECT_EQ(with.document, without.document);
+  EXPECT_EQ(with.document, none.document);
   EXPECT_EQ(with.undo_count, none.undo_count);
 }
 
@@ -226,8 +227,8 @@ TEST(Player, R51_APenThatJumpsDrawsTheSame) {
   const Played none = play_on(nothing, &nothing, script);
   ASSERT_TRUE(with.report && none.report);
   EXPECT_GT(with.report->unread, 0U) << "the chain did object";
-  EXPECT_EQ(with.sketch.size(), 4U);
-  EXPECT_EQ(with.sketch, none.sketch);
+  EXPECT_EQ(with.document.stroke_count(), 4U);
+  EXPECT_EQ(with.document, none.document);
 }
 
 TEST(Player, IsDeterministic) {
@@ -235,7 +236,7 @@ TEST(Player, IsDeterministic) {
     const Played a = play(script), b = play(script);
     ASSERT_TRUE(a.report && b.report);
     EXPECT_EQ(a.forces, b.forces);
-    EXPECT_EQ(a.sketch, b.sketch);
+    EXPECT_EQ(a.document, b.document);
     EXPECT_EQ(*a.report, *b.report);
     EXPECT_EQ(a.recorded, b.recorded);
   }
@@ -247,7 +248,7 @@ TEST(Player, PortionsOfTheEditSideChangeNoDocumentOfAPen) {
   for (const std::int64_t portion_ms : {3, 4, 16, 97, 2000}) {
     const Played seldom = play(script, {.edit_period_ns = portion_ms * kMs});
     ASSERT_TRUE(seldom.report);
-    EXPECT_EQ(seldom.sketch, often.sketch) << portion_ms;
+    EXPECT_EQ(seldom.document, often.document) << portion_ms;
     EXPECT_EQ(seldom.recorded, often.recorded) << portion_ms;
     EXPECT_LT(seldom.report->turns, often.report->turns);
   }
@@ -256,13 +257,13 @@ TEST(Player, PortionsOfTheEditSideChangeNoDocumentOfAPen) {
 TEST(Player, ARecordingGivesTheSameSessionAgain) {
   for (const auto& script : {three_lines<PenEvent>(), three_lines<HandEvent>()}) {
     const Played first = play(script);
-    ASSERT_FALSE(first.sketch.empty());
+    ASSERT_GT(first.document.stroke_count(), 0U);
     Session direct(fake_tools(), {});
     for (const Event& event : first.recorded) ASSERT_TRUE(direct.apply(event));
-    EXPECT_EQ(direct.sketch(), first.sketch);
+    EXPECT_EQ(direct.document(), first.document);
     const Played again = play(first.recorded);  // now the pen is led
     ASSERT_TRUE(again.report);
-    EXPECT_EQ(again.sketch, first.sketch);
+    EXPECT_EQ(again.document, first.document);
   }
 }
 
@@ -272,8 +273,8 @@ TEST(Player, LosesNoInkOfAnUnfinishedStroke) {
     script.pop_back();  // the pen stays down
     const Played cut = play(script);
     ASSERT_TRUE(cut.report);
-    EXPECT_EQ(cut.sketch.size(), 2U);
-    const Stroke& last = cut.sketch[1].stroke;
+    EXPECT_EQ(cut.document.stroke_count(), 2U);
+    const Stroke& last = *visible_strokes(cut.document)[1];
     EXPECT_LT(distance(last.position(last.segment_count()), {20, 25}), 1.0);
     EXPECT_FALSE(in_contact(cut.samples.back()));
   }
@@ -286,15 +287,15 @@ TEST(Player, EventsTakeEffectBetweenTheSamplesOfTheirTime) {
   script.insert(script.begin() + 2, {160 * kMs, SelectTool{"eraser"}});
   const Played played = play(script);
   ASSERT_TRUE(played.report);
-  ASSERT_EQ(played.sketch.size(), 1U);
-  const Stroke& stroke = played.sketch[0].stroke;
+  ASSERT_EQ(played.document.stroke_count(), 1U);
+  const Stroke& stroke = *visible_strokes(played.document)[0];
   EXPECT_NEAR(stroke.position(stroke.segment_count()).x, 9.9, 1e-9) << "the sample of 159 ms";
 
   // Behind a pose of its own time it comes after that sample.
   script.insert(script.begin() + 2, {160 * kMs, PenEvent{{10, 2.5, -1}, {}, 0}});
   const Played behind = play(script);
-  ASSERT_EQ(behind.sketch.size(), 1U);
-  const Stroke& longer = behind.sketch[0].stroke;
+  ASSERT_EQ(behind.document.stroke_count(), 1U);
+  const Stroke& longer = *visible_strokes(behind.document)[0];
   EXPECT_EQ(longer.position(longer.segment_count()).x, 10.0);
 }
 
@@ -303,7 +304,7 @@ TEST(Player, RunsAtEveryRate) {
   for (const std::int64_t period_ns : {200'000, 500'000, 1'000'000, 4'000'000}) {
     const Played played = play(script, {.period_ns = period_ns});
     ASSERT_TRUE(played.report);
-    EXPECT_EQ(played.sketch.size(), 2U) << period_ns;
+    EXPECT_EQ(played.document.stroke_count(), 2U) << period_ns;
     EXPECT_EQ(played.samples[1].time_ns - played.samples[0].time_ns, period_ns);
     EXPECT_EQ(played.report->unread, 0U) << period_ns;
   }
@@ -314,13 +315,13 @@ TEST(Player, ImportsWhatTheCallerReads) {
   const std::vector<Event> script = {
       {5 * kMs, ImportEvent{"a.ndjson"}}, {9 * kMs, UndoEvent{}}, {10 * kMs, RedoEvent{}}};
   PlayerOptions options;
-  options.read_import = [&source](const ImportEvent& event) -> Result<Sketch> {
+  options.read_import = [&source](const ImportEvent& event) -> Result<std::vector<StrokePtr>> {
     if (event.path != "a.ndjson") return fail(ErrorCode::kNotFound, event.path);
-    return source.sketch;
+    return visible_strokes(source.document);
   };
   const Played played = play(script, options);
   ASSERT_TRUE(played.report) << played.report.error().message;
-  EXPECT_EQ(played.sketch.size(), source.sketch.size());
+  EXPECT_EQ(played.document.stroke_count(), source.document.stroke_count());
   EXPECT_EQ(played.undo_count, 1U);
   EXPECT_EQ(play(script).report.error().message,
             "event 1, at 5 ms: an import is for whoever reads the file");
@@ -357,8 +358,8 @@ TEST(Player, CanBeCancelledWithTheInkSoFar) {
   ASSERT_TRUE(played.report);
   EXPECT_TRUE(played.report->cancelled);
   EXPECT_TRUE(pen.stopped());
-  ASSERT_EQ(played.sketch.size(), 1U);
-  const Stroke& stroke = played.sketch[0].stroke;
+  ASSERT_EQ(played.document.stroke_count(), 1U);
+  const Stroke& stroke = *visible_strokes(played.document)[0];
   EXPECT_LT(stroke.position(stroke.segment_count()).x, 11.0);
 }
 
@@ -381,7 +382,7 @@ TEST(Player, ASecondScriptGoesOnWithTheSession) {
   ASSERT_TRUE(player.play(script));
   for (Event& event : script) event.time_ns += 2000 * kMs;
   ASSERT_TRUE(player.play(script));
-  EXPECT_EQ(session.sketch().size(), 2U);
+  EXPECT_EQ(session.document().stroke_count(), 2U);
 }
 
 }  // namespace

@@ -6,12 +6,15 @@
 
 #include "felt/base/check.h"
 #include "felt/document/edit_builder.h"
-#include "felt/document/visible_strokes.h"
+#include "felt/document/stroke_index.h"
 #include "felt/geometry/lean.h"
 #include "felt/material/material_file.h"
 #include "felt/session/layer_edit.h"
 #include "felt/session/old_defaults.h"
 #include "felt/session/selection_edit.h"
+#include "felt/session/sheet_options.h"
+#include "felt/tools/contact.h"
+#include "felt/tools/selection_view.h"
 
 namespace felt {
 namespace {
@@ -28,11 +31,9 @@ std::pair<std::string_view, std::string_view> split_id(std::string_view id) {
   return {id.substr(0, dot), id.substr(dot + 1)};
 }
 
-Edit import_edit(const Document& document, LayerId layer, std::span<const SketchStroke> strokes) {
+Edit import_edit(const Document& document, LayerId layer, std::span<const StrokePtr> strokes) {
   EditBuilder builder(document);
-  for (const SketchStroke& named : strokes) {
-    builder.add(layer, std::make_shared<const Stroke>(named.stroke));
-  }
+  for (const StrokePtr& stroke : strokes) builder.add(layer, stroke);
   return std::move(builder).build("Import");
 }
 
@@ -76,26 +77,49 @@ struct Session::Apply {
   Result<void> operator()(const UseMaterial& e) const { return session.use_material(e); }
 };
 
+/// What follows the document, the pen and the options.
+struct Session::Parts {
+  explicit Parts(const Document& document) : index(document) {}
+
+  StrokeIndex index;
+  SelectionView selection_view;  // for tools that do not show it themselves
+  VelocityFilter velocity;
+  Contact contact;
+  SheetOptions sheet;
+};
+
 Session::Session(std::vector<std::unique_ptr<Tool>> tools, SessionOptions options)
     : options_(std::move(options)),
       tools_(std::move(tools)),
       document_(std::move(options_.document)),
-      index_(document_),
+      parts_(std::make_unique<Parts>(document_)),
       selection_(std::move(options_.selection)),
       history_(options_.history_limit_bytes) {
   selection_.hold_to(document_);
-  selection_view_.look_at_all(document_, selection_);
+  parts_->selection_view.look_at_all(document_, selection_);
   FELT_CHECK(!tools_.empty());
   const auto draws = [](const auto& tool) { return tool->info().kind == ToolKind::kDraws; };
   const auto first = std::find_if(tools_.begin(), tools_.end(), draws);
   if (first != tools_.end()) active_ = static_cast<std::size_t>(first - tools_.begin());
-  sheet_.follow(options_.materials);
+  parts_->sheet.follow(options_.materials);
   if (!highest_open_layer(document_)) {
     const Edit edit = add_layer_on_top(document_);
     FELT_CHECK(document_.apply(edit).has_value());
     follow(edit);
   }
   keep_layer_open();
+}
+
+Session::~Session() = default;
+Session::Session(Session&&) noexcept = default;
+Session& Session::operator=(Session&&) noexcept = default;
+
+ForceModel Session::force() const {
+  return tool().force(scene());
+}
+
+const SheetOptions& Session::sheet() const noexcept {
+  return parts_->sheet;
 }
 
 Result<void> Session::apply(const Event& event) {
@@ -114,7 +138,7 @@ Result<void> Session::sample(const PenSample& told) {
   sample.pressure = clean_pressure(told.pressure);
   sample.lean_deg = clean_lean(told.lean_deg);
   const double dt_s = static_cast<double>(sample.time_ns - last_sample_ns_) * 1e-9;
-  sample.velocity = velocity_.update(sample.position, dt_s);
+  sample.velocity = parts_->velocity.update(sample.position, dt_s);
   last_sample_ns_ = sample.time_ns;
   if (options_.on_event) {
     record({sample.time_ns,
@@ -122,8 +146,8 @@ Result<void> Session::sample(const PenSample& told) {
   }
 
   const bool was_down = std::exchange(pen_is_down_, in_contact(sample));
-  const Contact::Change contact = contact_.update(sample);
-  if (must_lift_ && contact_.is_down()) return {};
+  const Contact::Change contact = parts_->contact.update(sample);
+  if (must_lift_ && parts_->contact.is_down()) return {};
   must_lift_ = false;
   if (pen_is_down_ && !was_down) gesture_is_open_ = true;
   Result<void> taken = take(tools_[active_]->sample(sample, contact, scene()));
@@ -132,7 +156,7 @@ Result<void> Session::sample(const PenSample& told) {
 }
 
 Result<void> Session::import(std::int64_t time_ns, const ImportEvent& event,
-                             std::span<const SketchStroke> strokes) {
+                             std::span<const StrokePtr> strokes) {
   if (Result<void> ended = finish(); !ended) return ended;
   Edit edit = import_edit(document_, layer_, strokes);
   Selection added = made_by(edit);
@@ -149,7 +173,7 @@ Result<void> Session::finish() {
   // Whatever the pen does next, it is a new gesture; one that had to be lifted still has to.
   const bool was_down = std::exchange(pen_is_down_, false);
   must_lift_ = must_lift_ || was_down;
-  if (!must_lift_) contact_ = {};
+  if (!must_lift_) parts_->contact = {};
   return taken;
 }
 
@@ -169,7 +193,7 @@ Result<void> Session::set_option(std::int64_t time_ns, const std::string& id,
     return tl::unexpected(with_context(error, owner));
   };
   if (owner == "sheet") {
-    if (Result<void> done = sheet_.set(name, value, options_.materials); !done) {
+    if (Result<void> done = parts_->sheet.set(name, value, options_.materials); !done) {
       return in_context(done.error());
     }
     if (name == "material") tell_material(time_ns, OpenChoice::kSheets, value);
@@ -211,7 +235,7 @@ Result<void> Session::use_material(const UseMaterial& event) {
   if (!material) return tl::unexpected(material.error());
   told_.push_back(material_key(*material));
   put(options_.materials, *std::move(material));
-  sheet_.follow(options_.materials);
+  parts_->sheet.follow(options_.materials);
   return {};
 }
 
@@ -266,7 +290,7 @@ Result<void> Session::commit(Edit edit) {
 
 void Session::follow(const Edit& applied) {
   ++edits_;
-  index_.update(applied, document_);
+  parts_->index.update(applied, document_);
   const bool is_selected =
       !applied.layers.empty() || std::any_of(applied.changes.begin(), applied.changes.end(),
                                              [this](const StrokeChange& change) {
@@ -274,7 +298,7 @@ void Session::follow(const Edit& applied) {
                                              });
   selection_.follow(applied, document_);
   ++selections_;
-  if (is_selected) selection_view_.look_at_all(document_, selection_);
+  if (is_selected) parts_->selection_view.look_at_all(document_, selection_);
   if (!applied.layers.empty()) keep_layer_open();
   if (options_.on_edit) options_.on_edit(applied);
 }
@@ -283,7 +307,7 @@ void Session::set_selection(Selection selection) {
   selection_ = std::move(selection);
   selection_.hold_to(document_);
   ++selections_;
-  selection_view_.look_at_all(document_, selection_);
+  parts_->selection_view.look_at_all(document_, selection_);
 }
 
 void Session::record(const Event& event) const {
@@ -293,25 +317,23 @@ void Session::record(const Event& event) const {
 void Session::draw(Overlay& overlay) const {
   overlay.clear();
   const ToolKind kind = tool().info().kind;
-  if (kind != ToolKind::kSelects && kind != ToolKind::kTransforms) selection_view_.draw(overlay);
+  if (kind != ToolKind::kSelects && kind != ToolKind::kTransforms)
+    parts_->selection_view.draw(overlay);
   tool().draw(overlay);
 }
 
 Result<OptionValue> Session::option(std::string_view id) const {
   const auto [owner, name] = split_id(id);
-  if (owner == "sheet") return sheet_.get(name);
+  if (owner == "sheet") return parts_->sheet.get(name);
   const Result<std::size_t> found = find_tool(owner);
   if (!found) return tl::unexpected(found.error());
   return tools_[*found]->option(name);
 }
 
-Sketch Session::sketch() const {
-  return visible_strokes(document_);
-}
-
 Scene Session::scene() const {
-  return {document_,         index_,          selection_,     layer_,
-          sheet_.material(), options_.device, sheet_.color(), options_.materials};
+  return {
+      document_,       parts_->index,         selection_,        layer_, parts_->sheet.material(),
+      options_.device, parts_->sheet.color(), options_.materials};
 }
 
 const Tool* Session::first_tool(ToolKind kind) const noexcept {
@@ -330,7 +352,7 @@ Result<std::size_t> Session::find_tool(std::string_view id) const {
   return fail(ErrorCode::kNotFound, "no tool \"" + std::string(id) + "\"; there are " + known);
 }
 
-Document document_of(std::span<const SketchStroke> strokes) {
+Document document_of(std::span<const StrokePtr> strokes) {
   Document document;
   const Edit edit = import_edit(document, document.layers().back().id, strokes);
   FELT_CHECK(document.apply(edit).has_value());

@@ -11,13 +11,10 @@
 #include <vector>
 
 #include "felt/document/history.h"
-#include "felt/document/stroke_index.h"
-#include "felt/haptics/velocity_filter.h"
+#include "felt/haptics/pen_sample.h"
 #include "felt/session/event.h"
 #include "felt/session/sheet_options.h"
-#include "felt/stroke/sketch.h"
-#include "felt/tools/contact.h"
-#include "felt/tools/selection_view.h"
+#include "felt/stroke/stroke.h"
 #include "felt/tools/tool.h"
 
 namespace felt {
@@ -73,6 +70,9 @@ class Session {
   /// Starts with the first tool that draws, or the first one if none does. Requires one tool at
   /// least.
   Session(std::vector<std::unique_ptr<Tool>> tools, SessionOptions options);
+  ~Session();
+  Session(Session&&) noexcept;
+  Session& operator=(Session&&) noexcept;
 
   /// Error: no such tool or option, or a value that it does not take; a HandEvent, which is for the
   /// Player; an ImportEvent, whose file the caller reads for import(); a material whose text
@@ -83,12 +83,12 @@ class Session {
   Result<void> sample(const PenSample& sample);
   /// Handles an ImportEvent: adds the strokes of its file on top of the layer in use as one step.
   Result<void> import(std::int64_t time_ns, const ImportEvent& event,
-                      std::span<const SketchStroke> strokes);
+                      std::span<const StrokePtr> strokes);
   /// No sample follows for now: the device is gone, the script or the program ends.
   Result<void> finish();
 
   /// What the hand should feel from now on.
-  [[nodiscard]] ForceModel force() const { return tool().force(scene()); }
+  [[nodiscard]] ForceModel force() const;
   /// What is to be seen besides the document. Replaces the content.
   void draw(Overlay& overlay) const;
   /// The document with this edit is what is to be seen: what a gesture in work would do, or one
@@ -104,7 +104,7 @@ class Session {
   [[nodiscard]] const History& history() const noexcept { return history_; }
   /// All that are known now. A UseMaterial may move them.
   [[nodiscard]] const Materials& materials() const noexcept { return options_.materials; }
-  [[nodiscard]] const SheetOptions& sheet() const noexcept { return sheet_; }
+  [[nodiscard]] const SheetOptions& sheet() const noexcept;
   [[nodiscard]] std::span<const std::unique_ptr<Tool>> tools() const noexcept { return tools_; }
   [[nodiscard]] const Tool& tool() const noexcept { return *tools_[active_]; }
   /// Returns the first tool of this kind, or null.
@@ -114,9 +114,6 @@ class Session {
   }
   /// By "tool.option" or "sheet.option".
   [[nodiscard]] Result<OptionValue> option(std::string_view id) const;
-  /// The strokes of visible layers in drawing order; each is named after its id, so that a stroke
-  /// keeps its name whatever happens to others.
-  [[nodiscard]] Sketch sketch() const;
   /// Edits that the document took, undo's and redo's too.
   [[nodiscard]] std::uint64_t edit_count() const noexcept { return edits_; }
   /// Grows whenever the selection may have changed.
@@ -128,6 +125,7 @@ class Session {
 
  private:
   struct Apply;
+  struct Parts;
 
   [[nodiscard]] Scene scene() const;
   [[nodiscard]] Result<std::size_t> find_tool(std::string_view id) const;
@@ -160,18 +158,14 @@ class Session {
   SessionOptions options_;
   std::vector<std::unique_ptr<Tool>> tools_;
   std::size_t active_ = 0;
-  SheetOptions sheet_;
   Document document_;
-  StrokeIndex index_;
+  std::unique_ptr<Parts> parts_;
   Selection selection_;
-  SelectionView selection_view_;  // for tools that do not show it themselves
   History history_;
   LayerId layer_;
   std::optional<Edit> preview_;
   bool preview_is_of_gesture_ = false;
-  VelocityFilter velocity_;
   std::int64_t last_sample_ns_ = 0;
-  Contact contact_;
   bool must_lift_ = false;  // what the pen does until then is no gesture of the tool in hand
   bool pen_is_down_ = false;
   bool gesture_is_open_ = false;   // touched the sheet, and nothing came of it yet
@@ -183,6 +177,6 @@ class Session {
 };
 
 /// A document of these strokes: one layer, in their order. For SessionOptions.
-Document document_of(std::span<const SketchStroke> strokes);
+Document document_of(std::span<const StrokePtr> strokes);
 
 }  // namespace felt

@@ -6,6 +6,7 @@
 #include <deque>
 #include <random>
 
+#include "felt/document/visible_strokes.h"
 #include "felt/session/session.h"
 #include "felt/session/testing/fake_tools.h"
 #include "felt/stroke/testing/random_stroke.h"
@@ -140,16 +141,16 @@ TEST(SessionSelection, DeleteRemovesWhatIsWhollySelected) {
   chosen.set_whole({4}, desk.session.document().find({4})->data().points.size());
   desk.tool->answers.push_back({.selection = chosen});
   desk.pen(0, 0, 5);
-  const Sketch before = desk.session.sketch();
+  const Document before = desk.session.document();
   desk.must(DeleteEvent{});
-  EXPECT_EQ(desk.session.sketch().size(), 2U);
-  EXPECT_EQ(desk.session.sketch()[1], before[2]);
+  EXPECT_EQ(desk.session.document().stroke_count(), 2U);
+  EXPECT_EQ(visible_strokes(desk.session.document())[1], visible_strokes(before)[2]);
   EXPECT_EQ(desk.selected(), (Ids{1})) << "one that is selected in part stays, and so selected";
   EXPECT_EQ(desk.steps(), 5U);
   desk.must(DeleteEvent{});
   EXPECT_EQ(desk.steps(), 5U);
   desk.must(UndoEvent{});
-  EXPECT_EQ(desk.session.sketch(), before);
+  EXPECT_EQ(desk.session.document(), before);
 }
 
 TEST(SessionSelection, DuplicateAddsShiftedCopiesWhichAreSelectedThen) {
@@ -188,7 +189,7 @@ TEST(SessionLayers, NewInkGoesToTheLayerInUse) {
   EXPECT_EQ(desk.session.document().layer({2})->name, "Ideas");
   EXPECT_EQ(desk.session.document().layer({3})->name, "Layer 3");
   CommandDesk other;
-  ASSERT_TRUE(desk.session.import(desk.now_ns, {"a"}, desk.session.sketch()));
+  ASSERT_TRUE(desk.session.import(desk.now_ns, {"a"}, visible_strokes(desk.session.document())));
   EXPECT_EQ(desk.session.document().layer_of({2}).value, 3U);
 }
 
@@ -204,7 +205,7 @@ TEST(SessionLayers, EachCommandIsOneStepAndUndone) {
     desk.must(event);
     EXPECT_EQ(desk.steps(), steps + 1);
     EXPECT_EQ(desk.layers(), layers);
-    EXPECT_EQ(desk.session.sketch().size(), shown);
+    EXPECT_EQ(visible_strokes(desk.session.document()).size(), shown);
     desk.must(event);
     EXPECT_EQ(desk.steps(), steps + 1) << "again: nothing changes";
     desk.must(UndoEvent{});
@@ -251,7 +252,7 @@ TEST(SessionLayers, ThereIsAlwaysOneOpenToDrawOn) {
     EXPECT_EQ(desk.session.layer().value, 4U) << "a new one, on top, by the same step";
     EXPECT_EQ(desk.layers().back(), 4U);
     desk.line(0, 0);
-    EXPECT_EQ(desk.session.sketch().size(), 1U) << "ink that one can see";
+    EXPECT_EQ(visible_strokes(desk.session.document()).size(), 1U) << "ink that one can see";
     desk.must(UndoEvent{});
     desk.must(UndoEvent{});
     EXPECT_EQ(desk.session.layer().value, 2U);
@@ -477,9 +478,10 @@ TEST(SessionCommands, WhatIsImportedIsSelectedInPlaceOfWhatWas) {
   CommandDesk desk;
   desk.line(0, 0);
   desk.must(SelectStrokes{What::kAll});
-  const Sketch sketch{{"a", testing::straight_stroke({0, 50}, {9, 50}, 1, 2)},
-                      {"b", testing::straight_stroke({0, 60}, {9, 60}, 1, 2)}};
-  ASSERT_TRUE(desk.session.import(desk.now_ns, {"clipboard", true}, sketch));
+  const std::vector strokes{
+      std::make_shared<const Stroke>(testing::straight_stroke({0, 50}, {9, 50}, 1, 2)),
+      std::make_shared<const Stroke>(testing::straight_stroke({0, 60}, {9, 60}, 1, 2))};
+  ASSERT_TRUE(desk.session.import(desk.now_ns, {"clipboard", true}, strokes));
   EXPECT_EQ(desk.selected(), (std::vector<std::uint64_t>{2, 3}));
   desk.must(DeleteEvent{});
   EXPECT_EQ(desk.session.document().stroke_count(), 1U) << "the original stays";
@@ -491,8 +493,9 @@ TEST(SessionCommands, AnImportThatDoesNotSelectLeavesTheSelection) {
   CommandDesk desk;
   desk.line(0, 0);
   desk.must(SelectStrokes{What::kAll});
-  const Sketch sketch{{"a", testing::straight_stroke({0, 50}, {9, 50}, 1, 2)}};
-  ASSERT_TRUE(desk.session.import(desk.now_ns, {"a.svg"}, sketch));
+  const std::vector strokes{
+      std::make_shared<const Stroke>(testing::straight_stroke({0, 50}, {9, 50}, 1, 2))};
+  ASSERT_TRUE(desk.session.import(desk.now_ns, {"a.svg"}, strokes));
   EXPECT_EQ(desk.selected(), (std::vector<std::uint64_t>{1}));
   desk.must(DeleteEvent{});
   EXPECT_EQ(desk.session.document().stroke_count(), 1U) << "the imported line stays";

@@ -7,6 +7,7 @@
 #include <random>
 #include <utility>
 
+#include "felt/document/visible_strokes.h"
 #include "felt/material/material_file.h"
 #include "felt/session/old_defaults.h"
 #include "felt/session/testing/fake_tools.h"
@@ -85,11 +86,11 @@ TEST(Session, AGestureIsOneStepOfUndo) {
   desk.line(0, 10);
   EXPECT_EQ(desk.strokes(), 2U);
   EXPECT_EQ(desk.session.history().undo_count(), 2U);
-  const Sketch both = desk.session.sketch();
+  const Document both = desk.session.document();
   desk.must(UndoEvent{});
   EXPECT_EQ(desk.strokes(), 1U);
   desk.must(RedoEvent{});
-  EXPECT_EQ(desk.session.sketch(), both);
+  EXPECT_EQ(desk.session.document(), both);
   desk.must(UndoEvent{});
   desk.must(UndoEvent{});
   EXPECT_EQ(desk.strokes(), 0U);
@@ -248,7 +249,7 @@ TEST(Session, FinishEndsAGestureAsALiftWould) {
   finished.pen(5, 0, -1);
   finished.pen(10, 0, -1);
   ASSERT_TRUE(finished.session.finish());
-  EXPECT_EQ(finished.session.sketch(), lifted.session.sketch());
+  EXPECT_EQ(finished.session.document(), lifted.session.document());
   ASSERT_TRUE(finished.session.finish());
   EXPECT_EQ(finished.strokes(), 1U);
 }
@@ -260,9 +261,11 @@ TEST(Session, ImportAddsOneStepOnTopAndKeepsTheInkInWork) {
   Desk desk;
   desk.put_down(0, 20);
   desk.pen(5, 20, -1);
-  ASSERT_TRUE(desk.session.import(desk.now_ns, {"a.ndjson"}, source.session.sketch()));
+  ASSERT_TRUE(
+      desk.session.import(desk.now_ns, {"a.ndjson"}, visible_strokes(source.session.document())));
   EXPECT_EQ(desk.strokes(), 3U);
-  EXPECT_EQ(desk.session.sketch()[1].stroke, source.session.sketch()[0].stroke);
+  EXPECT_EQ(visible_strokes(desk.session.document())[1],
+            visible_strokes(source.session.document())[0]);
   EXPECT_EQ(desk.session.history().undo_count(), 2U);
   desk.pen(8, 20, -1);
   desk.lift(8, 20);
@@ -298,24 +301,25 @@ TEST(Session, NamesStrokesSoThatTheyKeepTheirNames) {
   desk.line(0, 0);
   desk.line(0, 10);
   desk.line(0, 20);
-  const Sketch before = desk.session.sketch();
-  EXPECT_EQ(before[0].id, "s1");
-  EXPECT_EQ(before[2].id, "s3");
+  const Document before = desk.session.document();
+  EXPECT_EQ(stroke_name(before.layers()[0].strokes[0]), "s1");
+  EXPECT_EQ(stroke_name(before.layers()[0].strokes[2]), "s3");
   desk.must(UndoEvent{});
   desk.line(0, 30);
-  const Sketch after = desk.session.sketch();
-  ASSERT_EQ(after.size(), 3U);
-  EXPECT_EQ(after[1], before[1]);
-  EXPECT_EQ(after[2].id, "s4") << "an id never comes to name another stroke";
+  const Document after = desk.session.document();
+  ASSERT_EQ(after.stroke_count(), 3U);
+  EXPECT_EQ(visible_strokes(after)[1], visible_strokes(before)[1]);
+  EXPECT_EQ(stroke_name(after.layers()[0].strokes[2]), "s4")
+      << "an id never comes to name another stroke";
 }
 
 TEST(Session, StartsWithADocument) {
   Desk source;
   source.line(0, 0);
   SessionOptions options;
-  options.document = document_of(source.session.sketch());
+  options.document = document_of(visible_strokes(source.session.document()));
   Desk desk(std::move(options));
-  EXPECT_EQ(desk.session.sketch(), source.session.sketch());
+  EXPECT_EQ(desk.session.document(), source.session.document());
   EXPECT_FALSE(desk.session.history().can_undo());
 }
 
@@ -329,8 +333,8 @@ TEST(Session, SetsOptionsOfToolsAndOfTheSheet) {
   EXPECT_EQ(desk.session.option("sheet.material"), OptionValue(std::string("glass")));
   EXPECT_EQ(desk.session.sheet().material().id, "glass");
   desk.line(0, 0);
-  EXPECT_EQ(desk.session.sketch()[0].stroke.width_mm(0), 2.0);
-  EXPECT_EQ(desk.session.sketch()[0].stroke.color(), (Rgba{255, 0, 0, 255}));
+  EXPECT_EQ(visible_strokes(desk.session.document())[0]->width_mm(0), 2.0);
+  EXPECT_EQ(visible_strokes(desk.session.document())[0]->color(), (Rgba{255, 0, 0, 255}));
 }
 
 TEST(Session, EveryMaterialCanBeChosen) {
@@ -466,7 +470,7 @@ TEST(Session, DropsSamplesThatNoDeviceCanMean) {
   desk.pen(5, 0, -1);
   desk.lift(5, 0);
   EXPECT_EQ(desk.session.dropped_samples(), 3U);
-  EXPECT_EQ(desk.session.sketch()[0].stroke.segment_count(), 1);
+  EXPECT_EQ(visible_strokes(desk.session.document())[0]->segment_count(), 1);
 }
 
 TEST(Session, LeansAreHeldToWhatAPenCanDo) {
@@ -508,28 +512,27 @@ TEST(Session, TellsEveryEditSoThatACopyFollows) {
   // Told again what was recorded, another session is where this one is.
   Desk again;
   for (const Event& event : recorded) ASSERT_TRUE(again.session.apply(event));
-  EXPECT_EQ(again.session.sketch(), desk.session.sketch());
   EXPECT_TRUE(again.session.document() == desk.session.document());
 }
 
 TEST(Session, R52_RandomGesturesUndoToTheStartAndRedoToTheEnd) {
   Desk desk;
   std::mt19937 random(52);
-  std::vector<Sketch> steps = {desk.session.sketch()};
+  std::vector<Document> steps = {desk.session.document()};
   while (steps.size() <= 1000) {
     desk.must(SelectTool{random() % 4 ? "pencil" : "eraser"});
     desk.line(static_cast<double>(random() % 100), static_cast<double>(random() % 100));
     if (desk.session.history().undo_count() == steps.size()) {
-      steps.push_back(desk.session.sketch());
+      steps.push_back(desk.session.document());
     }
   }
   for (std::size_t i = steps.size() - 1; i-- > 0;) {
     desk.must(UndoEvent{});
-    ASSERT_EQ(desk.session.sketch(), steps[i]) << "back to step " << i;
+    ASSERT_EQ(desk.session.document(), steps[i]) << "back to step " << i;
   }
   for (std::size_t i = 1; i < steps.size(); ++i) {
     desk.must(RedoEvent{});
-    ASSERT_EQ(desk.session.sketch(), steps[i]) << "again to step " << i;
+    ASSERT_EQ(desk.session.document(), steps[i]) << "again to step " << i;
   }
 }
 

@@ -2,7 +2,7 @@
 
 #include <array>
 
-#include "felt/geometry/vec.h"
+#include "felt/geometry/point.h"
 #include "felt/sound/filters.h"
 #include "felt/sound/roughness.h"
 #include "felt/sound/rubbing.h"

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "felt/store/byte_stream.h"
+#include "felt/store/felt_extras.h"
 
 namespace felt {
 namespace {
@@ -74,13 +75,20 @@ Result<std::string> carried_bytes(const FeltExtras& extras) {
 
 }  // namespace
 
-bool operator==(const FeltExtras& a, const FeltExtras& b) {
+const FeltExtras& felt_extras(const Drawing& drawing) {
+  static const FeltExtras kNone;
+  const auto* extras = dynamic_cast<const FeltExtras*>(drawing.extras.get());
+  return extras ? *extras : kNone;
+}
+
+bool FeltExtras::equals(const DrawingExtras& other) const {
+  const auto* b = dynamic_cast<const FeltExtras*>(&other);
   const auto same = [](const auto& x, const auto& y) { return x == y || *x == *y; };
-  if (!std::equal(a.added.begin(), a.added.end(), b.added.begin(), b.added.end(), same)) {
+  if (!b || !std::equal(added.begin(), added.end(), b->added.begin(), b->added.end(), same)) {
     return false;
   }
-  if (a.file == b.file) return true;
-  const Result<std::string> x = carried_bytes(a), y = carried_bytes(b);
+  if (file == b->file) return true;
+  const Result<std::string> x = carried_bytes(*this), y = carried_bytes(*b);
   return x && y && *x == *y;
 }
 

@@ -66,8 +66,8 @@ class Sqlite {
 };
 
 /// Strokes 1, 2, 3 in the layer of the beginning.
-StoredDrawing three_strokes() {
-  StoredDrawing drawing;
+Drawing three_strokes() {
+  Drawing drawing;
   testing::RandomEdits edits(1);
   Edit edit;
   for (std::uint64_t i = 0; i < 3; ++i) {
@@ -95,7 +95,7 @@ std::string of_a_newer_one() {
 }
 
 TEST(FeltExtras, WhatANewerOneKeepsIsCarried) {
-  StoredDrawing drawing = parse_felt(of_a_newer_one()).value();
+  Drawing drawing = parse_felt(of_a_newer_one()).value();
   EXPECT_TRUE(drawing.document == three_strokes().document);
   const std::string written = felt_bytes(drawing).value();
   Sqlite db(written);
@@ -107,13 +107,13 @@ TEST(FeltExtras, WhatANewerOneKeepsIsCarried) {
   EXPECT_EQ(db.all("SELECT x_mm, on_layer FROM guide"), "3.5|-1;0.1|-1");
   EXPECT_EQ(db.all("SELECT name FROM sqlite_schema WHERE type <> 'table'"), "");
   // Again and again, the same.
-  const StoredDrawing again = parse_felt(written).value();
+  const Drawing again = parse_felt(written).value();
   EXPECT_TRUE(again == drawing);
   EXPECT_EQ(felt_bytes(again).value(), written);
 }
 
 TEST(FeltExtras, RowsOfStrokesThatAreGoneGoWithThem) {
-  StoredDrawing drawing = parse_felt(of_a_newer_one()).value();
+  Drawing drawing = parse_felt(of_a_newer_one()).value();
   Edit edit;
   edit.changes.push_back({{2}, drawing.document.find({2}), nullptr, {{1}, 1}, {}});
   testing::RandomEdits edits(2);
@@ -127,7 +127,7 @@ TEST(FeltExtras, RowsOfStrokesThatAreGoneGoWithThem) {
 }
 
 TEST(FeltExtras, PlacesOfLayersHaveNoGapsAndAreNotTakenTwice) {
-  StoredDrawing drawing = three_strokes();
+  Drawing drawing = three_strokes();
   Edit edit;
   edit.layers.push_back({{2}, std::nullopt, LayerState{"upper", true, false}, 0, 1});
   ASSERT_TRUE(drawing.document.apply(edit));
@@ -139,7 +139,7 @@ TEST(FeltExtras, PlacesOfLayersHaveNoGapsAndAreNotTakenTwice) {
   };
   EXPECT_TRUE(read("1").value() == drawing);
   for (const char* place : {"0", "2", "5", "4294967297", "1.5", "'one'"}) {
-    const Result<StoredDrawing> refused = read(place);
+    const Result<Drawing> refused = read(place);
     ASSERT_FALSE(refused) << place;
     EXPECT_THAT(refused.error().message, HasSubstr("layer 2 holds an impossible value")) << place;
   }
@@ -150,7 +150,7 @@ TEST(FeltExtras, NothingThatCouldActIsTaken) {
   const auto message = [&](const std::string& sql) {
     Sqlite db(plain);
     db.run(sql);
-    const Result<StoredDrawing> read = parse_felt(db.bytes());
+    const Result<Drawing> read = parse_felt(db.bytes());
     return read ? std::string("taken") : read.error().message;
   };
   EXPECT_THAT(message("CREATE TRIGGER t AFTER INSERT ON stroke BEGIN DELETE FROM layer; END"),

@@ -8,6 +8,7 @@
 #include "felt/base/read_file.h"
 #include "felt/store/carried_file.h"
 #include "felt/store/database.h"
+#include "felt/store/felt_extras.h"
 #include "felt/store/felt_schema.h"
 #include "felt/store/felt_tables.h"
 #include "felt/store/recording_tables.h"
@@ -60,7 +61,7 @@ Result<void> check_header(std::string_view bytes) {
 }
 
 /// `keep`: the same bytes, for extras; null: they are copied where there are any.
-Result<StoredDrawing> parse(std::string_view bytes, std::shared_ptr<const std::string> keep) {
+Result<Drawing> parse(std::string_view bytes, std::shared_ptr<const std::string> keep) {
   if (auto ok = check_header(bytes); !ok) return tl::unexpected(ok.error());
   const Result<Database> database = Database::open(bytes);
   if (!database) return tl::unexpected(with_context(database.error(), kDamaged));
@@ -69,23 +70,26 @@ Result<StoredDrawing> parse(std::string_view bytes, std::shared_ptr<const std::s
   if (auto ok = database->check_pages(); !ok) {
     return tl::unexpected(with_context(ok.error(), kDamaged));
   }
-  Result<StoredDrawing> drawing = read_tables(*database, *schema);
+  Result<Drawing> drawing = read_tables(*database, *schema);
   if (drawing && schema->has_extras()) {
-    drawing->extras.file = keep ? std::move(keep) : std::make_shared<const std::string>(bytes);
+    const auto extras = std::make_shared<FeltExtras>();
+    extras->file = keep ? std::move(keep) : std::make_shared<const std::string>(bytes);
+    drawing->extras = extras;
   }
   return drawing;
 }
 
 }  // namespace
 
-Result<StoredDrawing> parse_felt(std::string_view bytes) {
+Result<Drawing> parse_felt(std::string_view bytes) {
   return parse(bytes, nullptr);
 }
 
-Result<std::string> felt_bytes(const StoredDrawing& drawing) {
+Result<std::string> felt_bytes(const Drawing& drawing) {
   Result<Database> database = Database::create();
   if (!database) return tl::unexpected(database.error());
-  const Result<CarriedFile> carried = CarriedFile::open(drawing.extras);
+  const FeltExtras& extras = felt_extras(drawing);
+  const Result<CarriedFile> carried = CarriedFile::open(extras);
   if (!carried) return tl::unexpected(carried.error());
   const std::string setup =
       "PRAGMA page_size=4096; PRAGMA application_id=" + std::to_string(kFeltApplicationId) +
@@ -93,7 +97,7 @@ Result<std::string> felt_bytes(const StoredDrawing& drawing) {
   auto done = database->run(setup.c_str())
                   .and_then([&] { return write_tables(*database, drawing, carried->schema()); })
                   .and_then([&] { return carried->copy_to(*database, drawing.document); })
-                  .and_then([&] { return write_recordings(*database, drawing.extras, *carried); })
+                  .and_then([&] { return write_recordings(*database, extras, *carried); })
                   .and_then([&] { return database->run("COMMIT"); });
   if (!done) return tl::unexpected(done.error());
   Result<std::string> bytes = database->bytes();
@@ -101,16 +105,16 @@ Result<std::string> felt_bytes(const StoredDrawing& drawing) {
   return bytes;
 }
 
-Result<StoredDrawing> read_felt(const std::string& path) {
+Result<Drawing> read_felt(const std::string& path) {
   Result<std::string> bytes = read_file(path, kMaxFeltBytes);
   if (!bytes) return tl::unexpected(bytes.error());
   const auto shared = std::make_shared<const std::string>(*std::move(bytes));
-  Result<StoredDrawing> drawing = parse(*shared, shared);
+  Result<Drawing> drawing = parse(*shared, shared);
   if (drawing) return drawing;
   return tl::unexpected(with_context(drawing.error(), path == "-" ? "stdin" : path));
 }
 
-Result<void> write_felt(const std::string& path, const StoredDrawing& drawing) {
+Result<void> write_felt(const std::string& path, const Drawing& drawing) {
   const Result<std::string> bytes = felt_bytes(drawing);
   if (bytes) return save_file(path, *bytes);
   return tl::unexpected(with_context(bytes.error(), path));

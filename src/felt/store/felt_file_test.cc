@@ -24,8 +24,8 @@ namespace fs = std::filesystem;
 using ::testing::HasSubstr;
 using ::testing::StartsWith;
 
-StoredDrawing random_drawing(std::uint64_t seed) {
-  StoredDrawing drawing;
+Drawing random_drawing(std::uint64_t seed) {
+  Drawing drawing;
   felt::testing::RandomEdits edits(seed);
   std::mt19937_64 random(seed);
   for (std::uint64_t i = random() % 12; i > 0; --i) {
@@ -48,10 +48,10 @@ StoredDrawing random_drawing(std::uint64_t seed) {
     drawing.palette.columns = random() % 64;
   }
   if (random() % 2 == 0) {
-    drawing.view = StoredView{{148.5, -1.0 / static_cast<double>(1 + random() % 9)},
-                              3.0,
-                              static_cast<double>(random() % 360) - 180.0,
-                              random() % 2 == 0};
+    drawing.view = Viewport{{148.5, -1.0 / static_cast<double>(1 + random() % 9)},
+                            3.0,
+                            static_cast<double>(random() % 360) - 180.0,
+                            random() % 2 == 0};
   }
   return drawing;
 }
@@ -71,9 +71,9 @@ class FeltFileTest : public ::testing::Test {
 
 TEST_F(FeltFileTest, EveryDrawingReadsBackAsItWas) {
   for (std::uint64_t seed = 0; seed < 150; ++seed) {
-    const StoredDrawing drawing = random_drawing(seed);
+    const Drawing drawing = random_drawing(seed);
     const std::string bytes = felt_bytes(drawing).value();
-    const Result<StoredDrawing> back = parse_felt(bytes);
+    const Result<Drawing> back = parse_felt(bytes);
     ASSERT_TRUE(back) << "seed " << seed << ": " << back.error().message;
     EXPECT_TRUE(*back == drawing) << "seed " << seed;
     // The next ids too, so that nothing is ever named like what was there once.
@@ -116,7 +116,7 @@ TEST_F(FeltFileTest, ErrorsNameTheFileAndTheReason) {
 
 /// The promise behind the checksums: what is damaged is an error, or damaged where nothing is.
 TEST_F(FeltFileTest, NoDamagePassesForADrawing) {
-  const StoredDrawing drawing = random_drawing(11);
+  const Drawing drawing = random_drawing(11);
   const std::string bytes = felt_bytes(drawing).value();
   std::mt19937 random(4);
   for (int run = 0; run < 3000; ++run) {
@@ -124,7 +124,7 @@ TEST_F(FeltFileTest, NoDamagePassesForADrawing) {
     for (auto k = 1 + random() % 3; k > 0; --k) {
       changed[random() % changed.size()] ^= static_cast<char>(1 + random() % 255);
     }
-    const Result<StoredDrawing> read = parse_felt(changed);
+    const Result<Drawing> read = parse_felt(changed);
     EXPECT_TRUE(read ? *read == drawing : !read.error().message.empty()) << "run " << run;
   }
   for (std::size_t size = 0; size < bytes.size(); size += 1 + random() % 97) {
@@ -136,31 +136,31 @@ TEST_F(FeltFileTest, NoDamagePassesForADrawing) {
     changed.replace(page, 4096,
                     run % 2 == 0 ? std::string(4096, '\0')
                                  : bytes.substr(random() % (bytes.size() - 4096), 4096));
-    const Result<StoredDrawing> read = parse_felt(changed);
+    const Result<Drawing> read = parse_felt(changed);
     EXPECT_TRUE(!read || *read == drawing) << "run " << run;
   }
 }
 
 TEST_F(FeltFileTest, WhatNoFileMayHoldIsNotWritten) {
   ASSERT_TRUE(write_felt(path("a.felt"), random_drawing(1)));
-  StoredDrawing drawing = random_drawing(2);
+  Drawing drawing = random_drawing(2);
   drawing.page.width_mm = 0.0;
   EXPECT_THAT(write_felt(path("a.felt"), drawing).error().message,
               StartsWith(path("a.felt") + ": the sheet"));
   drawing = random_drawing(2);
-  drawing.view = StoredView{{0.0, std::nan("")}};
+  drawing.view = Viewport{{0.0, std::nan("")}};
   EXPECT_FALSE(felt_bytes(drawing));
-  drawing.view->center.y = StoredView::kMostMm;
+  drawing.view->center.y = Viewport::kMaxMm;
   EXPECT_TRUE(felt_bytes(drawing));
-  drawing.palette.name = std::string(GplLimits::kMaxNameBytes + 1, 'n');
+  drawing.palette.name = std::string(PaletteLimits::kMaxNameBytes + 1, 'n');
   EXPECT_FALSE(felt_bytes(drawing));
   EXPECT_TRUE(read_felt(path("a.felt")).value() == random_drawing(1));
 }
 
 /// Limits at their edges: what is at one is written and read, what is above is an error.
 TEST_F(FeltFileTest, LimitsAreKeptExactly) {
-  StoredDrawing drawing;
-  drawing.palette.colors.assign(GplLimits::kMaxColors, {{1, 2, 3, 255}, "c"});
+  Drawing drawing;
+  drawing.palette.colors.assign(PaletteLimits::kMaxColors, {{1, 2, 3, 255}, "c"});
   EXPECT_TRUE(parse_felt(felt_bytes(drawing).value()).value() == drawing);
   drawing.palette.colors.push_back({});
   EXPECT_EQ(felt_bytes(drawing).error().code, ErrorCode::kLimitExceeded);
@@ -176,7 +176,7 @@ TEST_F(FeltFileTest, LimitsAreKeptExactly) {
       "", {}, {{{kMaxLayers + 1}, std::nullopt, LayerState{"m", true, false}, 0, kMaxLayers}}};
   ASSERT_TRUE(drawing.document.apply(more));
   EXPECT_EQ(felt_bytes(drawing).error().code, ErrorCode::kLimitExceeded);
-  StoredDrawing named;
+  Drawing named;
   named.page.surface = std::string(kMaxLayerNameBytes + 1, 'n');
   EXPECT_FALSE(felt_bytes(named));
 }
@@ -195,7 +195,7 @@ TEST_F(FeltFileTest, AFileThatIsTooLargeIsNotLookedAt) {
 
 /// Kills a process that saves at random moments: the old drawing or the new one, and no litter.
 TEST_F(FeltFileTest, AKilledSaveLeavesTheOldFileOrTheNew) {
-  const StoredDrawing a = random_drawing(21), b = random_drawing(22);
+  const Drawing a = random_drawing(21), b = random_drawing(22);
   ASSERT_TRUE(write_felt(path("a.felt"), a));
   std::mt19937 random(5);
   for (int run = 0; run < 40; ++run) {
@@ -210,14 +210,14 @@ TEST_F(FeltFileTest, AKilledSaveLeavesTheOldFileOrTheNew) {
     int status = 0;
     ::waitpid(child, &status, 0);
     ASSERT_TRUE(WIFSIGNALED(status)) << "the child could not save";
-    const Result<StoredDrawing> read = read_felt(path("a.felt"));
+    const Result<Drawing> read = read_felt(path("a.felt"));
     ASSERT_TRUE(read) << read.error().message;
     EXPECT_TRUE(*read == a || *read == b) << "run " << run;
   }
 }
 
 TEST_F(FeltFileTest, WhatCouldNotBeReadAgainIsNotWritten) {
-  StoredDrawing drawing;
+  Drawing drawing;
   drawing.document.reserve_ids({(std::uint64_t{1} << 53) + 1}, {1});
   const auto bytes = felt_bytes(drawing);
   ASSERT_FALSE(bytes);

@@ -5,7 +5,9 @@
 #include <memory>
 #include <utility>
 
+#include "felt/document/drawing.h"
 #include "felt/geometry/lean.h"
+#include "felt/store/felt_extras.h"
 #include "felt/store/felt_file.h"
 
 namespace felt {
@@ -87,9 +89,11 @@ Result<void> play_recording(const FeltRecording& recording,
   return {};
 }
 
-Result<void> add_recording(StoredDrawing& drawing, FeltRecording recording) {
+Result<void> add_recording(Drawing& drawing, FeltRecording recording) {
   if (auto ok = check_recording(recording); !ok) return ok;
-  drawing.extras.added.push_back(std::make_shared<const FeltRecording>(std::move(recording)));
+  const auto extras = std::make_shared<FeltExtras>(felt_extras(drawing));
+  extras->added.push_back(std::make_shared<const FeltRecording>(std::move(recording)));
+  drawing.extras = extras;
   return {};
 }
 

@@ -13,7 +13,7 @@
 
 namespace felt {
 
-struct StoredDrawing;
+struct Drawing;
 
 /// A force of a recording is a multiple of this, in N: far finer than any device's.
 inline constexpr double kRecordedForceStepN = 1e-4;
@@ -92,14 +92,14 @@ struct RecordingInfo {
 };
 
 /// The recordings of a drawing that was read, the earliest first. Their samples are not read.
-Result<std::vector<RecordingInfo>> recordings_of(const StoredDrawing& drawing);
+Result<std::vector<RecordingInfo>> recordings_of(const Drawing& drawing);
 /// Reads one, checks it and its checksum. Error: there is none of that number (from 0), or it is
 /// damaged; the message says where.
-Result<FeltRecording> read_recording(const StoredDrawing& drawing, std::size_t number);
+Result<FeltRecording> read_recording(const Drawing& drawing, std::size_t number);
 /// That a recording holds only what one may hold, and in order. Error: names the sample or event.
 Result<void> check_recording(const FeltRecording& recording);
 /// Adds one to what the drawing's file will hold. Error: something that no recording may hold (a
 /// place that is no number, times that run backwards).
-Result<void> add_recording(StoredDrawing& drawing, FeltRecording recording);
+Result<void> add_recording(Drawing& drawing, FeltRecording recording);
 
 }  // namespace felt

@@ -67,8 +67,8 @@ class Findings {
   std::map<std::int64_t, FoundStroke> strokes;
   std::map<std::int64_t, FoundLayer> layers;
   std::map<std::int64_t, NamedColor> colors;
-  std::optional<StoredDrawing> head;  // without document and palette's colours
-  std::optional<StoredView> view;
+  std::optional<Drawing> head;  // without document and palette's colours
+  std::optional<Viewport> view;
   std::map<std::int64_t, std::string> materials;
   std::int64_t last_stroke = 0, last_layer = 0;
   std::size_t others = 0;
@@ -113,7 +113,7 @@ class Findings {
     for (const std::size_t i : {3U, 5U, 6U, 7U, 8U, 10U, 11U}) {
       if (!whole(v[i]) || *whole(v[i]) < 0 || *whole(v[i]) > kMaxId) return false;
     }
-    StoredDrawing found;
+    Drawing found;
     found.page = {*number(v[1]), *number(v[2]), color_of(*whole(v[3])), *text(v[4])};
     found.color = color_of(*whole(v[5]));
     found.layer = {static_cast<std::uint64_t>(*whole(v[6]))};
@@ -138,7 +138,7 @@ class Findings {
       if (!number(v[i])) return false;
     }
     view =
-        StoredView{{*number(v[1]), *number(v[2])}, *number(v[3]), *number(v[4]), *whole(v[5]) == 1};
+        Viewport{{*number(v[1]), *number(v[2])}, *number(v[3]), *number(v[4]), *whole(v[5]) == 1};
     return true;
   }
   bool take_material(const ScannedRow& row) {
@@ -155,7 +155,7 @@ class Findings {
     if (v.size() != 3 || !whole(v[1]) || !is_color_number(*whole(v[1])) || !text(v[2])) {
       return false;
     }
-    if (colors.size() < GplLimits::kMaxColors) {
+    if (colors.size() < PaletteLimits::kMaxColors) {
       colors.try_emplace(row.id, NamedColor{color_of(*whole(v[1])), *text(v[2])});
     }
     return true;
@@ -255,7 +255,7 @@ class Assembly {
   }
 
   void take_rest() {
-    StoredDrawing& d = out_.drawing;
+    Drawing& d = out_.drawing;
     const auto stroke = static_cast<std::uint64_t>(found_.last_stroke);
     d.document.reserve_ids({stroke}, {static_cast<std::uint64_t>(found_.last_layer)});
     if (!d.document.layer(d.layer)) d.layer = {};
@@ -284,7 +284,7 @@ Result<Salvaged> salvage_felt_bytes(std::string_view bytes) {
     return fail(ErrorCode::kLimitExceeded,
                 "is larger than " + std::to_string(kMaxFeltBytes) + " bytes");
   }
-  Result<StoredDrawing> whole = parse_felt(bytes);
+  Result<Drawing> whole = parse_felt(bytes);
   if (whole) return Salvaged{*std::move(whole), {}};
   Findings findings;
   scan_rows(bytes, [&findings](const ScannedRow& row) { findings.take(row); });

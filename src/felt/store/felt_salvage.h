@@ -11,7 +11,7 @@ namespace felt {
 
 /// What could be had of a damaged file.
 struct Salvaged {
-  StoredDrawing drawing;
+  Drawing drawing;
   /// What is missing or not sure, for people, each a sentence; none where the file was whole.
   std::vector<std::string> problems;
 };

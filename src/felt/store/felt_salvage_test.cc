@@ -19,8 +19,8 @@ using ::testing::IsEmpty;
 constexpr std::size_t kPage = 4096;
 
 /// Several pages of strokes in three layers, one of them larger than a page.
-StoredDrawing some_drawing() {
-  StoredDrawing drawing;
+Drawing some_drawing() {
+  Drawing drawing;
   testing::RandomEdits edits(3);
   Edit edit;
   edit.layers.push_back({{2}, std::nullopt, LayerState{"Birds", true, false}, 0, 1});
@@ -48,14 +48,13 @@ StoredDrawing some_drawing() {
   drawing.page.surface = "paper";
   drawing.layer = {2};
   drawing.palette = {"mine", 4, {{{1, 2, 3, 255}, "Grün"}, {{4, 5, 6, 255}, ""}}};
-  drawing.view = StoredView{{10.0, 0.5}, 3.0, -20.0, true};
+  drawing.view = Viewport{{10.0, 0.5}, 3.0, -20.0, true};
   return drawing;
 }
 
 /// The strokes that stand in pages of which nothing was changed, by what the page scan finds when
 /// all other pages are blank.
-bool keeps_all_of(const StoredDrawing& got, const StoredDrawing& drawing,
-                  const std::set<std::uint64_t>& lost) {
+bool keeps_all_of(const Drawing& got, const Drawing& drawing, const std::set<std::uint64_t>& lost) {
   for (const Layer& layer : drawing.document.layers()) {
     for (const StrokeId id : layer.strokes) {
       if (lost.contains(id.value)) continue;
@@ -69,8 +68,7 @@ bool keeps_all_of(const StoredDrawing& got, const StoredDrawing& drawing,
 
 /// All ink but the lost one is there. A flipped bit may make a stroke's number that of another one:
 /// both are whole then, and one of them got a new number.
-bool keeps_ink_of(const StoredDrawing& got, const StoredDrawing& drawing,
-                  const std::set<std::uint64_t>& lost) {
+bool keeps_ink_of(const Drawing& got, const Drawing& drawing, const std::set<std::uint64_t>& lost) {
   std::vector<StrokePtr> all;
   for (const Layer& layer : got.document.layers()) {
     for (const StrokeId id : layer.strokes) all.push_back(got.document.find(id));
@@ -104,14 +102,14 @@ std::set<std::uint64_t> strokes_in(const std::string& bytes, std::size_t from, s
 }
 
 TEST(FeltSalvage, AWholeFileComesBackAsItIs) {
-  const StoredDrawing drawing = some_drawing();
+  const Drawing drawing = some_drawing();
   const Salvaged salvaged = salvage_felt_bytes(felt_bytes(drawing).value()).value();
   EXPECT_TRUE(salvaged.drawing == drawing);
   EXPECT_THAT(salvaged.problems, IsEmpty());
 }
 
 TEST(FeltSalvage, WithoutAHeadAllIsThere) {
-  const StoredDrawing drawing = some_drawing();
+  const Drawing drawing = some_drawing();
   std::string bytes = felt_bytes(drawing).value();
   bytes.replace(0, kPage, kPage, '\0');
   const Salvaged salvaged = salvage_felt_bytes(bytes).value();
@@ -122,7 +120,7 @@ TEST(FeltSalvage, WithoutAHeadAllIsThere) {
 
 /// Every page in turn is lost: what stood in it is, and nothing else.
 TEST(FeltSalvage, EveryStrokeOnWholePagesIsThere) {
-  const StoredDrawing drawing = some_drawing();
+  const Drawing drawing = some_drawing();
   const std::string bytes = felt_bytes(drawing).value();
   const std::size_t pages = bytes.size() / kPage;
   ASSERT_GE(pages, 10u);
@@ -146,7 +144,7 @@ TEST(FeltSalvage, EveryStrokeOnWholePagesIsThere) {
 }
 
 TEST(FeltSalvage, ACutFileGivesWhatIsBeforeTheCut) {
-  const StoredDrawing drawing = some_drawing();
+  const Drawing drawing = some_drawing();
   const std::string bytes = felt_bytes(drawing).value();
   std::mt19937 random(6);
   for (std::size_t page = 1; page < bytes.size() / kPage; ++page) {
@@ -162,7 +160,7 @@ TEST(FeltSalvage, ACutFileGivesWhatIsBeforeTheCut) {
 }
 
 TEST(FeltSalvage, FlippedBitsCostOnlyWhatTheyHit) {
-  const StoredDrawing drawing = some_drawing();
+  const Drawing drawing = some_drawing();
   const std::string bytes = felt_bytes(drawing).value();
   std::mt19937 random(7);
   for (int run = 0; run < 1000; ++run) {
@@ -177,7 +175,7 @@ TEST(FeltSalvage, FlippedBitsCostOnlyWhatTheyHit) {
 }
 
 TEST(FeltSalvage, SaysWhatIsMissing) {
-  const StoredDrawing drawing = some_drawing();
+  const Drawing drawing = some_drawing();
   const std::string bytes = felt_bytes(drawing).value();
   const auto problems = [](const std::string& file) {
     std::string all;

@@ -10,27 +10,27 @@ namespace felt {
 namespace {
 
 bool is_palette_text(std::string_view text) {
-  return text.size() <= GplLimits::kMaxNameBytes && is_utf8(text);
+  return text.size() <= PaletteLimits::kMaxNameBytes && is_utf8(text);
 }
 
-bool is_view(const StoredView& v) noexcept {
+bool is_view(const Viewport& v) noexcept {
   const auto within = [](double value, double least, double most) {
     return value >= least && value <= most;  // false for NaN
   };
-  return within(v.center.x, -StoredView::kMostMm, StoredView::kMostMm) &&
-         within(v.center.y, -StoredView::kMostMm, StoredView::kMostMm) &&
-         within(v.px_per_mm, StoredView::kLeastPxPerMm, StoredView::kMostPxPerMm) &&
+  return within(v.center.x, -Viewport::kMaxMm, Viewport::kMaxMm) &&
+         within(v.center.y, -Viewport::kMaxMm, Viewport::kMaxMm) &&
+         within(v.px_per_mm, Viewport::kMinPxPerMm, Viewport::kMaxPxPerMm) &&
          within(v.angle_deg, -180.0, 180.0);
 }
 
-Result<void> read_palette(const Database& db, GplPalette& palette) {
+Result<void> read_palette(const Database& db, Palette& palette) {
   const auto row = db.prepare("SELECT id, color, name FROM palette");
   if (!row) return tl::unexpected(row.error());
   for (;;) {
     const Result<bool> more = row->step();
     if (!more) return tl::unexpected(more.error());
     if (!*more) return {};
-    if (palette.colors.size() == GplLimits::kMaxColors) {
+    if (palette.colors.size() == PaletteLimits::kMaxColors) {
       return fail(ErrorCode::kLimitExceeded, "has more than 10000 colours in its palette");
     }
     if (row->integer(0) != std::int64_t(palette.colors.size()) + 1 || !row->is_integer(1) ||
@@ -41,7 +41,7 @@ Result<void> read_palette(const Database& db, GplPalette& palette) {
   }
 }
 
-Result<void> read_view(const Database& db, std::optional<StoredView>& view) {
+Result<void> read_view(const Database& db, std::optional<Viewport>& view) {
   const auto row = db.prepare(
       "SELECT center_x_mm, center_y_mm, px_per_mm, angle_deg, mirrored FROM shown LIMIT 2");
   if (!row) return tl::unexpected(row.error());
@@ -55,7 +55,7 @@ Result<void> read_view(const Database& db, std::optional<StoredView>& view) {
   if (!row->is_integer(4) || (row->integer(4) | 1) != 1) {
     return invalid_data("the table 'shown' holds an impossible value");
   }
-  view = StoredView{{row->real(0), row->real(1)}, row->real(2), row->real(3), row->integer(4) != 0};
+  view = Viewport{{row->real(0), row->real(1)}, row->real(2), row->real(3), row->integer(4) != 0};
   const Result<bool> more = row->step();
   if (!more) return tl::unexpected(more.error());
   if (*more) return invalid_data("the table 'shown' has more than one row");
@@ -77,7 +77,7 @@ bool is_color_number(std::int64_t n) noexcept {
   return n >= 0 && n <= std::numeric_limits<std::uint32_t>::max();
 }
 
-Result<void> write_sheet(const Database& db, const StoredDrawing& drawing) {
+Result<void> write_sheet(const Database& db, const Drawing& drawing) {
   const auto color = db.prepare("INSERT INTO palette VALUES(?,?,?)");
   if (!color) return tl::unexpected(color.error());
   std::int64_t id = 0;
@@ -99,16 +99,16 @@ Result<void> write_sheet(const Database& db, const StoredDrawing& drawing) {
   return row->step().map([](bool) {});
 }
 
-Result<void> read_sheet(const Database& db, StoredDrawing& drawing) {
+Result<void> read_sheet(const Database& db, Drawing& drawing) {
   return read_palette(db, drawing.palette).and_then([&] { return read_view(db, drawing.view); });
 }
 
-Result<void> check_sheet(const StoredDrawing& drawing) {
-  const GplPalette& palette = drawing.palette;
-  if (!is_palette_text(palette.name) || palette.columns > GplLimits::kMaxColumns) {
+Result<void> check_sheet(const Drawing& drawing) {
+  const Palette& palette = drawing.palette;
+  if (!is_palette_text(palette.name) || palette.columns > PaletteLimits::kMaxColumns) {
     return invalid_data("the palette has an impossible name or number of columns");
   }
-  if (palette.colors.size() > GplLimits::kMaxColors) {
+  if (palette.colors.size() > PaletteLimits::kMaxColors) {
     return fail(ErrorCode::kLimitExceeded, "has more than 10000 colours in its palette");
   }
   for (const NamedColor& entry : palette.colors) {
@@ -120,7 +120,7 @@ Result<void> check_sheet(const StoredDrawing& drawing) {
   return {};
 }
 
-void append_sheet_bytes(ByteWriter& out, const StoredDrawing& drawing) {
+void append_sheet_bytes(ByteWriter& out, const Drawing& drawing) {
   out.text(drawing.palette.name);
   out.u32(static_cast<std::uint32_t>(drawing.palette.columns));
   out.u32(static_cast<std::uint32_t>(drawing.palette.colors.size()));

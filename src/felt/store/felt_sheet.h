@@ -13,12 +13,12 @@ Rgba color_of(std::int64_t n) noexcept;
 bool is_color_number(std::int64_t n) noexcept;
 
 /// The tables `palette` and `shown`, whose rows stand alone.
-Result<void> write_sheet(const Database& db, const StoredDrawing& drawing);
+Result<void> write_sheet(const Database& db, const Drawing& drawing);
 /// Reads them; the palette's name and columns are the drawing's row's.
-Result<void> read_sheet(const Database& db, StoredDrawing& drawing);
+Result<void> read_sheet(const Database& db, Drawing& drawing);
 /// That a file may hold them.
-Result<void> check_sheet(const StoredDrawing& drawing);
+Result<void> check_sheet(const Drawing& drawing);
 /// What the checksum of the drawing covers of them.
-void append_sheet_bytes(ByteWriter& out, const StoredDrawing& drawing);
+void append_sheet_bytes(ByteWriter& out, const Drawing& drawing);
 
 }  // namespace felt

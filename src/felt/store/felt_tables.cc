@@ -14,7 +14,7 @@ namespace felt {
 namespace {
 
 /// A checksum of all that the strokes' own ones do not cover.
-std::uint32_t checksum_of(const StoredDrawing& d) {
+std::uint32_t checksum_of(const Drawing& d) {
   std::string bytes;
   ByteWriter out(bytes);
   out.f64(d.page.width_mm);
@@ -44,7 +44,7 @@ bool is_layer_name(std::string_view text) noexcept {
   return text.size() <= kMaxLayerNameBytes && is_utf8(text);
 }
 
-Result<void> check_drawing(const StoredDrawing& d) {
+Result<void> check_drawing(const Drawing& d) {
   if (d.document.new_id().value - 1 > static_cast<std::uint64_t>(kMaxId) ||
       d.document.new_layer_id().value - 1 > static_cast<std::uint64_t>(kMaxId)) {
     return fail(ErrorCode::kLimitExceeded, "has used up the numbers of strokes or layers");
@@ -63,7 +63,7 @@ Result<void> check_drawing(const StoredDrawing& d) {
 
 // --- Writing
 
-Result<void> write_drawing_row(const Database& db, const StoredDrawing& d) {
+Result<void> write_drawing_row(const Database& db, const Drawing& d) {
   const auto row = db.prepare(
       "INSERT INTO drawing(id, width_mm, height_mm, paper, material, color, layer, last_stroke, "
       "last_layer, palette, palette_columns, checksum) VALUES(1,?,?,?,?,?,?,?,?,?,?,?)");
@@ -133,7 +133,7 @@ struct Head {
 bool is_counter(std::int64_t value) noexcept {
   return value >= 0 && value <= kMaxId;
 }
-Result<Head> read_drawing_row(const Database& db, StoredDrawing& d) {
+Result<Head> read_drawing_row(const Database& db, Drawing& d) {
   const auto row = db.prepare(
       "SELECT width_mm, height_mm, paper, material, color, layer, last_stroke, last_layer, "
       "checksum, palette, palette_columns FROM drawing LIMIT 2");
@@ -228,8 +228,7 @@ Result<void> read_strokes(const Database& db, Edit& edit) {
 
 }  // namespace
 
-Result<void> write_tables(Database& database, const StoredDrawing& drawing,
-                          const FeltSchema* like) {
+Result<void> write_tables(Database& database, const Drawing& drawing, const FeltSchema* like) {
   if (auto ok = check_drawing(drawing); !ok) return ok;
   return make_tables(database, like)
       .and_then([&] { return write_drawing_row(database, drawing); })
@@ -239,8 +238,8 @@ Result<void> write_tables(Database& database, const StoredDrawing& drawing,
       .and_then([&] { return write_materials(database, drawing); });
 }
 
-Result<StoredDrawing> read_tables(const Database& database, const FeltSchema& schema) {
-  StoredDrawing drawing;
+Result<Drawing> read_tables(const Database& database, const FeltSchema& schema) {
+  Drawing drawing;
   const Result<Head> head = read_drawing_row(database, drawing);
   if (!head) return tl::unexpected(head.error());
   Edit edit;

@@ -20,11 +20,11 @@ constexpr bool is_id(std::int64_t value) noexcept {
 /// Makes our tables in an empty database, with the columns of `like` if any, and fills ours. Error:
 /// something that no file may hold (a page out of its range, a name that is not UTF-8, a stroke
 /// that is too large), by its name.
-Result<void> write_tables(Database& database, const StoredDrawing& drawing, const FeltSchema* like);
+Result<void> write_tables(Database& database, const Drawing& drawing, const FeltSchema* like);
 
 /// The other way round, from a database that is not trusted, whose schema (read_schema) is ours:
 /// every row must make sense with the others. Extras are not read. Error: names the row and the
 /// reason.
-Result<StoredDrawing> read_tables(const Database& database, const FeltSchema& schema);
+Result<Drawing> read_tables(const Database& database, const FeltSchema& schema);
 
 }  // namespace felt

@@ -24,7 +24,7 @@ std::int64_t material_checksum(std::string_view text) noexcept {
   return static_cast<std::int64_t>(crc32c(text));
 }
 
-Result<void> write_materials(Database& database, const StoredDrawing& drawing) {
+Result<void> write_materials(Database& database, const Drawing& drawing) {
   if (drawing.materials.empty()) return {};
   if (drawing.materials.size() > limits::kMaxMaterialTexts) return too_many();
   if (auto ok = database.run(std::string(kMaterialTable).c_str()); !ok) return ok;
@@ -42,7 +42,7 @@ Result<void> write_materials(Database& database, const StoredDrawing& drawing) {
   return {};
 }
 
-Result<void> read_materials(const Database& database, StoredDrawing& drawing) {
+Result<void> read_materials(const Database& database, Drawing& drawing) {
   const auto row = database.prepare("SELECT text, checksum FROM material");
   if (!row) return tl::unexpected(row.error());
   for (;;) {

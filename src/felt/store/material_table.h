@@ -16,9 +16,9 @@ inline constexpr std::string_view kMaterialTable =
 
 /// Makes and fills it where the drawing has texts. Error: more of them, or others, than a file may
 /// hold.
-Result<void> write_materials(Database& database, const StoredDrawing& drawing);
+Result<void> write_materials(Database& database, const Drawing& drawing);
 /// Reads it from a database that is not trusted and that has it.
-Result<void> read_materials(const Database& database, StoredDrawing& drawing);
+Result<void> read_materials(const Database& database, Drawing& drawing);
 /// Of a text, beside it.
 std::int64_t material_checksum(std::string_view text) noexcept;
 

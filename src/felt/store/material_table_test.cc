@@ -18,8 +18,8 @@ using ::testing::Not;
 
 constexpr std::string_view kText = "id = \"mine\"\nlabel = \"Bütten & Co\"\n";
 
-StoredDrawing drawing_with(std::vector<std::string> texts) {
-  StoredDrawing drawing;
+Drawing drawing_with(std::vector<std::string> texts) {
+  Drawing drawing;
   testing::RandomEdits edits(4);
   for (int i = 0; i < 6; ++i) EXPECT_TRUE(drawing.document.apply(edits.next(drawing.document)));
   drawing.page.surface = "mine";
@@ -28,7 +28,7 @@ StoredDrawing drawing_with(std::vector<std::string> texts) {
 }
 
 TEST(MaterialTable, ComesBackInItsOrder) {
-  const StoredDrawing drawing = drawing_with({"b", std::string(kText), "a\r\n\t"});
+  const Drawing drawing = drawing_with({"b", std::string(kText), "a\r\n\t"});
   const std::string bytes = felt_bytes(drawing).value();
   EXPECT_EQ(parse_felt(bytes).value().materials, drawing.materials);
   EXPECT_EQ(felt_bytes(parse_felt(bytes).value()).value(), bytes);
@@ -45,7 +45,7 @@ TEST(MaterialTable, HoldsNoMoreThanItMay) {
     texts.push_back(std::to_string(i) + std::string(limits::kMaxMaterialTextBytes - 2, 'x'));
     texts.back().resize(limits::kMaxMaterialTextBytes, 'y');
   }
-  StoredDrawing drawing = drawing_with(texts);
+  Drawing drawing = drawing_with(texts);
   EXPECT_EQ(parse_felt(felt_bytes(drawing).value()).value().materials, drawing.materials);
   drawing.materials.emplace_back("one more");
   EXPECT_EQ(felt_bytes(drawing).error().code, ErrorCode::kLimitExceeded);
@@ -57,7 +57,7 @@ TEST(MaterialTable, HoldsNoMoreThanItMay) {
 }
 
 TEST(MaterialTable, ADamagedTextIsNamedAndTheRestIsSalvaged) {
-  const StoredDrawing drawing = drawing_with({"first = 1\n", std::string(kText)});
+  const Drawing drawing = drawing_with({"first = 1\n", std::string(kText)});
   std::string bytes = felt_bytes(drawing).value();
   bytes[bytes.find("Bütten")] = 'P';
   EXPECT_THAT(parse_felt(bytes).error().message, HasSubstr("the text of a material is damaged"));
@@ -67,7 +67,7 @@ TEST(MaterialTable, ADamagedTextIsNamedAndTheRestIsSalvaged) {
 }
 
 TEST(MaterialTable, IsSalvagedWithoutTheHeadOfTheFile) {
-  const StoredDrawing drawing = drawing_with({"b", std::string(kText), "a"});
+  const Drawing drawing = drawing_with({"b", std::string(kText), "a"});
   std::string bytes = felt_bytes(drawing).value();
   bytes.replace(0, 4096, 4096, '\0');
   const Salvaged salvaged = salvage_felt_bytes(bytes).value();

@@ -12,6 +12,7 @@
 #include "felt/io/events/event_writer.h"
 #include "felt/store/byte_stream.h"
 #include "felt/store/crc32c.h"
+#include "felt/store/felt_extras.h"
 #include "felt/store/felt_file.h"
 
 namespace felt {
@@ -431,26 +432,26 @@ Result<void> write_recordings(Database& to, const FeltExtras& extras, const Carr
   return {};
 }
 
-Result<std::vector<RecordingInfo>> recordings_of(const StoredDrawing& drawing) {
-  const Result<CarriedFile> file = CarriedFile::open(drawing.extras);
+Result<std::vector<RecordingInfo>> recordings_of(const Drawing& drawing) {
+  const Result<CarriedFile> file = CarriedFile::open(felt_extras(drawing));
   if (!file) return tl::unexpected(file.error());
   const Result<std::vector<RecordingHead>> heads = heads_of(*file);
   if (!heads) return tl::unexpected(heads.error());
   std::vector<RecordingInfo> all;
   for (const RecordingHead& head : *heads) all.push_back(info_of(head));
-  for (const auto& recording : drawing.extras.added) all.push_back(info_of(*recording));
+  for (const auto& recording : felt_extras(drawing).added) all.push_back(info_of(*recording));
   return all;
 }
 
-Result<FeltRecording> read_recording(const StoredDrawing& drawing, std::size_t number) {
-  const Result<CarriedFile> file = CarriedFile::open(drawing.extras);
+Result<FeltRecording> read_recording(const Drawing& drawing, std::size_t number) {
+  const Result<CarriedFile> file = CarriedFile::open(felt_extras(drawing));
   if (!file) return tl::unexpected(file.error());
   const Result<std::vector<RecordingHead>> heads = heads_of(*file);
   if (!heads) return tl::unexpected(heads.error());
-  if (number >= heads->size() + drawing.extras.added.size()) {
+  if (number >= heads->size() + felt_extras(drawing).added.size()) {
     return fail(ErrorCode::kNotFound, "has no recording " + std::to_string(number));
   }
-  if (number >= heads->size()) return *drawing.extras.added[number - heads->size()];
+  if (number >= heads->size()) return *felt_extras(drawing).added[number - heads->size()];
   Result<FeltRecording> recording = read_one(*file->database(), (*heads)[number]);
   if (recording) return recording;
   return tl::unexpected(with_context(recording.error(), "recording " + std::to_string(number)));

@@ -9,7 +9,7 @@
 #include <limits>
 
 #include "felt/base/constants.h"
-#include "felt/stroke/outline/flatten.h"
+#include "felt/stroke/outline/outline.h"
 #include "felt/stroke/testing/random_stroke.h"
 
 namespace felt {

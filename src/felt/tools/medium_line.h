@@ -1,6 +1,6 @@
 #pragma once
 
-#include "felt/material/medium.h"
+#include "felt/material/materials.h"
 #include "felt/stroke/fit/ink_fitter.h"
 
 namespace felt {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "felt/haptics/safety/safety_motors.h"
+#include "felt/haptics/safety/safety_guards.h"
 #include "felt/stroke/fit/width_map.h"
 
 namespace felt {

@@ -4,11 +4,12 @@
 
 #include "felt/document/document.h"
 #include "felt/document/selection.h"
-#include "felt/document/stroke_index.h"
 #include "felt/haptics/capabilities.h"
 #include "felt/material/materials.h"
 
 namespace felt {
+
+class StrokeIndex;
 
 /// What a tool sees besides the pen: the document, the sheet under the hand, the device that will
 /// push back. Constant while a sample is handled.

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 
+#include "felt/document/stroke_index.h"
 #include "felt/geometry/nearest.h"
 
 namespace felt {

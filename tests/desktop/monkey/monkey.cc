@@ -114,7 +114,7 @@ void Monkey::check_deeply() {
   // between undo and redo takes the steps that could be redone, as it must.
   for (int i = 0; i < 20; ++i) {
     QThread::msleep(2);
-    studio.turn();
+    studio.process();
   }
   std::string wrong = witness_.complaint();
   if (wrong.empty()) wrong = witness_.undo_and_redo();

@@ -92,7 +92,7 @@ void Monkey::stroke() {
     at += speed;
     mouse(QEvent::MouseMove, at, Qt::NoButton, button);
     if (i % 4 == 0) QTest::qSleep(1);  // the loop ticks meanwhile
-    if (i % 8 == 0) window_.studio().turn();
+    if (i % 8 == 0) window_.studio().process();
   }
   // Sometimes it never comes up.
   if (dice_.chance(0.95)) mouse(QEvent::MouseButtonRelease, at, button, Qt::NoButton);

@@ -59,7 +59,7 @@ struct BadForce {
 };
 
 // A wavy line of eight segments at this height of the drawing.
-SketchStroke line_at(double y_mm, double scale, Vec shift) {
+StrokePtr line_at(double y_mm, double scale, Vec shift) {
   constexpr int kSegments = 8;
   StrokeData data;
   const auto put = [&](double x, double y) {
@@ -73,7 +73,7 @@ SketchStroke line_at(double y_mm, double scale, Vec shift) {
   }
   data.joints.assign(kSegments - 1, JointKind::kSmooth);
   data.widths = {{0.0, 0.6}, {kSegments, 1.8}};
-  return {"line", Stroke::create(std::move(data)).value()};
+  return std::make_shared<const Stroke>(Stroke::create(std::move(data)).value());
 }
 
 }  // namespace
@@ -163,7 +163,7 @@ void FaultEpisode::turn() {
     if (in_contact(sample) && tells_the_truth()) believed_.push_back(sample);
     if (const Result<void> told = session_->sample(sample); !told) broken(told.error().message);
   }
-  while (servo_->for_saver().pop(sample)) {
+  while (servo_->for_autosave().pop(sample)) {
   }
   if (device_->unread() == DeviceFault::kDisconnected && !is_told_) {
     is_told_ = true;

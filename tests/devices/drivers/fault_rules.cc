@@ -290,11 +290,9 @@ void FaultEpisode::check_end() {
     broken("asked for " + newtons(bench_->largest_asked_n()));
   }
   if (norm(bench_->world().held_force()) > kNoForceN) broken("a force is held after the end");
-  for (const SketchStroke& stroke : session_->sketch()) {
-    std::string line;
-    append_sketch_line(line, stroke.id, stroke.stroke.data());
-    hash_.add(std::as_bytes(std::span(line)));
-  }
+  std::string lines;
+  append_sketch_lines(lines, session_->document());
+  hash_.add(std::as_bytes(std::span(lines)));
   if (kind_ == ToolKind::kDraws) check_ink();
   while (session_->history().can_undo() && verdict_.broken.empty()) {
     if (!session_->apply({now(), UndoEvent{}})) return broken("undo is refused");

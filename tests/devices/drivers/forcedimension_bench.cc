@@ -7,6 +7,7 @@
 #include "felt/base/check.h"
 #include "felt/base/constants.h"
 #include "felt/devices/forcedimension/forcedimension.h"
+#include "felt/devices/simulated/held_body.h"
 #include "felt/driver/device_models.h"
 #include "felt/driver/dynamic_library.h"
 

@@ -79,7 +79,7 @@ double width_off(const std::vector<InkPoint>& points, double way_mm, double widt
 
 }  // namespace
 
-InkDifference ink_difference(const Sketch& a, const Sketch& b) {
+InkDifference ink_difference(std::span<const StrokePtr> a, std::span<const StrokePtr> b) {
   InkDifference difference;
   if (a.size() != b.size()) {
     difference.other =
@@ -87,7 +87,7 @@ InkDifference ink_difference(const Sketch& a, const Sketch& b) {
     return difference;
   }
   for (std::size_t k = 0; k < a.size(); ++k) {
-    const Stroke &one = a[k].stroke, &two = b[k].stroke;
+    const Stroke &one = *a[k], &two = *b[k];
     if (one.closed() != two.closed()) {
       difference.other = "stroke " + std::to_string(k + 1) + " is closed in one of them";
     }

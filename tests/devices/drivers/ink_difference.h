@@ -1,8 +1,10 @@
 #pragma once
 
+#include <span>
 #include <string>
 
-#include "felt/stroke/sketch.h"
+#include "felt/document/edit.h"
+#include "felt/stroke/stroke.h"
 
 namespace felt {
 
@@ -17,6 +19,6 @@ struct InkDifference {
 };
 
 /// Strokes in their order, like with like.
-InkDifference ink_difference(const Sketch& a, const Sketch& b);
+InkDifference ink_difference(std::span<const StrokePtr> a, std::span<const StrokePtr> b);
 
 }  // namespace felt

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "felt/devices/pantograph/pantograph_driver.h"
+#include "felt/devices/simulated/held_body.h"
 #include "felt/driver/device_models.h"
 #include "felt/driver/testing/fake_system.h"
 #include "tests/devices/drivers/pantograph/fake_board.h"

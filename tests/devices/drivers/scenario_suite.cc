@@ -113,7 +113,7 @@ std::string joined(const std::vector<std::string>& words) {
 
 std::string compare(const ScenarioResult& plain, const ScenarioResult& driven, double tolerance_mm,
                     double& largest_mm) {
-  const InkDifference d = ink_difference(plain.sketch, driven.sketch);
+  const InkDifference d = ink_difference(plain.strokes, driven.strokes);
   if (!d.other.empty()) return "plain and driven: " + d.other;
   largest_mm = std::max({d.ends_mm, d.curve_mm, d.width_mm});
   const auto over = [tolerance_mm](const char* what, double mm) {

@@ -51,7 +51,7 @@ class DrawingSession final : public Session {
     if (tick % kTurnTicks != 0) return;
     PenSample sample;
     while (servo_->for_edit().pop(sample)) (void)session_.sample(sample);
-    while (servo_->for_saver().pop(sample)) {
+    while (servo_->for_autosave().pop(sample)) {
     }
     if (tick % kOptionTicks == 0) {
       const Choice& choice =

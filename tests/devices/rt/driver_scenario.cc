@@ -8,7 +8,7 @@
 #include "felt/base/constants.h"
 #include "felt/haptics/bricks/drawing_feel.h"
 #include "felt/haptics/bricks/well.h"
-#include "felt/haptics/compose.h"
+#include "felt/haptics/force_model.h"
 
 namespace felt::rt_test {
 namespace {
@@ -95,7 +95,7 @@ class DriverSession final : public Session {
     PenSample sample;
     while (servo_->for_edit().pop(sample)) {
     }
-    while (servo_->for_saver().pop(sample)) {
+    while (servo_->for_autosave().pop(sample)) {
     }
     bench_->before_tick(now_ns);
   }

@@ -77,7 +77,7 @@ std::vector<Task> all_tasks() {
 }
 
 // A wavy line of eight segments at this height.
-SketchStroke line_at(double y_mm) {
+StrokePtr line_at(double y_mm) {
   constexpr int kSegments = 8;
   constexpr double kStepMm = 7.5;
   StrokeData data;
@@ -89,7 +89,7 @@ SketchStroke line_at(double y_mm) {
   }
   data.joints.assign(kSegments - 1, JointKind::kSmooth);
   data.widths = {{0.0, 0.6}, {kSegments, 1.8}};
-  return {"line", Stroke::create(std::move(data)).value()};
+  return std::make_shared<const Stroke>(Stroke::create(std::move(data)).value());
 }
 
 Document small_drawing() {
@@ -121,7 +121,7 @@ class EditingSession final : public Session {
     if (tick % kEditTicks != 0) return;
     PenSample sample;
     while (servo_->for_edit().pop(sample)) (void)session_.sample(sample);
-    while (servo_->for_saver().pop(sample)) {
+    while (servo_->for_autosave().pop(sample)) {
     }
     servo_->heartbeat(now_ns);
     servo_->publish(session_.force());

@@ -13,7 +13,7 @@
 #include "felt/haptics/bricks/spring.h"
 #include "felt/haptics/bricks/stabiliser.h"
 #include "felt/haptics/bricks/well.h"
-#include "felt/haptics/compose.h"
+#include "felt/haptics/force_model.h"
 #include "felt/rt/null_device.h"
 #include "tests/devices/drivers/driver_bench.h"
 #include "tests/devices/rt/drawing_scenario.h"
@@ -51,7 +51,7 @@ class Scribble : public Session {
       PenSample sample;
       while (servo_->for_edit().pop(sample)) {
       }
-      while (servo_->for_saver().pop(sample)) {
+      while (servo_->for_autosave().pop(sample)) {
       }
     }
   }

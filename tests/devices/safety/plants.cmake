@@ -13,7 +13,7 @@ felt_plant(free_reversal safety_stages.cc
   "return norm(wanted) <= norm(previous) ? wanted : step_towards(from, wanted, step_n)")
 felt_plant(late_ticks_buy_steps safety_chain.cc
   "kMsPerS * time_.credited_s" "kMsPerS * time_.charged_s")
-felt_plant(backwards_is_on_time safety_clock.cc "std::abs(measured_s)" "measured_s")
+felt_plant(backwards_is_on_time safety_guards.cc "std::abs(measured_s)" "measured_s")
 felt_plant(no_wait safety_chain.cc "calm_ticks_ = is_calm ? calm_ticks_ + 1 : 0;" "++calm_ticks_;")
 felt_plant(no_ramp safety_chain.cc "const Force target = ramp_ * wanted;"
   "const Force target = wanted; ramp_ = 1.0;")
@@ -27,15 +27,15 @@ felt_plant(no_fault_count safety_chain.cc
   "if (kept >= static_cast<std::uint32_t>(limits_.soft_faults))" "if (false)")
 felt_plant(no_brake safety_chain.cc "if (brake > 0.0)" "if (false)")
 felt_plant(no_cut safety_chain.cc "if (speed_.must_cut())" "if (false)")
-felt_plant(cut_believes_the_device safety_motion.cc "std::max(reported, measured)" "reported")
+felt_plant(cut_believes_the_device safety_guards.cc "std::max(reported, measured)" "reported")
 felt_plant(no_jump safety_chain.cc "switch (jumps_.judge(sample.position, time_))"
   "switch (PositionVerdict::kBelieved)")
-felt_plant(jumps_last safety_motion.cc "return too_long ? PositionVerdict::kFault : PositionVerdict::kHeld"
+felt_plant(jumps_last safety_guards.cc "return too_long ? PositionVerdict::kFault : PositionVerdict::kHeld"
   "return PositionVerdict::kHeld")
 felt_plant(no_silent_damping safety_chain.cc
   "wants_damping_only() ? damping(sample.velocity) : asked" "asked")
 felt_plant(no_silent_stop safety_chain.cc "silence_s_ >= limits_.silent_stop_s" "false")
-felt_plant(old_heartbeats_count safety_clock.cc "if (is_new_)" "if (has_beat_)"
+felt_plant(old_heartbeats_count safety_guards.cc "if (is_new_)" "if (has_beat_)"
   "silence_s_ = std::min(silence_s_, std::max(seconds_between(last_beat_ns_, now_ns), 0.0))"
   "silence_s_ = 0.0")
 felt_plant(no_device_fault safety_chain.cc "hard_fault(SafetyFault::kDeviceError)" "")

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <memory>
 
+#include "felt/devices/simulated/held_body.h"
 #include "felt/devices/simulated/high_pass.h"
 #include "felt/devices/simulated/simulated_stylus.h"
 #include "felt/haptics/bricks/drawing_feel.h"

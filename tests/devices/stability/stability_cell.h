@@ -4,7 +4,6 @@
 #include <string>
 #include <string_view>
 
-#include "felt/devices/simulated/simulated_hand.h"
 #include "felt/devices/simulated/stylus_presets.h"
 #include "felt/haptics/safety/safety_chain.h"
 #include "felt/material/materials.h"

@@ -8,6 +8,7 @@
 #include "felt/base/hash.h"
 #include "felt/devices/simulated/stylus_presets.h"
 #include "felt/io/ndjson/ndjson_writer.h"
+#include "felt/tools/contact.h"
 #include "tests/drawing/gestures/random_gesture.h"
 #include "tests/drawing/gestures/random_sketch.h"
 
@@ -288,13 +289,13 @@ void Episode::import() {
   where_ += ", import";
   Dice other(dice_.seed());
   const Document document = random_document(other, {});
-  Sketch sketch;
+  std::vector<StrokePtr> strokes;
   for (const Layer& layer : document.layers()) {
-    for (const StrokeId id : layer.strokes) sketch.push_back({"x", *document.find(id)});
+    for (const StrokeId id : layer.strokes) strokes.push_back(document.find(id));
   }
-  if (sketch.size() > 2) sketch.erase(sketch.begin() + 2, sketch.end());
+  if (strokes.size() > 2) strokes.resize(2);
   ++touches_;  // a step of its own
-  const Result<void> done = session_.import(now_ns_, {"random"}, sketch);
+  const Result<void> done = session_.import(now_ns_, {"random"}, strokes);
   if (!done) break_rule("import: " + done.error().message);
   contact_ = {};
 }

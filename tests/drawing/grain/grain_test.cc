@@ -80,13 +80,13 @@ TEST(Grain, R47_OneHeightMapForEyeAndHand) {
 
 TEST(Grain, R47_ThePngIsTheSameBytesWhoeverMadeTheField) {
   const auto png = [](const HeightField* field) {
-    Sketch sketch;
+    std::vector<StrokePtr> strokes;
     for (std::uint64_t seed = 1; seed <= 4; ++seed) {
-      sketch.push_back({"s", testing::random_stroke(seed)});
+      strokes.push_back(std::make_shared<const Stroke>(testing::random_stroke(seed)));
     }
     PageOptions page{.dpi = 150, .sheet = Rect{0, 0, 20, 20}};
     page.grain = Grain(field);
-    return encode_png(render_page(sketch, page).value(), page.dpi).value();
+    return encode_png(render_page(strokes, page).value(), page.dpi).value();
   };
   for (const HeightField* field : reliefs()) {
     const HeightField again(field->spec());

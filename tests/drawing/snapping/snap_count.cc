@@ -8,10 +8,11 @@
 #include <utility>
 
 #include "felt/devices/simulated/samples/sample_sets.h"
+#include "felt/document/visible_strokes.h"
 #include "felt/geometry/nearest.h"
 #include "felt/io/ndjson/ndjson_lines.h"
 #include "felt/replay/replay_run.h"
-#include "felt/stroke/stroke_tip.h"
+#include "felt/stroke/stroke.h"
 
 namespace felt::snap_test {
 
@@ -36,9 +37,9 @@ Result<SnapCount> draw_lines(const std::string& ndjson, const SnapHand& hand,
                   .closed = 0,
                   .mean_mm = stats.distance.mean_mm(),
                   .ink = {}};
-  for (const SketchStroke& stroke : machine.session().sketch()) {
-    count.closed += stroke.stroke.closed() ? 1 : 0;
-    count.ink.push_back(stroke.stroke);
+  for (const StrokePtr& stroke : visible_strokes(machine.session().document())) {
+    count.closed += stroke->closed() ? 1 : 0;
+    count.ink.push_back(*stroke);
   }
   return count;
 }

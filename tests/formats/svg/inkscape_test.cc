@@ -8,6 +8,7 @@
 
 #include "felt/io/svg/svg_import.h"
 #include "felt/io/svg/svg_writer.h"
+#include "felt/io/testing/test_drawings.h"
 #include "felt/stroke/testing/random_stroke.h"
 #include "tests/support/scratch_path.h"
 
@@ -16,24 +17,24 @@ namespace {
 
 namespace fs = std::filesystem;
 
-LayeredSketch drawing() {
-  LayeredSketch d;
-  d.page = SheetPage{120.0, 90.0, {250, 248, 240, 255}};
+Drawing drawing() {
+  DrawingBuilder d;
+  d.drawing().has_page = true;
+  d.drawing().page = SheetPage{120.0, 90.0, {250, 248, 240, 255}};
   std::uint64_t seed = 500;
   for (const char* name : {"Back", "Front \"1\""}) {
-    SketchLayer layer{name, true, name[0] == 'B', {}};
+    const std::size_t layer = d.add_layer({name, true, name[0] == 'B'});
     for (int i = 0; i < 6; ++i) {
-      layer.strokes.push_back({"s" + std::to_string(seed), testing::random_stroke(seed)});
+      d.add(layer, testing::random_stroke(seed), "s" + std::to_string(seed));
       ++seed;
     }
-    d.layers.push_back(std::move(layer));
   }
-  d.layers.push_back({"Hidden", false, false, {{"h", testing::random_stroke(seed)}}});
-  return d;
+  d.add(d.add_layer({"Hidden", false}), testing::random_stroke(seed));
+  return std::move(d).build();
 }
 
 /// What Inkscape saves of a drawing after `actions`; empty where it failed.
-std::string saved_by_inkscape(const LayeredSketch& d, const std::string& actions) {
+std::string saved_by_inkscape(const Drawing& d, const std::string& actions) {
   const fs::path folder = scratch_path("inkscape");
   fs::create_directories(folder);
   const std::string in = (folder / "in.svg").string(), out = (folder / "out.svg").string();
@@ -65,16 +66,17 @@ TEST(SvgInkscape, LoadAndSaveKeepsEverything) {
 
 TEST(SvgInkscape, WhatItMovedIsMoved) {
   if (!has_inkscape()) GTEST_SKIP() << "inkscape is not installed (package inkscape)";
-  LayeredSketch one;
+  const Stroke stroke = testing::random_stroke(7);
+  Drawing one = testing::drawing_of({stroke});
+  one.has_page = true;
   one.page = SheetPage{120.0, 90.0};
-  one.layers.push_back({"Ink", true, false, {{"a", testing::random_stroke(7)}}});
   const std::string text = saved_by_inkscape(one, "select-all:all;transform-translate:30,20;");
   const auto back = import_svg(text);
   ASSERT_TRUE(back) << back.error().message;
-  ASSERT_EQ(back->drawing.layers.size(), 1U);
-  ASSERT_EQ(back->drawing.layers[0].strokes.size(), 1U) << text;
-  const StrokeData& was = one.layers[0].strokes[0].stroke.data();
-  const StrokeData& is = back->drawing.layers[0].strokes[0].stroke.data();
+  ASSERT_EQ(back->drawing.document.layers().size(), 1U);
+  ASSERT_EQ(back->drawing.document.stroke_count(), 1U) << text;
+  const StrokeData& was = stroke.data();
+  const StrokeData is = testing::strokes_in(back->drawing.document)[0].data();
   ASSERT_EQ(is.points.size(), was.points.size());
   const Vec moved = is.points[0] - was.points[0];
   EXPECT_GT(norm(moved), 1.0);

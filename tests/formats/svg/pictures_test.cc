@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "felt/base/read_file.h"
+#include "felt/document/visible_strokes.h"
 #include "felt/io/picture/png.h"
 #include "felt/io/svg/svg_import.h"
 #include "felt/render/page.h"
@@ -60,20 +61,13 @@ TEST(SvgPictures, OurFilesLookAsLibrsvgDrawsThem) {
   fs::remove(png);
 }
 
-Sketch strokes_of(const LayeredSketch& drawing) {
-  Sketch all;
-  for (const SketchLayer& layer : drawing.layers) {
-    all.insert(all.end(), layer.strokes.begin(), layer.strokes.end());
-  }
-  return all;
-}
-
 /// The strokes that become of a file, drawn as Feltline draws ink.
 Image ink_picture(const std::string& name, int width_px) {
   const auto read = import_svg(read_file(name, std::size_t{1} << 20).value()).value();
-  const Rect sheet = read.drawing.page.value().area();
+  EXPECT_TRUE(read.drawing.has_page);
+  const Rect sheet = read.drawing.page.area();
   return render_page(
-             strokes_of(read.drawing),
+             visible_strokes(read.drawing.document),
              {.dpi = width_px * 25.4 / sheet.width(), .sheet = sheet, .paper = {0, 0, 0, 0}})
       .value();
 }

@@ -9,6 +9,8 @@
 #include <fstream>
 
 #include "felt/base/read_file.h"
+#include "felt/document/visible_strokes.h"
+#include "felt/io/drawing_builder.h"
 #include "felt/io/picture/png.h"
 #include "felt/io/xopp/xopp_writer.h"
 #include "felt/render/page.h"
@@ -25,23 +27,20 @@ bool has_xournalpp() {
   return std::system("command -v xournalpp >/dev/null 2>&1") == 0;
 }
 
-LayeredSketch drawing() {
-  LayeredSketch drawing;
-  drawing.page.emplace();
-  drawing.page->width_mm = 60.0;
-  drawing.page->height_mm = 40.0;
-  drawing.layers.resize(2);
-  drawing.layers[0].name = "below & <above>";
+Drawing drawing() {
+  DrawingBuilder builder;
+  builder.drawing().has_page = true;
+  builder.drawing().page = SheetPage{60.0, 40.0};
+  builder.add_layer({"below & <above>"});
+  builder.add_layer({});
   for (std::uint64_t seed = 1; seed <= 4; ++seed) {
     StrokeData data = testing::random_stroke(seed).data();
     for (Point& p : data.points) p += Vec{10.0 * static_cast<double>(seed), 8.0};
     data.color.a = 255;
-    const std::size_t layer = seed % 2;
-    drawing.layers[layer].strokes.push_back({"s", Stroke::create(std::move(data)).value()});
+    builder.add(seed % 2, Stroke::create(std::move(data)).value());
   }
-  drawing.layers[1].strokes.push_back(
-      {"dot", testing::straight_stroke({5, 35}, {5.05, 35}, 2.0, 2.0)});
-  return drawing;
+  builder.add(1, testing::straight_stroke({5, 35}, {5.05, 35}, 2.0, 2.0));
+  return std::move(builder).build();
 }
 
 /// The picture that Xournal++ makes of a file.
@@ -71,16 +70,12 @@ int grey(Image& image, int x, int y) {
 
 TEST(Xournalpp, DrawsWhatWeDraw) {
   if (!has_xournalpp()) GTEST_SKIP() << "xournalpp is not installed";
-  const LayeredSketch sketch = drawing();
-  Result<Image> theirs = xournalpp_picture(xopp_bytes(sketch).value());
+  const Drawing ink = drawing();
+  Result<Image> theirs = xournalpp_picture(xopp_bytes(ink).value());
   ASSERT_TRUE(theirs) << theirs.error().message;
-  Sketch all;
-  for (const SketchLayer& layer : sketch.layers) {
-    all.insert(all.end(), layer.strokes.begin(), layer.strokes.end());
-  }
-  Image ours =
-      render_page(all, {.dpi = kDpi, .sheet = sketch.page->area(), .paper = sketch.page->paper})
-          .value();
+  Image ours = render_page(visible_strokes(ink.document),
+                           {.dpi = kDpi, .sheet = ink.page.area(), .paper = ink.page.paper})
+                   .value();
   ASSERT_NEAR(theirs->width(), ours.width(), 1);
   ASSERT_NEAR(theirs->height(), ours.height(), 1);
   double sum = 0.0;

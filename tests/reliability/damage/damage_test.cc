@@ -8,8 +8,8 @@
 #include <filesystem>
 #include <map>
 
+#include "felt/autosave/autosave_database.h"
 #include "felt/autosave/recovery.h"
-#include "felt/autosave/working_store.h"
 #include "felt/base/atomic_file.h"
 #include "felt/base/read_file.h"
 #include "felt/formats/drawing_reader.h"
@@ -38,10 +38,10 @@ struct Counts {
 };
 
 /// Reads it as a person's file of that name, and checks what comes of it.
-void read_damaged(const Damage& damage, const std::string& name, const StoredDrawing& original,
+void read_damaged(const Damage& damage, const std::string& name, const Drawing& original,
                   Counts& counts) {
   const double start = cpu_seconds();
-  const Result<OpenedDrawing> opened = parse_drawing(damage.bytes, name);
+  const Result<Imported> opened = parse_drawing(damage.bytes, name);
   const double took = cpu_seconds() - start;
   counts.slowest_s = std::max(counts.slowest_s, took);
   ASSERT_LT(took, kMostSeconds) << name << ": " << damage.name;
@@ -56,14 +56,16 @@ void read_damaged(const Damage& damage, const std::string& name, const StoredDra
   // What was read can be kept and comes back: no invariant of a drawing is broken.
   const Result<std::string> again = felt_bytes(opened->drawing);
   ASSERT_TRUE(again) << name << ": " << damage.name << ": " << again.error().message;
-  const Result<StoredDrawing> back = parse_felt(*again);
-  ASSERT_TRUE(back && *back == opened->drawing) << name << ": " << damage.name;
+  const Result<Drawing> back = parse_felt(*again);
+  Drawing kept = opened->drawing;
+  kept.has_page = true;  // a .felt file states one
+  ASSERT_TRUE(back && *back == kept) << name << ": " << damage.name;
 }
 
 class Damaged : public ::testing::TestWithParam<FileFormat> {};
 
 TEST_P(Damaged, IsReadOrRefused) {
-  const StoredDrawing drawing = felt::testing::random_drawing(3);
+  const Drawing drawing = felt::testing::random_drawing(3);
   const Result<std::string> whole = drawing_bytes(drawing, GetParam());
   ASSERT_TRUE(whole) << whole.error().message;
   const std::map<FileFormat, std::string> endings = {{FileFormat::kFelt, "felt"},
@@ -93,8 +95,8 @@ INSTANTIATE_TEST_SUITE_P(EveryFormat, Damaged,
                                            FileFormat::kInkml, FileFormat::kXopp));
 
 /// A file whose strokes lie on many pages, each within one.
-StoredDrawing many_strokes() {
-  StoredDrawing drawing;
+Drawing many_strokes() {
+  Drawing drawing;
   Edit edit{"Draw", {}};
   const LayerId layer = drawing.document.layers().front().id;
   for (std::uint64_t i = 0; i < 60; ++i) {
@@ -109,7 +111,7 @@ StoredDrawing many_strokes() {
 }
 
 TEST(DamagedFelt, GivesBackEveryStrokeOnWholePages) {
-  const StoredDrawing drawing = many_strokes();
+  const Drawing drawing = many_strokes();
   const std::string whole = felt_bytes(drawing).value();
   const std::size_t page = static_cast<std::size_t>(static_cast<unsigned char>(whole[16])) << 8 |
                            static_cast<unsigned char>(whole[17]);
@@ -162,8 +164,8 @@ TEST(DamagedFelt, GivesBackEveryStrokeOnWholePages) {
 
 TEST(DamagedFelt, SideFilesOfOthersAreIgnoredAndLeftAlone) {
   const std::string folder = folder_for_test(), path = folder + "/a.felt";
-  const StoredDrawing first = felt::testing::random_drawing(1);
-  const StoredDrawing second = felt::testing::random_drawing(2);
+  const Drawing first = felt::testing::random_drawing(1);
+  const Drawing second = felt::testing::random_drawing(2);
   ASSERT_TRUE(write_felt(path, first));
   const std::string garbage(5000, 'x');
   for (const char* ending : {"-wal", "-shm", "-journal"}) {
@@ -178,31 +180,31 @@ TEST(DamagedFelt, SideFilesOfOthersAreIgnoredAndLeftAlone) {
   fs::remove_all(folder);
 }
 
-/// A working store as a killed process leaves it; its files are then damaged.
+/// An autosave as a killed process leaves it; its files are then damaged.
 class DamagedStore : public ::testing::Test {
  protected:
   DamagedStore() : root_(folder_for_test()), drawing_(many_strokes()) {
-    Result<WorkingStore> store = WorkingStore::create(root_, "a");
+    Result<AutosaveDatabase> store = AutosaveDatabase::create(root_, "a");
     EXPECT_TRUE(store) << store.error().message;
     EXPECT_TRUE(store->write_base(drawing_));
-    WorkingAbout about{"a drawing", "", true, drawing_};
+    AutosaveInfo about{"a drawing", "", true, drawing_};
     about.head.document = Document();
-    EXPECT_TRUE(store->put_about(about));
+    EXPECT_TRUE(store->put_info(about));
     EXPECT_TRUE(store->commit());
-    database_ = store->folder() + '/' + kWorkingStoreFile;
+    database_ = store->folder() + '/' + kAutosaveDatabaseFile;
     folder_ = store->folder();
   }
   ~DamagedStore() override { fs::remove_all(root_); }
 
   std::string root_, folder_, database_;
-  StoredDrawing drawing_;
+  Drawing drawing_;
 };
 
 TEST_F(DamagedStore, GarbageBesideItIsNoHarm) {
   ASSERT_TRUE(write_file(database_ + "-shm", std::string(40'000, 'x')));
   ASSERT_TRUE(write_file(folder_ + "/new.db", "x"));
   ASSERT_TRUE(write_file(database_ + "-journal", std::string(3'000, 'x')));
-  const auto recovered = recover_store(folder_);
+  const auto recovered = recover_autosave(folder_);
   ASSERT_TRUE(recovered) << recovered.error().message;
   EXPECT_TRUE(recovered->drawing == drawing_);
   EXPECT_TRUE(recovered->problems.empty());
@@ -212,17 +214,17 @@ TEST_F(DamagedStore, GarbageBesideItIsNoHarm) {
 TEST_F(DamagedStore, WhatCannotBeLookedAtIsNotCleared) {
   fs::rename(database_, database_ + ".away");
   fs::create_symlink(database_, database_);  // leads to itself: nobody can look at it
-  EXPECT_TRUE(find_abandoned({root_}).empty());
+  EXPECT_TRUE(find_abandoned_autosaves({root_}).empty());
   EXPECT_TRUE(fs::exists(database_ + "-wal"));
   fs::remove(database_);
   fs::rename(database_ + ".away", database_);
-  EXPECT_EQ(find_abandoned({root_}).size(), 1u);
+  EXPECT_EQ(find_abandoned_autosaves({root_}).size(), 1u);
 }
 
 TEST_F(DamagedStore, ADatabaseThatCannotBeRemovedKeepsItsJournal) {
   fs::rename(database_, database_ + ".away");
   fs::create_directory(database_);
-  auto found = find_abandoned({root_});
+  auto found = find_abandoned_autosaves({root_});
   ASSERT_EQ(found.size(), 1u);
   const auto removed = std::move(found.front()).remove();
   ASSERT_FALSE(removed);
@@ -246,7 +248,7 @@ TEST_F(DamagedStore, GivesAllOrSaysWhatIsMissing) {
   int damages = 0, whole = 0, told = 0, refused = 0;
   const auto look = [&](const Damage& damage) {
     ++damages;
-    const auto recovered = recover_store(folder_);
+    const auto recovered = recover_autosave(folder_);
     if (!recovered) {
       ++refused;
       EXPECT_EQ(recovered.error().message.find(folder_), 0u) << recovered.error().message;
@@ -308,7 +310,7 @@ std::string repeated(const std::string& part, std::size_t count) {
 void expect_bounded(const std::string& what, const std::string& bytes, const std::string& name,
                     bool is_refused) {
   const double start = cpu_seconds();
-  const Result<OpenedDrawing> opened = parse_drawing(bytes, name);
+  const Result<Imported> opened = parse_drawing(bytes, name);
   const double took = cpu_seconds() - start;
   EXPECT_LT(took, 20.0) << what;  // sanitizers need the room
   EXPECT_LT(peak_bytes(), std::size_t{3} << 30) << what;

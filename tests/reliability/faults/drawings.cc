@@ -16,7 +16,7 @@ constexpr int kEdits = 4;
 constexpr double kFirstWidthMm = 100.0;  // tells the generation: its width is so much more
 
 struct Generation {
-  StoredDrawing drawing;
+  Drawing drawing;
   std::vector<Edit> edits;
 };
 
@@ -39,7 +39,7 @@ const Generation& at(std::uint32_t generation) {
 
 }  // namespace
 
-const StoredDrawing& drawing_of(std::uint32_t generation) {
+const Drawing& drawing_of(std::uint32_t generation) {
   return at(generation).drawing;
 }
 
@@ -47,7 +47,7 @@ const std::vector<Edit>& edits_to(std::uint32_t generation) {
   return at(generation).edits;
 }
 
-int generation_of(const StoredDrawing& drawing) {
+int generation_of(const Drawing& drawing) {
   const double number = drawing.page.width_mm - kFirstWidthMm;
   if (!(number >= 0.0 && number < 1e4)) return -1;
   const int generation = static_cast<int>(number);
@@ -59,7 +59,7 @@ int generation_at(const std::string& path, std::uint32_t most, std::string& why)
     why = path + " is gone";
     return -1;
   }
-  const Result<StoredDrawing> drawing = read_felt(path);
+  const Result<Drawing> drawing = read_felt(path);
   if (!drawing) {
     why = drawing.error().message;
     return -2;

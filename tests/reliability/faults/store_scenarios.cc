@@ -1,9 +1,9 @@
-// The working store behind a drawing that is worked on: created, committed to, renewed, taken up
-// again after a crash; and the saver, which goes elsewhere when a place fails.
+// The autosave database behind a drawing that is being made: created, committed to, renewed, taken
+// up again after a crash; and the autosave, which uses another folder when one fails.
 #include <cstdlib>
 #include <filesystem>
 
-#include "felt/autosave/saver.h"
+#include "felt/autosave/autosave.h"
 #include "tests/reliability/faults/scenario.h"
 #include "tests/reliability/faults/store_steps.h"
 
@@ -17,7 +17,7 @@ std::string root_in(const std::string& folder) {
 }
 
 /// Commits until one fails. An error ends the use of the store, as its header says.
-void commit_generations(WorkingStore& store, std::uint32_t first, std::uint32_t last) {
+void commit_generations(AutosaveDatabase& store, std::uint32_t first, std::uint32_t last) {
   for (std::uint32_t generation = first; generation <= last; ++generation) {
     state->started = generation;
     if (const auto done = commit_generation(store, generation); !done) return say(done.error());
@@ -80,7 +80,7 @@ Scenario store_renew() {
             if (!store) std::abort();
             commit_generations(*store, 2, 6);
             state->armed = true;
-            auto begun = store->begin_base(std::make_shared<StoredDrawing>(drawing_of(6)));
+            auto begun = store->begin_base(std::make_shared<Drawing>(drawing_of(6)));
             if (!begun) return say(begun.error());
             for (bool done = false; !done;) {
               const auto part = store->write_base_part();
@@ -135,8 +135,8 @@ Scenario store_recover() {
           [](const std::string& folder) {
             const std::string path = folder + "/recovered.felt";
             state->started = 6;
-            for (AbandonedStore& store : find_abandoned({root_in(folder)})) {
-              const auto recovered = recover_store(store.folder);
+            for (AbandonedAutosave& store : find_abandoned_autosaves({root_in(folder)})) {
+              const auto recovered = recover_autosave(store.folder);
               if (!recovered) return say(recovered.error());
               // A person who is told of problems keeps the store.
               if (!recovered->problems.empty()) return state->say_error(store.folder + ": told of");
@@ -159,27 +159,30 @@ Scenario store_recover() {
           }};
 }
 
-/// The saver with two places, of which only the first fails: nothing that it says is kept is lost,
-/// and a place that fails is left for the other.
-Scenario saver_elsewhere() {
-  return {"saver_elsewhere", [](const std::string&) {},
+/// The autosave with two folders, of which only the first fails: nothing that it reports as kept is
+/// lost, and it leaves a folder that fails for the other.
+Scenario autosave_elsewhere() {
+  return {"autosave_elsewhere", [](const std::string&) {},
           [](const std::string& folder) {
             std::snprintf(state->folder, sizeof state->folder, "%s/first", folder.c_str());
-            SaverOptions options;
+            AutosaveOptions options;
             options.roots = {folder + "/first", folder + "/second"};
             options.live = false;
-            Saver saver(std::move(options));
+            Autosave autosave(std::move(options));
             state->started = 1;
-            saver.begin(drawing_of(1), "a drawing", "", true);
+            autosave.post({.drawing = std::make_unique<Drawing>(drawing_of(1)),
+                           .name = "a drawing",
+                           .path = "",
+                           .modified = true});
             for (std::uint32_t generation = 1; generation <= 4; ++generation) {
               state->started = generation;
               for (const Edit& edit : edits_to(generation)) {
-                if (generation > 1) saver.edit(edit);
+                if (generation > 1) autosave.post({.edit = edit});
               }
-              saver.head(drawing_of(generation));
-              saver.flush();
-              const SaverStatus status = saver.status();
-              if (status.state == SaverStatus::State::kFailing) {
+              autosave.post({.head = std::make_unique<Drawing>(drawing_of(generation))});
+              autosave.flush();
+              const AutosaveStatus status = autosave.status();
+              if (status.state == AutosaveStatus::State::kFailing) {
                 return state->say_error("failing, though the second place works: " + status.why);
               }
               state->acknowledged = generation;
@@ -207,7 +210,7 @@ Scenario saver_elsewhere() {
 
 void add_store_scenarios(std::vector<Scenario>& to) {
   for (Scenario scenario :
-       {store_create(), store_commit(), store_renew(), store_recover(), saver_elsewhere()}) {
+       {store_create(), store_commit(), store_renew(), store_recover(), autosave_elsewhere()}) {
     scenario.has_memory = true;
     scenario.stride = 13;
     to.push_back(scenario);

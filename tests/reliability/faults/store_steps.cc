@@ -11,31 +11,31 @@ namespace fs = std::filesystem;
 
 namespace {
 
-WorkingAbout about_of(std::uint32_t generation) {
-  WorkingAbout about{"a drawing", "", true, drawing_of(generation)};
+AutosaveInfo about_of(std::uint32_t generation) {
+  AutosaveInfo about{"a drawing", "", true, drawing_of(generation)};
   about.head.document = Document();
   return about;
 }
 
 /// A store whose first commit never came: nobody was told that anything is in it.
-bool is_begun(const RecoveredDrawing& recovered) {
-  return recovered.problems.size() == 1 && recovered.drawing == StoredDrawing{} &&
+bool is_begun(const Recovered& recovered) {
+  return recovered.problems.size() == 1 && recovered.drawing == Drawing{} &&
          recovered.problems.front().find("not copied wholly yet") != std::string::npos;
 }
 
 }  // namespace
 
-Result<WorkingStore> new_store(const std::string& root, std::uint32_t first) {
-  Result<WorkingStore> store = WorkingStore::create(root, "store");
+Result<AutosaveDatabase> new_store(const std::string& root, std::uint32_t first) {
+  Result<AutosaveDatabase> store = AutosaveDatabase::create(root, "store");
   if (!store) return store;
   Result<void> done = store->write_base(drawing_of(first));
-  if (done) done = store->put_about(about_of(first));
+  if (done) done = store->put_info(about_of(first));
   if (done) done = store->commit();
   if (!done) return tl::unexpected(done.error());
   return store;
 }
 
-Result<void> commit_generation(WorkingStore& store, std::uint32_t generation) {
+Result<void> commit_generation(AutosaveDatabase& store, std::uint32_t generation) {
   // A line's beginning: no script, nothing selected.
   Result<void> done = store.add_live(LiveKind::kContext, std::string(8, '\0'));
   if (done) done = store.commit();
@@ -43,14 +43,14 @@ Result<void> commit_generation(WorkingStore& store, std::uint32_t generation) {
     if (done) done = store.add_edit(edit).map([](std::uint64_t) {});
   }
   if (done) done = store.clear_live();
-  if (done) done = store.put_about(about_of(generation));
+  if (done) done = store.put_info(about_of(generation));
   return done ? store.commit() : done;
 }
 
 int generation_in_stores(const std::string& root, std::string& why) {
   int newest = 0;
-  for (const AbandonedStore& store : find_abandoned({root})) {
-    const Result<RecoveredDrawing> recovered = recover_store(store.folder);
+  for (const AbandonedAutosave& store : find_abandoned_autosaves({root})) {
+    const Result<Recovered> recovered = recover_autosave(store.folder);
     if (!recovered) {
       why = recovered.error().message;
       return -1;
@@ -71,7 +71,7 @@ int generation_in_stores(const std::string& root, std::string& why) {
 }
 
 std::string remove_stores(const std::string& root) {
-  for (AbandonedStore& store : find_abandoned({root})) {
+  for (AbandonedAutosave& store : find_abandoned_autosaves({root})) {
     if (const auto removed = std::move(store).remove(); !removed) return removed.error().message;
   }
   if (!fs::exists(root)) return "";

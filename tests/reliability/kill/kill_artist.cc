@@ -1,4 +1,4 @@
-// The process that is killed: session, haptic loop, saver, each on a thread of its own, in real
+// The process that is killed: session, haptic loop, autosave, each on a thread of its own, in real
 // time.
 #include <time.h>
 #include <unistd.h>
@@ -9,8 +9,7 @@
 #include <memory>
 #include <thread>
 
-#include "felt/autosave/saver.h"
-#include "felt/autosave/saver_feed.h"
+#include "felt/autosave/autosave.h"
 #include "felt/devices/simulated/simulated_stylus.h"
 #include "felt/devices/simulated/stylus_presets.h"
 #include "felt/session/session.h"
@@ -67,16 +66,15 @@ class Artist {
         stylus_(device_of(picture)),
         device_(stylus_, testimony),
         servo_(std::make_unique<Servo>(device_, servo_options())),
-        saver_(saver_options(testimony)),
-        feed_(saver_) {
+        autosave_(autosave_options(testimony)) {
     SessionOptions options;
     options.device = stylus_.capabilities();
     options.document = base_document(picture);
-    options.on_event = [this](const Event& event) { feed_.hear(*session_, event); };
-    options.on_edit = [this](const Edit& edit) { feed_.hear(*session_, edit); };
+    options.on_event = [this](const Event& event) { autosave_.event_applied(*session_, event); };
+    options.on_edit = [this](const Edit& edit) { autosave_.edit_applied(*session_, edit); };
     session_ = std::make_unique<Session>(make_tools(), std::move(options));
-    feed_.begin(*session_, drawing(), "Killed", picture.base_path, false);
-    saver_.attach(servo_->for_saver(), kOffsetNs);
+    autosave_.session_began(*session_, drawing(), "Killed", picture.base_path, false);
+    autosave_.attach(servo_->for_autosave(), kOffsetNs);
     servo_->publish(session_->force());
     if (picture.with_forces) servo_->arm();
   }
@@ -95,10 +93,10 @@ class Artist {
     options.limits = limits_for(stylus_.capabilities(), 3.0);
     return options;
   }
-  SaverOptions saver_options(Testimony& testimony) const {
-    SaverOptions options;
+  AutosaveOptions autosave_options(Testimony& testimony) const {
+    AutosaveOptions options;
     options.roots = {picture_.root};
-    options.longest_log_bytes = 3'000;  // a new base every few strokes
+    options.max_log_bytes = 3'000;  // a new base every few strokes
     options.on_commit = [&testimony](std::int64_t until_ns) {
       testimony.committed_ns.store(until_ns, std::memory_order_release);
       testimony.has_store.store(true, std::memory_order_release);
@@ -106,8 +104,8 @@ class Artist {
     return options;
   }
 
-  [[nodiscard]] StoredDrawing drawing() const {
-    StoredDrawing drawing;
+  [[nodiscard]] Drawing drawing() const {
+    Drawing drawing;
     drawing.document = session_->document();
     drawing.page.surface = session_->sheet().material().id;
     drawing.color = session_->sheet().color();
@@ -166,16 +164,16 @@ class Artist {
       return;
     }
     if (!save_.get()) ::_exit(4);
-    saver_.rename("Killed", picture_.save_path);
-    if (saving_ == session_->edit_count()) saver_.modified(false);
+    AutosaveMessage saved{.name = "Killed", .path = picture_.save_path};
+    if (saving_ == session_->edit_count()) saved.modified = false;
+    autosave_.post(std::move(saved));
   }
 
   const Picture& picture_;
   SimulatedStylus stylus_;
   WitnessedDevice device_;
   std::unique_ptr<Servo> servo_;
-  Saver saver_;
-  SaverFeed feed_;
+  Autosave autosave_;
   std::unique_ptr<Session> session_;
   std::uint32_t told_ = 0;
   std::int64_t now_ns_ = kOffsetNs;
@@ -230,11 +228,12 @@ const StylusPreset& device_of(const Picture& picture) {
 }
 
 Document base_document(const Picture& picture) {
-  Sketch sketch;
+  std::vector<StrokePtr> strokes;
   for (int i = 0; i < picture.base_strokes; ++i) {
-    sketch.push_back({"s", testing::random_stroke(static_cast<std::uint64_t>(i))});
+    strokes.push_back(
+        std::make_shared<const Stroke>(testing::random_stroke(static_cast<std::uint64_t>(i))));
   }
-  return document_of(sketch);
+  return document_of(strokes);
 }
 
 void draw(const Picture& picture, Testimony& testimony) {

@@ -146,7 +146,7 @@ Verdict bad(std::string reason) {
 }
 
 /// When the recovered drawing is from, as a number of samples.
-std::optional<std::uint32_t> moment_of(const RecoveredDrawing& recovered, const Picture& picture,
+std::optional<std::uint32_t> moment_of(const Recovered& recovered, const Picture& picture,
                                        const Ink& ink) {
   const Document& document = recovered.drawing.document;
   if (recovered.last_sample_ns >= 0) {
@@ -162,8 +162,7 @@ std::optional<std::uint32_t> moment_of(const RecoveredDrawing& recovered, const 
   return last_time_of(document, picture, ink);
 }
 
-Verdict compare(const RecoveredDrawing& recovered, const Picture& picture,
-                const Testimony& testimony) {
+Verdict compare(const Recovered& recovered, const Picture& picture, const Testimony& testimony) {
   for (const std::string& problem : recovered.problems) {
     // A large file that had just been opened is not in the store yet; it stands for itself.
     const bool is_young = problem.find("not copied wholly") != std::string::npos;
@@ -192,7 +191,7 @@ Verdict compare(const RecoveredDrawing& recovered, const Picture& picture,
 /// The person's file, where one was saved: whole, and at some time it was the drawing.
 Verdict look_at_file(const Picture& picture, const Testimony& testimony) {
   if (::access(picture.save_path.c_str(), F_OK) != 0) return {true, {}, 0};
-  const Result<StoredDrawing> saved = read_felt(picture.save_path);
+  const Result<Drawing> saved = read_felt(picture.save_path);
   if (!saved) return bad("the saved file: " + saved.error().message);
   if (saved->document == base_document(picture)) return {true, {}, 0};
   // It may have been copied in the middle of a gesture.
@@ -209,10 +208,10 @@ Verdict look_at_file(const Picture& picture, const Testimony& testimony) {
 
 Verdict look(const Picture& picture, std::int64_t process, Testimony& testimony) {
   const std::string owner = "/" + std::to_string(process) + "-";
-  std::vector<AbandonedStore> found = find_abandoned({picture.root});
-  for (const AbandonedStore& store : found) {
+  std::vector<AbandonedAutosave> found = find_abandoned_autosaves({picture.root});
+  for (const AbandonedAutosave& store : found) {
     if (store.folder.find(owner) == std::string::npos) continue;
-    const Result<RecoveredDrawing> recovered = recover_store(store.folder);
+    const Result<Recovered> recovered = recover_autosave(store.folder);
     if (!recovered) return bad(recovered.error().message);
     testimony.strokes = static_cast<int>(recovered->drawing.document.stroke_count());
     testimony.live_samples = recovered->last_sample_ns >= 0 ? 1 : 0;

@@ -98,7 +98,7 @@ class Worker {
     picture.base_strokes = any(0, 3) == 0 ? any(200, 1500) : any(0, 12);
     if (picture.base_strokes > 0) {
       picture.base_path = picture.save_path;
-      StoredDrawing base;
+      Drawing base;
       base.document = base_document(picture);
       if (!write_felt(picture.save_path, base)) std::abort();
     }
@@ -206,8 +206,8 @@ int report(const Tally& tally, const Arguments& arguments) {
   }
   std::printf("\nthe oldest: %.1f ms; older than 50 ms: %d\n",
               static_cast<double>(tally.oldest_ns.load()) * 1e-6, late);
-  // On a machine that stands still for a while, so does the saver: no fault of its own, as long as
-  // it is seldom. A saver that is slow by itself is late nearly always.
+  // On a machine that stands still for a while, so does the autosave: no fault of its own, as long
+  // as it is seldom. An autosave that is slow by itself is late nearly always.
   const int judged = tally.good + tally.bad;
   const bool is_late = late > (arguments.strict ? 0 : std::max(2, judged / 10));
   return tally.bad == 0 && !is_late ? 0 : 1;

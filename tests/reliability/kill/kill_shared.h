@@ -45,7 +45,7 @@ struct Picture {
   int base_strokes = 0;
   bool with_forces = false;
   std::uint32_t hangs_at = UINT32_MAX;  ///< the session's sample at which the edit thread hangs
-  std::string root;                     ///< of the working stores
+  std::string root;                     ///< of the autosaves
   std::string base_path;                ///< the file that was opened, "" for a new drawing
   std::string save_path;                ///< where it is saved now and then
 };

@@ -30,7 +30,7 @@ int find_document(const std::string& folder, std::uint32_t most, std::string& wh
   return found < 0 ? -1 : found;
 }
 
-using Saver = std::function<std::string(const std::string& path, const StoredDrawing& drawing)>;
+using Saver = std::function<std::string(const std::string& path, const Drawing& drawing)>;
 
 Workload save_loop(std::string name, Saver saver) {
   return {std::move(name),
@@ -46,7 +46,7 @@ Workload save_loop(std::string name, Saver saver) {
           find_document};
 }
 
-std::string save_well(const std::string& path, const StoredDrawing& drawing) {
+std::string save_well(const std::string& path, const Drawing& drawing) {
   const auto saved = write_felt(path, drawing);
   return saved ? "" : saved.error().message;
 }
@@ -59,11 +59,11 @@ std::string put(const std::string& path, const std::string& bytes, int more) {
   return ok ? "" : "cannot write " + path;
 }
 
-std::string truncate_and_write(const std::string& path, const StoredDrawing& drawing) {
+std::string truncate_and_write(const std::string& path, const Drawing& drawing) {
   return put(path, felt_bytes(drawing).value(), 0);
 }
 
-std::string rename_without_sync(const std::string& path, const StoredDrawing& drawing) {
+std::string rename_without_sync(const std::string& path, const Drawing& drawing) {
   const std::string problem = put(path + ".new", felt_bytes(drawing).value(), 0);
   if (!problem.empty()) return problem;
   return ::rename((path + ".new").c_str(), path.c_str()) == 0 ? "" : "cannot rename";

@@ -1,11 +1,11 @@
-// The working store while the power goes: commits, new bases, checkpoints, its first creation, the
-// recovery after a crash, and saves of the person's file meanwhile.
+// The autosave database while the power goes: commits, new bases, checkpoints, its first creation,
+// the recovery after a crash, and saves of the person's file meanwhile.
 #include <unistd.h>
 
 #include <algorithm>
 #include <filesystem>
 
-#include "felt/autosave/saver.h"
+#include "felt/autosave/autosave.h"
 #include "tests/reliability/faults/drawings.h"
 #include "tests/reliability/faults/store_steps.h"
 #include "tests/reliability/power_cut/workload.h"
@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 using faults::commit_generation;
 using faults::drawing_of;
 
-constexpr unsigned kPauseUs = 20'000;  // the saver's
+constexpr unsigned kPauseUs = 20'000;  // the autosave's
 
 std::string root_in(const std::string& folder) {
   return folder + "/state";
@@ -35,24 +35,24 @@ int find_in_stores(const std::string& folder, std::uint32_t most, std::string& w
 
 /// Takes up what a power cut left, as a program does when it starts: a new store is whole before
 /// the one it came from goes.
-Result<WorkingStore> take_up(const std::string& folder, std::uint32_t from) {
-  std::vector<AbandonedStore> left = find_abandoned({root_in(folder)});
-  Result<WorkingStore> store = faults::new_store(root_in(folder), from);
+Result<AutosaveDatabase> take_up(const std::string& folder, std::uint32_t from) {
+  std::vector<AbandonedAutosave> left = find_abandoned_autosaves({root_in(folder)});
+  Result<AutosaveDatabase> store = faults::new_store(root_in(folder), from);
   if (!store) return store;
-  for (AbandonedStore& old : left) {
+  for (AbandonedAutosave& old : left) {
     if (const auto gone = std::move(old).remove(); !gone) return tl::unexpected(gone.error());
   }
   return store;
 }
 
-using Between = std::function<Result<void>(WorkingStore& store, std::uint32_t generation)>;
+using Between = std::function<Result<void>(AutosaveDatabase& store, std::uint32_t generation)>;
 
 Workload commit_loop(std::string name, std::uint32_t commits, unsigned pause_us, Between between) {
   return {std::move(name),
           [=](const std::string& folder, std::uint32_t from, Diary& diary) {
             const std::uint32_t first = std::max<std::uint32_t>(from, 1);
             diary.start(first);
-            Result<WorkingStore> store = take_up(folder, first);
+            Result<AutosaveDatabase> store = take_up(folder, first);
             if (!store) return diary.fail(store.error().message);
             diary.acknowledge(first);
             for (std::uint32_t i = first + 1; i < first + commits; ++i) {
@@ -67,15 +67,15 @@ Workload commit_loop(std::string name, std::uint32_t commits, unsigned pause_us,
           find_in_stores};
 }
 
-Result<void> nothing(WorkingStore&, std::uint32_t) {
+Result<void> nothing(AutosaveDatabase&, std::uint32_t) {
   return {};
 }
 
 /// Every fifth time a new base, and what is of no more use goes in the commits after it.
-Result<void> renew(WorkingStore& store, std::uint32_t generation) {
+Result<void> renew(AutosaveDatabase& store, std::uint32_t generation) {
   Result<void> done;
   if (generation % 5 == 0) {
-    done = store.begin_base(std::make_shared<StoredDrawing>(drawing_of(generation)));
+    done = store.begin_base(std::make_shared<Drawing>(drawing_of(generation)));
     for (bool more = true; done && more;) {
       done = store.write_base_part().map([&more](bool is_last) { more = !is_last; });
     }
@@ -92,7 +92,7 @@ Workload recover() {
             const std::uint32_t last = from + 5;
             diary.start(last);
             {
-              Result<WorkingStore> store = take_up(folder, from + 1);
+              Result<AutosaveDatabase> store = take_up(folder, from + 1);
               if (!store) return diary.fail(store.error().message);
               for (std::uint32_t i = from + 2; i <= last; ++i) {
                 if (const auto done = commit_generation(*store, i); !done) {
@@ -102,8 +102,8 @@ Workload recover() {
             }
             diary.acknowledge(last);
             for (int round = 0; round < 8; ++round) {
-              for (AbandonedStore& store : find_abandoned({root_in(folder)})) {
-                const auto recovered = recover_store(store.folder);
+              for (AbandonedAutosave& store : find_abandoned_autosaves({root_in(folder)})) {
+                const auto recovered = recover_autosave(store.folder);
                 if (!recovered) return diary.fail(recovered.error().message);
                 if (faults::generation_of(recovered->drawing) != static_cast<int>(last)) {
                   return diary.fail("recovered another drawing");
@@ -127,7 +127,7 @@ Workload recover() {
 Workload save_while_committing() {
   Workload workload = commit_loop("save_and_commit", 40, kPauseUs, nothing);
   workload.run = [](const std::string& folder, std::uint32_t from, Diary& diary) {
-    const Between save = [&](WorkingStore&, std::uint32_t generation) -> Result<void> {
+    const Between save = [&](AutosaveDatabase&, std::uint32_t generation) -> Result<void> {
       if (generation % 6 != 0) return {};
       const std::string mark = folder + "/saved";
       auto saved = write_felt(document_in(folder), drawing_of(generation));
@@ -151,32 +151,35 @@ Workload save_while_committing() {
   return workload;
 }
 
-/// All of it as the desktop program has it: the saver with its thread.
-Workload saver() {
-  return {"saver",
+/// All of it as the desktop program has it: the autosave with its thread.
+Workload autosave() {
+  return {"autosave",
           [](const std::string& folder, std::uint32_t from, Diary& diary) {
             const std::uint32_t first = std::max<std::uint32_t>(from, 1);
-            std::vector<AbandonedStore> left = find_abandoned({root_in(folder)});
-            SaverOptions options;
+            std::vector<AbandonedAutosave> left = find_abandoned_autosaves({root_in(folder)});
+            AutosaveOptions options;
             options.roots = {root_in(folder)};
-            options.longest_log_bytes = 20'000;  // new bases, now and then
+            options.max_log_bytes = 20'000;  // new bases, now and then
             // flush() does not wait for it, and nothing is committed between.
             options.gather = std::chrono::seconds(5);
             // Never ended, as when the machine stops.
-            auto* saver = new Saver(std::move(options));
+            auto* autosave = new Autosave(std::move(options));
             diary.start(first);
-            saver->begin(drawing_of(first), "a drawing", "", true);
+            autosave->post({.drawing = std::make_unique<Drawing>(drawing_of(first)),
+                            .name = "a drawing",
+                            .path = "",
+                            .modified = true});
             for (std::uint32_t i = first; i < first + 40; ++i) {
               diary.start(i);
               for (const Edit& edit : faults::edits_to(i)) {
-                if (i > first) saver->edit(edit);
+                if (i > first) autosave->post({.edit = edit});
               }
-              saver->head(drawing_of(i));
-              saver->flush();
-              const SaverStatus status = saver->status();
-              if (status.state != SaverStatus::State::kWorking) return diary.fail(status.why);
+              autosave->post({.head = std::make_unique<Drawing>(drawing_of(i))});
+              autosave->flush();
+              const AutosaveStatus status = autosave->status();
+              if (status.state != AutosaveStatus::State::kWorking) return diary.fail(status.why);
               diary.acknowledge(i);
-              for (AbandonedStore& old : left) static_cast<void>(std::move(old).remove());
+              for (AbandonedAutosave& old : left) static_cast<void>(std::move(old).remove());
               left.clear();
             }
           },
@@ -192,7 +195,7 @@ void add_store_workloads(std::vector<Workload>& to) {
   to.push_back(commit_loop("checkpoint", 150, 0, nothing));
   to.push_back(recover());
   to.push_back(save_while_committing());
-  to.push_back(saver());
+  to.push_back(autosave());
 }
 
 }  // namespace felt::power_cut

@@ -37,12 +37,12 @@ struct TestDesk {
 
   /// `count` random strokes, as one step.
   void draw(std::uint64_t seed, int count = 3) {
-    Sketch sketch;
+    std::vector<StrokePtr> strokes;
     for (int i = 0; i < count; ++i) {
-      sketch.push_back(
-          {"s", felt::testing::random_stroke(1000 * seed + static_cast<std::uint64_t>(i))});
+      strokes.push_back(std::make_shared<const Stroke>(
+          felt::testing::random_stroke(1000 * seed + static_cast<std::uint64_t>(i))));
     }
-    studio.import(QStringLiteral("test"), sketch);
+    studio.import(QStringLiteral("test"), strokes);
   }
   /// Saves for the first time, under this name.
   void save_as(const char* name) {
@@ -54,14 +54,15 @@ struct TestDesk {
   void draw_with(const std::string& medium) {
     StrokeData data = felt::testing::straight_stroke({10, 10}, {90, 40}, 2.0, 3.0).data();
     data.material = medium;
-    studio.import(QStringLiteral("test"), Sketch{{"s", Stroke::create(std::move(data)).value()}});
+    studio.import(
+        QStringLiteral("test"),
+        std::vector{std::make_shared<const Stroke>(Stroke::create(std::move(data)).value())});
   }
   /// The texts of materials that a file of the drawing would have now.
   [[nodiscard]] std::vector<std::string> texts() const { return files->drawing().materials; }
   [[nodiscard]] QString at(const char* name) const {
     return folder.filePath(QString::fromUtf8(name));
   }
-  void journal_flush() const { files->journal()->flush(); }
   [[nodiscard]] const Document& document() const { return studio.session().document(); }
 
   QTemporaryDir folder;

@@ -14,8 +14,8 @@ void draw_lines(Studio& studio, int count) {
     data.widths = {{0.0, 1.0}, {1.0, 1.0}};
     data.color = studio.session().sheet().color();
     Result<Stroke> stroke = Stroke::create(std::move(data));
-    const std::vector<SketchStroke> strokes = {{"", *std::move(stroke)}};
-    studio.import(QStringLiteral("lines"), strokes);
+    studio.import(QStringLiteral("lines"),
+                  std::vector{std::make_shared<const Stroke>(*std::move(stroke))});
   }
 }
 

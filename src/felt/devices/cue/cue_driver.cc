@@ -8,6 +8,7 @@
 #include "felt/devices/cue/evdev_cues.h"
 #include "felt/devices/cue/hid_haptics.h"
 #include "felt/devices/cue/hidpp_mouse.h"
+#include "felt/driver/cue_device.h"
 #include "felt/driver/input_nodes.h"
 #include "felt/driver/machine_checks.h"
 

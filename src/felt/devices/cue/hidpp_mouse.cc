@@ -4,6 +4,8 @@
 #include <cstring>
 #include <span>
 
+#include "felt/driver/cue_device.h"
+
 namespace felt {
 namespace {
 

@@ -5,7 +5,6 @@
 
 #include "felt/driver/evdev_port.h"
 #include "felt/haptics/pen_sample.h"
-#include "felt/haptics/velocity_filter.h"
 
 namespace felt {
 

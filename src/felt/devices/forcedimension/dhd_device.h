@@ -10,7 +10,7 @@
 #include "felt/devices/forcedimension/dhd_models.h"
 #include "felt/driver/driver.h"
 #include "felt/driver/force_gate.h"
-#include "felt/haptics/velocity_filter.h"
+#include "felt/haptics/pen_sample.h"
 #include "felt/rt/latest_value.h"
 
 namespace felt::dhd {

@@ -4,7 +4,6 @@
 #include <vector>
 
 #include "felt/driver/diagnosis.h"
-#include "felt/driver/system_view.h"
 
 namespace felt::dhd {
 

@@ -10,8 +10,8 @@
 
 #include "felt/base/result.h"
 #include "felt/devices/forcedimension/dhd_abi.h"
+#include "felt/driver/diagnosis.h"
 #include "felt/driver/dynamic_library.h"
-#include "felt/driver/system_view.h"
 
 namespace felt::dhd {
 

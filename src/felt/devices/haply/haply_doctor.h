@@ -5,7 +5,6 @@
 
 #include "felt/driver/byte_stream.h"
 #include "felt/driver/diagnosis.h"
-#include "felt/driver/system_view.h"
 
 namespace felt::haply {
 

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "felt/driver/byte_stream.h"
-#include "felt/driver/system_view.h"
+#include "felt/driver/diagnosis.h"
 
 namespace felt::haply {
 

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "felt/driver/device_status.h"
+#include "felt/driver/driver.h"
 #include "felt/geometry/vec3.h"
 #include "felt/haptics/force.h"
 

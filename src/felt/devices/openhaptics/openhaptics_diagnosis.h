@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "felt/driver/diagnosis.h"
-#include "felt/driver/system_view.h"
 
 namespace felt {
 

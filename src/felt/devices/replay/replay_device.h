@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "felt/haptics/velocity_filter.h"
+#include "felt/haptics/pen_sample.h"
 #include "felt/rt/device.h"
 
 namespace felt {

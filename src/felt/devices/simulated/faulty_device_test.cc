@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include <gtest/gtest.h>
+#include <cstddef>
 
 #include "felt/base/constants.h"
 #include "felt/devices/simulated/simulated_stylus.h"

@@ -4,7 +4,6 @@
 #include <span>
 #include <vector>
 
-#include "felt/devices/simulated/simulated_hand.h"
 #include "felt/devices/simulated/stylus_presets.h"
 #include "felt/haptics/force.h"
 #include "felt/material/materials.h"

@@ -5,7 +5,6 @@
 #include <span>
 #include <vector>
 
-#include "felt/devices/simulated/simulated_hand.h"
 #include "felt/devices/simulated/stylus_presets.h"
 #include "felt/devices/simulated/writing_hand.h"
 #include "felt/geometry/vec3.h"

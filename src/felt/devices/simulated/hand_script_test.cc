@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include "felt/devices/simulated/held_body.h"
 #include "felt/devices/simulated/samples/drawings.h"
 #include "felt/devices/simulated/simulated_stylus.h"
 

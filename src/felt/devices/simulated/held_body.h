@@ -2,7 +2,6 @@
 
 #include <optional>
 
-#include "felt/devices/simulated/simulated_hand.h"
 #include "felt/devices/simulated/stylus_presets.h"
 #include "felt/geometry/vec3.h"
 #include "felt/haptics/force.h"

@@ -4,7 +4,11 @@
 #include <cmath>
 #include <utility>
 
+#include "felt/devices/simulated/aim_track.h"
+#include "felt/devices/simulated/held_body.h"
+#include "felt/devices/simulated/moving_aim.h"
 #include "felt/geometry/lean.h"
+#include "felt/rt/spsc_ring.h"
 
 namespace felt {
 namespace {
@@ -35,22 +39,52 @@ Vec3 start_of(const Capabilities& device) noexcept {
 
 }  // namespace
 
+/// What moves the pen, and the aims on their way to it.
+struct SimulatedStylus::Parts {
+  explicit Parts(const StylusPreset& preset)
+      : body(preset.mechanics, preset.capabilities.workspace_min,
+             preset.capabilities.workspace_max),
+        aim(aim_for(preset.capabilities)),
+        track(!preset.capabilities.has_force()) {}
+
+  HeldBody body;
+  SpscRing<StampedAim, kWaitingAims> queue;
+  MovingAim aim;
+  AimTrack track;
+};
+
 SimulatedStylus::SimulatedStylus(const StylusPreset& preset,
                                  const std::optional<SimulatedHand>& hand)
     : preset_(preset),
-      body_(preset.mechanics, preset.capabilities.workspace_min, preset.capabilities.workspace_max),
-      aim_(aim_for(preset.capabilities)),
       has_body_(preset.capabilities.has_force()),
-      track_(!has_body_),
+      parts_(std::make_unique<Parts>(preset)),
       delay_ticks_(static_cast<std::size_t>(
           std::clamp(preset.capabilities.delay_ticks, 0, kMostDelayTicks))) {
   preset_.capabilities.delay_ticks = static_cast<int>(delay_ticks_);
-  body_.hold(hand);
-  body_.place(start_of(preset.capabilities));
+  parts_->body.hold(hand);
+  parts_->body.place(start_of(preset.capabilities));
 }
 
-void SimulatedStylus::push_aim(StampedAim stamped) noexcept {
-  Aim& aim = stamped.aim;
+SimulatedStylus::~SimulatedStylus() = default;
+
+void SimulatedStylus::hold(const std::optional<SimulatedHand>& hand) noexcept {
+  parts_->body.hold(hand);
+}
+
+const HeldBody& SimulatedStylus::body() const noexcept {
+  return parts_->body;
+}
+
+Vec3 SimulatedStylus::hand_aim() const noexcept {
+  return is_timed_ && !has_body_ ? parts_->body.position() : parts_->aim.at(now_ns_);
+}
+
+void SimulatedStylus::aim(const Aim& aim) noexcept {
+  push_aim({aim, StampedAim::kNow});
+}
+
+void SimulatedStylus::push_aim(const StampedAim& stamped) noexcept {
+  Aim aim = stamped.aim;
   if (!is_finite(aim.target_mm)) return;
   if (aim.pressure) {
     aim.pressure = std::isnan(*aim.pressure) ? std::nullopt
@@ -61,7 +95,7 @@ void SimulatedStylus::push_aim(StampedAim stamped) noexcept {
   constexpr Vec3 kBeyond{kAimBeyondMm, kAimBeyondMm, kAimBeyondMm};
   aim.target_mm =
       clamped(aim.target_mm, device.workspace_min - kBeyond, device.workspace_max + kBeyond);
-  queue_.push(stamped);
+  parts_->queue.push({aim, stamped.time_ns});
 }
 
 void SimulatedStylus::aim_at(std::int64_t time_ns, const Aim& aim) noexcept {
@@ -69,18 +103,18 @@ void SimulatedStylus::aim_at(std::int64_t time_ns, const Aim& aim) noexcept {
 }
 
 void SimulatedStylus::place(const Vec3& position_mm) noexcept {
-  body_.place(position_mm);
+  parts_->body.place(position_mm);
   velocity_.reset();
-  aim_ = aim_for(preset_.capabilities);
-  aim_.set({.target_mm = body_.position()}, now_ns_, 0);
-  track_.clear();
+  parts_->aim = aim_for(preset_.capabilities);
+  parts_->aim.set({.target_mm = parts_->body.position()}, now_ns_, 0);
+  parts_->track.clear();
   is_timed_ = false;
 }
 
 void SimulatedStylus::take_untimed(const Aim& next, std::optional<Aim>& taken) noexcept {
   if (std::exchange(is_timed_, false)) {
-    track_.clear();
-    if (!has_body_) aim_ = aim_for(preset_.capabilities);
+    parts_->track.clear();
+    if (!has_body_) parts_->aim = aim_for(preset_.capabilities);
   }
   if (taken && changes_contact(*taken, next)) {
     waiting_ = next;
@@ -93,23 +127,23 @@ void SimulatedStylus::take_aims(std::int64_t now_ns, std::int64_t tick_ns) noexc
   std::optional<Aim> taken = std::exchange(waiting_, std::nullopt);
   StampedAim next;
   for (std::size_t n = 0; n < kWaitingAims; ++n) {
-    if (waiting_ || !track_.has_room() || !queue_.pop(next)) break;
+    if (waiting_ || !parts_->track.has_room() || !parts_->queue.pop(next)) break;
     if (next.time_ns == StampedAim::kNow) {
       take_untimed(next.aim, taken);
     } else {
-      track_.push(next, now_ns);
+      parts_->track.push(next, now_ns);
       is_timed_ = true;
     }
   }
   while (is_timed_ && has_body_) {
-    const Aim* due = track_.due(now_ns);
+    const Aim* due = parts_->track.due(now_ns);
     if (!due || (taken && changes_contact(*taken, *due))) break;
     taken = *due;
-    track_.pass();
+    parts_->track.pass();
   }
   if (!taken) return;
-  if (!aim_.is_set()) body_.place(taken->target_mm);
-  aim_.set(*taken, now_ns_, tick_ns);
+  if (!parts_->aim.is_set()) parts_->body.place(taken->target_mm);
+  parts_->aim.set(*taken, now_ns_, tick_ns);
 }
 
 Force SimulatedStylus::next_force() noexcept {
@@ -120,31 +154,31 @@ Force SimulatedStylus::next_force() noexcept {
 }
 
 void SimulatedStylus::move_to(std::int64_t now_ns) noexcept {
-  if (!aim_.is_set()) aim_.set({.target_mm = body_.position()}, now_ns_, 0);
+  if (!parts_->aim.is_set()) parts_->aim.set({.target_mm = parts_->body.position()}, now_ns_, 0);
   const std::int64_t end_ns = std::min(now_ns, now_ns_ + kLongestNs);
   if (has_body_) {
     const std::int64_t steps = (end_ns - now_ns_ + kStepNs - 1) / kStepNs;
     const double h_s = 1e-9 * static_cast<double>(end_ns - now_ns_) / static_cast<double>(steps);
-    Vec3 from = aim_.at(now_ns_);
+    Vec3 from = parts_->aim.at(now_ns_);
     for (std::int64_t i = 1; i <= steps; ++i) {
-      const Vec3 to = aim_.at(now_ns_ + (end_ns - now_ns_) * i / steps);
-      body_.step(h_s, from, to, acting_);
+      const Vec3 to = parts_->aim.at(now_ns_ + (end_ns - now_ns_) * i / steps);
+      parts_->body.step(h_s, from, to, acting_);
       from = to;
     }
   } else {
-    body_.place(aim_.at(now_ns));
+    parts_->body.place(parts_->aim.at(now_ns));
   }
   now_ns_ = now_ns;
 }
 
 PenSample SimulatedStylus::sense(double dt_s) noexcept {
   const double step = preset_.capabilities.position_step_mm;
-  const Vec3& p = body_.position();
+  const Vec3& p = parts_->body.position();
   PenSample sample;
   sample.time_ns = sampled_ns_ = now_ns_;
   sample.position = {rounded(p.x, step), rounded(p.y, step), rounded(p.z, step)};
   sample.velocity = velocity_.update(sample.position, dt_s);
-  const Aim& shown = aim_.shown(now_ns_);
+  const Aim& shown = parts_->aim.shown(now_ns_);
   sample.pressure = shown.pressure;
   sample.buttons = shown.buttons;
   sample.lean_deg = shown.lean_deg;
@@ -154,10 +188,10 @@ PenSample SimulatedStylus::sense(double dt_s) noexcept {
 PenSample SimulatedStylus::sample_of(const Aim& aim, std::int64_t time_ns) noexcept {
   const double dt_s = 1e-9 * static_cast<double>(time_ns - sampled_ns_);
   sampled_ns_ = time_ns;
-  body_.place(aim.target_mm);
+  parts_->body.place(aim.target_mm);
   PenSample sample;
   sample.time_ns = time_ns;
-  sample.position = body_.position();
+  sample.position = parts_->body.position();
   sample.velocity = velocity_.update(sample.position, dt_s);
   sample.pressure = aim.pressure;
   sample.buttons = aim.buttons;
@@ -171,12 +205,13 @@ PenSample SimulatedStylus::read_track(std::int64_t now_ns) noexcept {
   std::array<Aim, kMostSamples> aims;
   std::array<std::int64_t, kMostSamples> times_ns{};
   std::size_t count = 0;
-  for (const Aim* due = nullptr; count < kMostSamples && (due = track_.due(now_ns)); ++count) {
+  for (const Aim* due = nullptr; count < kMostSamples && (due = parts_->track.due(now_ns));
+       ++count) {
     aims[count] = *due;
-    times_ns[count] = track_.due_ns();
-    track_.pass();
+    times_ns[count] = parts_->track.due_ns();
+    parts_->track.pass();
   }
-  if (count == 0) return sample_of(track_.at(now_ns), now_ns);
+  if (count == 0) return sample_of(parts_->track.at(now_ns), now_ns);
   // At their own times, where these lie between the last sample and now; else spread there.
   const std::int64_t half_ns = (now_ns - sampled_ns_) / (2 * static_cast<std::int64_t>(count) + 2);
   for (std::size_t i = 0; i < count; ++i) {
@@ -212,8 +247,8 @@ tl::expected<PenSample, DeviceFault> SimulatedStylus::read(std::int64_t now_ns) 
     move_to(now_ns);
   } else if (now_ns < now_ns_) {
     now_ns_ = now_ns;
-    aim_.restart(now_ns);
-    track_.clear();
+    parts_->aim.restart(now_ns);
+    parts_->track.clear();
     is_timed_ = false;
   }
   return sense(1e-9 * static_cast<double>(elapsed_ns));

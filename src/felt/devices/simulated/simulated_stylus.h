@@ -1,19 +1,19 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <optional>
 
-#include "felt/devices/simulated/aim_track.h"
-#include "felt/devices/simulated/held_body.h"
-#include "felt/devices/simulated/moving_aim.h"
-#include "felt/devices/simulated/simulated_hand.h"
 #include "felt/devices/simulated/stylus_presets.h"
-#include "felt/haptics/velocity_filter.h"
+#include "felt/haptics/pen_sample.h"
 #include "felt/rt/device.h"
-#include "felt/rt/spsc_ring.h"
 
 namespace felt {
+
+class HeldBody;
+struct StampedAim;
 
 /// A force-feedback stylus that exists only as its equations, in a simulated hand that goes where
 /// it is told (R18, R51, R55): what mouse and tablet users draw with, and what the tests hold.
@@ -47,6 +47,8 @@ class SimulatedStylus final : public Device, public HandInput {
   explicit SimulatedStylus(const StylusPreset& preset,
                            const std::optional<SimulatedHand>& hand = typical_hand());
 
+  ~SimulatedStylus() override;
+
   // Device
   [[nodiscard]] std::string_view name() const noexcept override { return preset_.name; }
   [[nodiscard]] const Capabilities& capabilities() const noexcept override {
@@ -64,26 +66,26 @@ class SimulatedStylus final : public Device, public HandInput {
   /// reads: the newest counts, but no change of contact (pressure, buttons, in the plane or not) is
   /// skipped.
   using HandInput::aim;
-  void aim(const Aim& aim) noexcept override { push_aim({aim, StampedAim::kNow}); }
+  void aim(const Aim& aim) noexcept override;
   /// Likewise. While an untimed aim is the newest, timed ones that wait are forgotten.
   void aim_at(std::int64_t time_ns, const Aim& aim) noexcept override;
 
   /// Another hand takes the stylus where it is, or (nullopt) nobody holds it any more.
-  void hold(const std::optional<SimulatedHand>& hand) noexcept { body_.hold(hand); }
+  void hold(const std::optional<SimulatedHand>& hand) noexcept;
   /// Puts the pen somewhere, at rest, and the hand's aim with it.
   void place(const Vec3& position_mm) noexcept;
 
   /// The truth behind the sensor, for tests and measurements.
-  [[nodiscard]] const HeldBody& body() const noexcept { return body_; }
+  [[nodiscard]] const HeldBody& body() const noexcept;
   /// Where the hand's aim is now.
-  [[nodiscard]] Vec3 hand_aim() const noexcept {
-    return is_timed_ && !has_body_ ? body_.position() : aim_.at(now_ns_);
-  }
+  [[nodiscard]] Vec3 hand_aim() const noexcept;
   /// The force that acted during the last read().
   [[nodiscard]] const Force& acting_force() const noexcept { return acting_; }
 
  private:
-  void push_aim(StampedAim aim) noexcept;
+  struct Parts;
+
+  void push_aim(const StampedAim& stamped) noexcept;
   void take_aims(std::int64_t now_ns, std::int64_t tick_ns) noexcept;
   void take_untimed(const Aim& next, std::optional<Aim>& taken) noexcept;
   [[nodiscard]] PenSample read_track(std::int64_t now_ns) noexcept;
@@ -93,13 +95,10 @@ class SimulatedStylus final : public Device, public HandInput {
   [[nodiscard]] PenSample sense(double dt_s) noexcept;
 
   StylusPreset preset_;
-  HeldBody body_;
-  SpscRing<StampedAim, kWaitingAims> queue_;
-  std::optional<Aim> waiting_;  // the oldest one, out of the queue
-  MovingAim aim_;
   bool has_body_;
-  AimTrack track_;
-  bool is_timed_ = false;  // by what came last
+  std::unique_ptr<Parts> parts_;
+  std::optional<Aim> waiting_;  // the oldest one, out of the queue
+  bool is_timed_ = false;       // by what came last
   std::array<PenSample, kMostSamples> between_{};
   std::size_t between_next_ = 0, between_end_ = 0;
   std::int64_t sampled_ns_ = 0;  // time of the last sample

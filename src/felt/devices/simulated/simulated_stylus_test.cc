@@ -9,6 +9,9 @@
 #include <gtest/gtest.h>
 
 #include "felt/base/constants.h"
+#include "felt/devices/simulated/aim_track.h"
+#include "felt/devices/simulated/held_body.h"
+#include "felt/devices/simulated/moving_aim.h"
 #include "felt/devices/simulated/random.h"
 
 namespace felt {

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "felt/driver/system_view.h"
+#include "felt/driver/diagnosis.h"
 
 namespace felt {
 

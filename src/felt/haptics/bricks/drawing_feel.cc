@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "felt/haptics/safety/safety_motors.h"
+#include "felt/haptics/safety/safety_guards.h"
 #include "felt/haptics/safety/safety_stages.h"
 
 namespace felt {

@@ -5,7 +5,7 @@
 #include "felt/haptics/bricks/plane.h"
 #include "felt/haptics/bricks/texture.h"
 #include "felt/haptics/capabilities.h"
-#include "felt/haptics/compose.h"
+#include "felt/haptics/force_model.h"
 #include "felt/material/materials.h"
 #include "felt/material/relief.h"
 

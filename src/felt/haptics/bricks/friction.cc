@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "felt/haptics/known_velocity.h"
+#include "felt/haptics/pen_sample.h"
 
 namespace felt {
 namespace {

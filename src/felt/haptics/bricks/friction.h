@@ -24,7 +24,7 @@ struct FrictionOptions {
 /// stiction helps aiming, high stiction hurts (Richard and Cutkosky 2000). A friction that is a
 /// function of the speed buzzes at rest instead (0.17-0.58 N above 30 Hz; decision 6).
 ///
-/// v is the known velocity (known_velocity.h).
+/// v is the known velocity (pen_sample.h).
 ///
 /// The damper acts on the speed of the pen, not on dz/dt: where the foot is moved along, dz/dt
 /// jumps and flips the force (devices.md 10.3: spikes of -1.2 N). While sliding, the shortening

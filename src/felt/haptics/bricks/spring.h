@@ -13,7 +13,7 @@ namespace felt {
 /// What an edit feels like while its gesture lasts.
 struct EditOptions {
   ForceLaw law = kEditLaw;
-  double damping_n_s_per_m = 1.0;  ///< Bed, on the known velocity (known_velocity.h)
+  double damping_n_s_per_m = 1.0;  ///< Bed, on the known velocity (pen_sample.h)
 };
 
 /// Draws the pen back to where it took hold (R29, R30; specification 5d, "grab"):

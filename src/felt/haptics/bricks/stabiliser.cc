@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "felt/haptics/bricks/spring.h"
-#include "felt/haptics/known_velocity.h"
+#include "felt/haptics/pen_sample.h"
 
 namespace felt {
 namespace {

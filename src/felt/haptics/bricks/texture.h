@@ -4,7 +4,7 @@
 #include "felt/haptics/force.h"
 #include "felt/haptics/force_memory.h"
 #include "felt/haptics/pen_sample.h"
-#include "felt/material/medium.h"
+#include "felt/material/materials.h"
 
 namespace felt {
 
@@ -50,7 +50,7 @@ double texture_stiffness_limit_n_per_m(double period_s) noexcept;
 /// felt lower than it is.
 ///
 /// Wear. A soft medium fills the grain when it is pressed: what is left of the relief falls with
-/// the push as it does for the eye with the tone (relief_left in medium.h). That is a factor of
+/// the push as it does for the eye with the tone (relief_left in materials.h). That is a factor of
 /// 1 - wear to 1 which multiplies the strength and depends on this tick's push alone, so nothing of
 /// the above changes: it only takes from the stiffness along the sheet at every push; the friction
 /// law still only takes energy; and by the push itself the sheet's force never changes faster than

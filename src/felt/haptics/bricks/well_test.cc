@@ -8,7 +8,7 @@
 
 #include "felt/base/constants.h"
 #include "felt/haptics/bricks/drawing_feel.h"
-#include "felt/haptics/compose.h"
+#include "felt/haptics/force_model.h"
 #include "felt/haptics/testing/feel_rig.h"
 
 namespace felt {

@@ -6,11 +6,8 @@
 #include "felt/haptics/force.h"
 #include "felt/haptics/force_memory.h"
 #include "felt/haptics/pen_sample.h"
-#include "felt/haptics/safety/safety_clock.h"
+#include "felt/haptics/safety/safety_guards.h"
 #include "felt/haptics/safety/safety_limits.h"
-#include "felt/haptics/safety/safety_motion.h"
-#include "felt/haptics/safety/safety_motors.h"
-#include "felt/haptics/safety/safety_passivity.h"
 
 namespace felt {
 

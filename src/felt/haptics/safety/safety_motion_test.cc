@@ -1,4 +1,4 @@
-#include "felt/haptics/safety/safety_motion.h"
+#include "felt/haptics/safety/safety_guards.h"
 
 #include <gtest/gtest.h>
 

@@ -10,7 +10,7 @@
 
 #include "felt/haptics/capabilities.h"
 #include "felt/haptics/force_model.h"
-#include "felt/haptics/velocity_filter.h"
+#include "felt/haptics/pen_sample.h"
 
 /// Test helper: the bench on which the laws of this layer are proven, as the specification measured
 /// them (its section 0). A point mass in 20 us steps, a hand that pulls it towards where it wants

@@ -10,7 +10,9 @@
 #include <utility>
 #include <vector>
 
+#include "felt/document/visible_strokes.h"
 #include "felt/geometry/lean.h"
+#include "felt/io/drawing_builder.h"
 #include "felt/io/ink_of_points.h"
 #include "felt/io/inkml/inkml_model.h"
 #include "felt/io/inkml/inkml_settings.h"
@@ -67,7 +69,7 @@ class InkmlReader {
   InkmlReader(const XmlInput& input, const ImportOptions& options)
       : input_(input), ink_(solid_fit(options.fit)), settings_(input, report_) {}
 
-  Result<ImportedDrawing> read() {
+  Result<Imported> read() {
     const pugi::xml_node root = input_.root();
     if (xml_local_name(root.name()) != "ink") {
       return fail(ErrorCode::kInvalidData, "line " + std::to_string(input_.line_of(root)) +
@@ -77,22 +79,22 @@ class InkmlReader {
     const std::string_view name = root.name();
     prefix_ = name.substr(0, name.size() - 3);
     felt_ = xml_prefix_of(root, inkml::kFeltNamespace);
-    if (!felt_.empty() && !inkml::read_sheet(root, felt_, drawing_)) {
+    if (!felt_.empty() && !inkml::read_sheet(root, felt_, builder_.drawing())) {
       notice(root, "carries a material that is none or too long; it was left out");
     }
     find_traces(root);
     groups_.push_back({});
     walk(root);
-    if (drawing_.layers.empty() && felt_.empty()) add_plain_layer();
-    return ImportedDrawing{std::move(drawing_), std::move(report_)};
+    if (builder_.layer_count() == 0 && felt_.empty()) builder_.add_layer({});
+    return Imported{std::move(builder_).build(), std::move(report_)};
   }
 
  private:
   /// What holds inside an element that is being read.
   struct Group {
     Context context;
-    bool only_defines = false;  // inside of definitions
-    std::ptrdiff_t layer = -1;  // where ink goes to; -1: the layer of all that is in none
+    bool only_defines = false;              // inside of definitions
+    std::optional<std::size_t> layer = {};  // that ink goes to; none: that of all that is in none
   };
 
   void notice(const pugi::xml_node& node, std::string what) {
@@ -176,16 +178,12 @@ class InkmlReader {
     const auto is = [&](const char* key, std::string_view value) {
       return node.attribute((felt_ + key).c_str()).value() == value;
     };
-    SketchLayer added;
-    added.name = layer.value();
-    if (added.name.size() > limits::kMaxNameBytes) {
+    const std::string_view label = layer.value();
+    if (label.size() > limits::kMaxNameBytes) {
       notice(node, "has a name of more than 4096 bytes, which was left out");
-      added.name.clear();
     }
-    added.visible = !is("visible", "false");
-    added.locked = is("locked", "true");
-    group.layer = static_cast<std::ptrdiff_t>(drawing_.layers.size());
-    drawing_.layers.push_back(std::move(added));
+    group.layer =
+        builder_.add_layer({std::string(label), !is("visible", "false"), is("locked", "true")});
     return group;
   }
 
@@ -373,9 +371,10 @@ class InkmlReader {
     }
     const inkml::Brush* brush = settings_.brush(context);
     const Rgba color = brush != nullptr ? brush->color : Rgba{};
-    std::optional<Result<SketchStroke>> exact = inkml::read_model(node, felt_, points_.line, color);
+    std::optional<Result<NamedStroke>> exact = inkml::read_model(node, felt_, points_.line, color);
     if (exact && *exact) {
-      layer().strokes.push_back(**std::move(exact));
+      NamedStroke& ours = **exact;
+      builder_.add(layer(), std::move(ours.stroke), ours.id);
       return;
     }
     if (exact) notice(node, exact->error().message);
@@ -390,8 +389,7 @@ class InkmlReader {
         node.attribute("xml:id") ? node.attribute("xml:id").value() : node.attribute("id").value();
     ++stroke_count_;
     const bool named = *id != '\0' && std::string_view(id).size() <= limits::kMaxNameBytes;
-    layer().strokes.push_back(
-        {named ? std::string(id) : "s" + std::to_string(stroke_count_), *std::move(stroke)});
+    builder_.add(layer(), *std::move(stroke), named ? id : stroke_name({stroke_count_}));
   }
 
   Result<StrokeData> ink(const inkml::Brush* brush) {
@@ -406,25 +404,15 @@ class InkmlReader {
   }
 
   /// The layer that ink goes to: that of the group, or one for all that is in none.
-  SketchLayer& layer() {
-    std::ptrdiff_t index = groups_.back().layer;
-    if (index < 0 && loose_layer_ < 0) {
-      loose_layer_ = static_cast<std::ptrdiff_t>(drawing_.layers.size());
-      add_plain_layer();
-    }
-    if (index < 0) index = loose_layer_;
-    return drawing_.layers[static_cast<std::size_t>(index)];
-  }
-
-  void add_plain_layer() {
-    SketchLayer added;
-    added.name = "Layer " + std::to_string(drawing_.layers.size() + 1);
-    drawing_.layers.push_back(std::move(added));
+  std::size_t layer() {
+    if (groups_.back().layer) return *groups_.back().layer;
+    if (!loose_layer_) loose_layer_ = builder_.add_layer({});
+    return *loose_layer_;
   }
 
   const XmlInput& input_;
   InkOfPoints ink_;
-  LayeredSketch drawing_;
+  DrawingBuilder builder_;
   ImportReport report_;
   inkml::Settings settings_;
   std::string prefix_, felt_;
@@ -434,13 +422,13 @@ class InkmlReader {
   std::set<std::size_t> drawn_;
   std::map<std::array<int, 4>, Columns> columns_;
   Points points_;
-  std::ptrdiff_t loose_layer_ = -1;
-  std::int64_t stroke_count_ = 0;
+  std::optional<std::size_t> loose_layer_;
+  std::uint64_t stroke_count_ = 0;
 };
 
 }  // namespace
 
-Result<ImportedDrawing> import_inkml(std::string_view bytes, const ImportOptions& options) {
+Result<Imported> import_inkml(std::string_view bytes, const ImportOptions& options) {
   const Result<XmlInput> input = XmlInput::parse(bytes);
   if (!input) return tl::unexpected(input.error());
   return InkmlReader(*input, options).read();

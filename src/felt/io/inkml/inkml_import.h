@@ -14,6 +14,6 @@ inline constexpr double kInkmlMmPerUnknownUnit = 25.4 / 96.0;
 /// CROHME and MathWriting, and what inkml_text() wrote, which comes back exactly, layers too.
 /// docs/formats/inkml.md says what becomes of what. `bytes` is the whole file. Error: it is no
 /// InkML, or beyond the limits.
-Result<ImportedDrawing> import_inkml(std::string_view bytes, const ImportOptions& options = {});
+Result<Imported> import_inkml(std::string_view bytes, const ImportOptions& options = {});
 
 }  // namespace felt

@@ -150,9 +150,8 @@ Result<void> append_model(std::string& out, std::string_view id, const Stroke& s
   return {};
 }
 
-std::optional<Result<SketchStroke>> read_model(const pugi::xml_node& node,
-                                               const std::string& prefix,
-                                               std::span<const WidePoint> trace, Rgba color) {
+std::optional<Result<NamedStroke>> read_model(const pugi::xml_node& node, const std::string& prefix,
+                                              std::span<const WidePoint> trace, Rgba color) {
   const auto ours = [&](const char* key) {
     return std::string_view(node.attribute((prefix + key).c_str()).value());
   };
@@ -178,19 +177,20 @@ std::optional<Result<SketchStroke>> read_model(const pugi::xml_node& node,
   }
   mend_rounding(d);
   Result<Stroke> stroke = Stroke::create(std::move(d));
-  if (!stroke)
+  if (!stroke) {
     return invalid_data("has a damaged curve; its points were taken: " + stroke.error().message);
-  return SketchStroke{std::string(ours("id")), *std::move(stroke)};
+  }
+  return NamedStroke{std::string(ours("id")), *std::move(stroke)};
 }
 
 namespace {
 
-std::string page_text(const SheetPage& page) {
+std::string page_text(const SheetPage& page, Rgba paper) {
   std::string text;
   append_shortest(text, page.width_mm);
   text += ' ';
   append_shortest(text, page.height_mm);
-  text += ' ' + color_to_text(page.paper);
+  text += ' ' + color_to_text(paper);
   return text;
 }
 
@@ -212,13 +212,13 @@ std::optional<SheetPage> page_of_text(std::string_view text) {
 
 }  // namespace
 
-Result<void> append_sheet(std::string& out, const DrawingView& drawing) {
-  if (drawing.page) {
-    out += " felt:page=\"" + page_text(*drawing.page) + '"';
+Result<void> append_sheet(std::string& out, const Drawing& drawing,
+                          const std::optional<Rgba>& paper) {
+  if (drawing.has_page) {
+    out += " felt:page=\"" + page_text(drawing.page, paper.value_or(drawing.page.paper)) + '"';
   }
-  const std::string& surface = drawing.page ? drawing.page->surface : drawing.surface;
-  if (!surface.empty()) {
-    if (auto ok = append_name(out, "surface", surface); !ok) return ok;
+  if (!drawing.page.surface.empty()) {
+    if (auto ok = append_name(out, "surface", drawing.page.surface); !ok) return ok;
   }
   for (std::size_t i = 0; i < drawing.materials.size(); ++i) {
     out += " felt:material" + std::to_string(i + 1) + "=\"";
@@ -228,12 +228,14 @@ Result<void> append_sheet(std::string& out, const DrawingView& drawing) {
   return {};
 }
 
-bool read_sheet(const pugi::xml_node& root, const std::string& prefix, LayeredSketch& drawing) {
+bool read_sheet(const pugi::xml_node& root, const std::string& prefix, Drawing& drawing) {
   const auto ours = [&](const std::string& key) {
     return std::string_view(root.attribute((prefix + key).c_str()).value());
   };
-  drawing.page = page_of_text(ours("page"));
-  (drawing.page ? drawing.page->surface : drawing.surface) = ours("surface");
+  const std::optional<SheetPage> page = page_of_text(ours("page"));
+  drawing.has_page = page.has_value();
+  drawing.page = page.value_or(SheetPage{});
+  drawing.page.surface = ours("surface");
   bool all = true;
   for (std::size_t i = 1; i <= limits::kMaxMaterialTexts; ++i) {
     const std::string_view text = ours("material" + std::to_string(i));

@@ -10,10 +10,10 @@
 #include <string>
 #include <string_view>
 
-#include "felt/io/drawing_view.h"
+#include "felt/document/drawing.h"
 #include "felt/io/ink_of_points.h"
-#include "felt/io/layered_sketch.h"
-#include "felt/stroke/sketch.h"
+#include "felt/stroke/named_stroke.h"
+#include "felt/stroke/stroke.h"
 
 namespace felt::inkml {
 
@@ -35,14 +35,15 @@ Result<void> append_model(std::string& out, std::string_view id, const Stroke& s
 
 /// The stroke that the attributes of a trace describe, in `color`. Nothing where there are none.
 /// Error: they do not describe one, or `trace` is not the one they were written for.
-std::optional<Result<SketchStroke>> read_model(const pugi::xml_node& node,
-                                               const std::string& prefix,
-                                               std::span<const WidePoint> trace, Rgba color);
+std::optional<Result<NamedStroke>> read_model(const pugi::xml_node& node, const std::string& prefix,
+                                              std::span<const WidePoint> trace, Rgba color);
 
-/// Attributes of the root: the sheet, "297 210 #ffffffff", its surface, and the materials, as far
-/// as there are any. Error: a surface or text that XML cannot hold.
-Result<void> append_sheet(std::string& out, const DrawingView& drawing);
-/// The other way round. False: a text of a material was left out, for it is none.
-bool read_sheet(const pugi::xml_node& root, const std::string& prefix, LayeredSketch& drawing);
+/// Appends the attributes of the root: the page, "297 210 #ffffffff", the surface, and the
+/// materials, as far as there are any. `paper` replaces the colour of the page. Error: a surface or
+/// text that XML cannot hold.
+Result<void> append_sheet(std::string& out, const Drawing& drawing,
+                          const std::optional<Rgba>& paper);
+/// Reads them. Returns false if a text of a material was left out because it is none.
+bool read_sheet(const pugi::xml_node& root, const std::string& prefix, Drawing& drawing);
 
 }  // namespace felt::inkml

@@ -11,7 +11,7 @@
 #include "felt/io/limits.h"
 #include "felt/io/xml/xml_text.h"
 #include "felt/stroke/color_text.h"
-#include "felt/stroke/outline/flatten.h"
+#include "felt/stroke/outline/outline.h"
 
 namespace felt {
 namespace {
@@ -30,16 +30,16 @@ void append_step(std::string& out, double mm) {
 /// the last of each.
 class InkmlParts final : public DrawingParts {
  public:
-  explicit InkmlParts(DrawingView drawing)
-      : drawing_(std::move(drawing)), ranges_(stroke_ranges(drawing_)) {}
+  explicit InkmlParts(const Document& document)
+      : document_(document), ranges_(stroke_ranges(document, LayerChoice::kAll)) {}
 
-  Result<void> begin() {
+  Result<void> begin(const Drawing& drawing, const std::optional<Rgba>& paper) {
     head_ = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<ink xmlns=\"";
     head_ += inkml::kInkmlNamespace;
     head_ += "\" xmlns:felt=\"";
     head_ += inkml::kFeltNamespace;
     head_ += '"';
-    if (auto ok = inkml::append_sheet(head_, drawing_); !ok) return ok;
+    if (auto ok = inkml::append_sheet(head_, drawing, paper); !ok) return ok;
     head_ += ">\n";
     add_definitions();
     return {};
@@ -54,18 +54,19 @@ class InkmlParts final : public DrawingParts {
       return {};
     }
     const StrokeRange& range = ranges_[i - 1];
-    const LayerView& layer = drawing_.layers[range.layer];
+    const Layer& layer = document_.layers()[range.layer];
     if (range.first == 0) {
       if (auto ok = append_layer(out.bytes, layer); !ok) return ok;
     }
     Buffers buffers;
     for (std::size_t k = range.first; k < range.last; ++k) {
+      const StrokeId id = layer.strokes[k];
       const std::string number = std::to_string(range.before + (k - range.first) + 1);
-      if (auto ok = append(out.bytes, layer.id(k), layer.stroke(k), number, buffers); !ok) {
+      if (auto ok = append(out.bytes, stroke_name(id), *document_.find(id), number, buffers); !ok) {
         return tl::unexpected(with_context(ok.error(), "stroke " + number));
       }
     }
-    if (range.last == layer.count) out.bytes += "</traceGroup>\n";
+    if (range.last == layer.strokes.size()) out.bytes += "</traceGroup>\n";
     return {};
   }
 
@@ -84,8 +85,8 @@ class InkmlParts final : public DrawingParts {
         "<channel name=\"Y\" type=\"decimal\" units=\"mm\"/>\n"
         "<channel name=\"W\" type=\"decimal\" units=\"mm\"/>\n</traceFormat>\n</inkSource>\n"
         "</context>\n";
-    for (const LayerView& layer : drawing_.layers) {
-      for (std::size_t i = 0; i < layer.count; ++i) add_brush(layer.stroke(i).color());
+    for (const Layer& layer : document_.layers()) {
+      for (const StrokeId id : layer.strokes) add_brush(document_.find(id)->color());
     }
     head_ += "</definitions>\n";
   }
@@ -104,7 +105,7 @@ class InkmlParts final : public DrawingParts {
     head_ += "</brush>\n";
   }
 
-  static Result<void> append_layer(std::string& out, const LayerView& layer) {
+  static Result<void> append_layer(std::string& out, const Layer& layer) {
     if (layer.name.size() > limits::kMaxNameBytes) {
       return fail(ErrorCode::kLimitExceeded,
                   "a layer's name of more than 4096 bytes cannot be written");
@@ -143,7 +144,7 @@ class InkmlParts final : public DrawingParts {
     return {};
   }
 
-  DrawingView drawing_;
+  const Document& document_;
   std::vector<StrokeRange> ranges_;
   std::string head_;
   std::map<std::array<std::uint8_t, 4>, int> brushes_;
@@ -151,14 +152,15 @@ class InkmlParts final : public DrawingParts {
 
 }  // namespace
 
-Result<std::unique_ptr<DrawingParts>> inkml_parts(DrawingView drawing) {
-  auto parts = std::make_unique<InkmlParts>(std::move(drawing));
-  if (auto ok = parts->begin(); !ok) return tl::unexpected(ok.error());
+Result<std::unique_ptr<DrawingParts>> inkml_parts(const Drawing& drawing,
+                                                  const std::optional<Rgba>& paper) {
+  auto parts = std::make_unique<InkmlParts>(drawing.document);
+  if (auto ok = parts->begin(drawing, paper); !ok) return tl::unexpected(ok.error());
   return parts;
 }
 
-Result<std::string> inkml_text(const LayeredSketch& drawing) {
-  const Result<std::unique_ptr<DrawingParts>> parts = inkml_parts(view_of(drawing));
+Result<std::string> inkml_text(const Drawing& drawing) {
+  const Result<std::unique_ptr<DrawingParts>> parts = inkml_parts(drawing);
   if (!parts) return tl::unexpected(parts.error());
   return bytes_of(**parts);
 }

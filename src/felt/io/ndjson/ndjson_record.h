@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "felt/stroke/fit/ink_sample.h"
+#include "felt/stroke/fit/ink_fit.h"
 #include "felt/stroke/stroke.h"
 
 namespace felt {

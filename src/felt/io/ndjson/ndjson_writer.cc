@@ -5,6 +5,7 @@
 #include <charconv>
 #include <cmath>
 
+#include "felt/document/visible_strokes.h"
 #include "felt/geometry/lean.h"
 #include "felt/io/limits.h"
 #include "felt/stroke/color_text.h"
@@ -85,6 +86,15 @@ void append_sketch_line(std::string& out, std::string_view id, const StrokeData&
     append_json_string(out, color_to_text(data.color));
   }
   out += "}\n";
+}
+
+void append_sketch_lines(std::string& out, const Document& document) {
+  for (const Layer& layer : document.layers()) {
+    if (!layer.visible) continue;
+    for (const StrokeId id : layer.strokes) {
+      append_sketch_line(out, stroke_name(id), document.find(id)->data());
+    }
+  }
 }
 
 void append_raw_line(std::string& out, std::string_view id, std::span<const InkSample> samples) {

@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "felt/base/result.h"
+#include "felt/document/document.h"
 #include "felt/io/ndjson/json_text.h"
 #include "felt/io/ndjson/ndjson_record.h"
 
@@ -17,6 +18,9 @@ namespace felt {
 /// {"id":..,"closed":..,"segments":..,"joints":..,"widths":..}, then "material" and "color" where
 /// they are not the default ones.
 void append_sketch_line(std::string& out, std::string_view id, const StrokeData& data);
+
+/// One such line for each stroke of visible layers, named by stroke_name().
+void append_sketch_lines(std::string& out, const Document& document);
 
 /// Fails if a line could not be read back: a number of the stroke is larger than
 /// limits::kMaxSketchNumber.

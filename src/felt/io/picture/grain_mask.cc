@@ -63,13 +63,13 @@ Result<std::string> GrainMask::png(double dpi) const {
   return encode_png(*image, dpi);
 }
 
-std::optional<double> GrainMasks::dpi_for_all(std::span<const SketchStroke> strokes,
-                                              const Rect& area, double dpi) noexcept {
+std::optional<double> GrainMasks::dpi_for_all(std::span<const StrokePtr> strokes, const Rect& area,
+                                              double dpi) noexcept {
   for (;;) {
     const View page = View::at_dpi({area.x0, area.y0}, dpi);
     double pixels = 0.0;
-    for (const SketchStroke& s : strokes) {
-      const PixelRect part = pixels_of(s.stroke.bounds(), area, page);
+    for (const StrokePtr& stroke : strokes) {
+      const PixelRect part = pixels_of(stroke->bounds(), area, page);
       if (!part.empty()) pixels += 1.0 * part.width() * part.height();
     }
     if (pixels <= static_cast<double>(kMostPixels)) return dpi;

@@ -8,22 +8,13 @@
 #include <vector>
 
 #include "felt/base/result.h"
+#include "felt/document/edit.h"
 #include "felt/geometry/rect.h"
 #include "felt/render/grain.h"
 #include "felt/render/raster.h"
-#include "felt/stroke/sketch.h"
 #include "felt/stroke/stroke.h"
 
 namespace felt {
-
-/// Grain in a file whose strokes are outlines (.svg, .pdf): on which relief, and how fine.
-struct GrainPrint {
-  static constexpr double kLeastDpi = 20.0;
-  static constexpr double kMostDpi = 1200.0;
-
-  Grain grain;
-  double dpi = 200.0;  ///< kLeastDpi..kMostDpi
-};
 
 /// How much of a stroke's ink is seen where: a picture that lies over its outline, which stays what
 /// it is. Outside of it nothing is seen.
@@ -45,7 +36,7 @@ class GrainMasks {
 
   /// The finest resolution, `dpi` at most, at which the masks of all these strokes are made; none
   /// where they have more than kMostPixels even at GrainPrint::kLeastDpi.
-  static std::optional<double> dpi_for_all(std::span<const SketchStroke> strokes, const Rect& area,
+  static std::optional<double> dpi_for_all(std::span<const StrokePtr> strokes, const Rect& area,
                                            double dpi) noexcept;
 
   /// Of what is in `area` only.

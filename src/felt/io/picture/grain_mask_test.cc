@@ -14,6 +14,7 @@
 #include "felt/io/picture/png.h"
 #include "felt/io/svg/svg_import.h"
 #include "felt/io/svg/svg_writer.h"
+#include "felt/io/testing/test_drawings.h"
 #include "felt/material/materials.h"
 #include "felt/material/relief.h"
 #include "felt/render/page.h"
@@ -41,28 +42,28 @@ Stroke wavy(std::string material, double width_mm, Rgba color = {30, 40, 90, 255
   return Stroke::create(std::move(data)).value();
 }
 
-Sketch all_media() {
-  Sketch sketch;
+Drawing all_media() {
+  std::vector<Stroke> strokes;
   for (const Medium& medium : media()) {
-    const auto shift = 8.0 * static_cast<double>(sketch.size() % 5);
+    const auto shift = 8.0 * static_cast<double>(strokes.size() % 5);
     StrokeData data = wavy(medium.id, 5.0, {200, 30, 60, 255}).data();
     for (Point& p : data.points) p.y = p.y * 0.6 + shift;
-    if (sketch.size() % 3 == 2) data.color.a = 128;
-    sketch.push_back({medium.id, Stroke::create(std::move(data)).value()});
+    if (strokes.size() % 3 == 2) data.color.a = 128;
+    strokes.push_back(Stroke::create(std::move(data)).value());
   }
-  return sketch;
+  return testing::drawing_of(strokes);
 }
 
 /// What is pressed on lightly shows the most grain.
-Sketch thin_lines() {
-  Sketch sketch;
+Drawing thin_lines() {
+  std::vector<Stroke> strokes;
   for (int i = 0; i < 12; ++i) {
     StrokeData data = wavy(i % 3 == 0 ? "chalk" : "pencil", 1.5, {40, 20, 70, 255}).data();
     for (Point& p : data.points) p.y = p.y * 0.3 + 6.0 * i;
     if (i % 4 == 1) data.color.a = 128;
-    sketch.push_back({"s" + std::to_string(i), Stroke::create(std::move(data)).value()});
+    strokes.push_back(Stroke::create(std::move(data)).value());
   }
-  return sketch;
+  return testing::drawing_of(strokes);
 }
 
 /// The outline through the mask.
@@ -146,18 +147,18 @@ TEST(GrainMask, ForAllStrokesIsAsFineAsTheyFit) {
   for (Point& p : data.points) {
     p = {280.0 * (p.x - ink.x0) / ink.width(), 200.0 * (p.y - ink.y0) / ink.height()};
   }
-  const Sketch one{{"s", Stroke::create(data).value()}};
+  const std::vector one{std::make_shared<const Stroke>(Stroke::create(data).value())};
   EXPECT_EQ(GrainMasks::dpi_for_all({}, page, 300.0), 300.0);
   EXPECT_EQ(GrainMasks::dpi_for_all(one, page, 300.0), 300.0);
-  const Sketch many(200, one.front());
+  const std::vector<StrokePtr> many(200, one.front());
   const std::optional<double> dpi = GrainMasks::dpi_for_all(many, page, 300.0);
   ASSERT_TRUE(dpi);
-  const auto mask = GrainMasks({grain_of("rough-paper"), *dpi}, page).of(one.front().stroke);
+  const auto mask = GrainMasks({grain_of("rough-paper"), *dpi}, page).of(*one.front());
   ASSERT_TRUE(mask && *mask);
   const std::int64_t pixels = 200 * std::int64_t{(*mask)->width} * (*mask)->height;
   EXPECT_LE(pixels, GrainMasks::kMostPixels);
   EXPECT_GT(pixels, GrainMasks::kMostPixels * 9 / 10);
-  EXPECT_FALSE(GrainMasks::dpi_for_all(Sketch(20000, one.front()), page, 300.0));
+  EXPECT_FALSE(GrainMasks::dpi_for_all(std::vector<StrokePtr>(20000, one.front()), page, 300.0));
 }
 
 TEST(GrainMask, Base64IsThatOfRfc4648) {
@@ -186,17 +187,19 @@ TEST(GrainMask, AnSvgIsTheSameBesideIt) {
   const SvgOptions plain{.sheet = kSheet};
   SvgOptions grained = plain;
   grained.grain = GrainPrint{grain_of("rough-paper"), kDpi};
-  const std::string without = svg_text(all_media(), plain).value();
-  const std::string with = svg_text(all_media(), grained).value();
+  const std::string without = svg_ink_text(all_media(), plain).value();
+  const std::string with = svg_ink_text(all_media(), grained).value();
   EXPECT_GT(with.size(), without.size() + 10'000);
   EXPECT_EQ(unmasked(with), without);
-  EXPECT_EQ(svg_text(all_media(), grained).value(), with);
+  EXPECT_EQ(svg_ink_text(all_media(), grained).value(), with);
 
-  LayeredSketch drawing;
+  Drawing drawing = all_media();
+  drawing.has_page = true;
   drawing.page = SheetPage{.width_mm = 120.0, .height_mm = 90.0, .surface = "rough-paper"};
-  drawing.layers.push_back({"Ink", true, false, all_media()});
   drawing.materials = {"id = \"a\"\n", "<&\">"};
-  const ImportedDrawing back = import_svg(svg_text(drawing, grained).value()).value();
+  SvgOptions whole = grained;
+  whole.sheet.reset();
+  const Imported back = import_svg(svg_text(drawing, whole).value()).value();
   EXPECT_TRUE(back.report.empty()) << notice_text(back.report.notices().front());
   EXPECT_EQ(back.drawing, drawing);
 }
@@ -231,15 +234,17 @@ class GrainPicture : public ::testing::Test {
     page.dpi = kDpi;
     page.sheet = kSheet;
     page.grain = print_.grain;
-    return render_page(sketch_, page).value();
+    return render_page(visible_strokes(drawing_.document), page).value();
   }
   /// How far it is from solid ink, for scale.
   [[nodiscard]] double solid_difference() const {
-    return mean_difference(ours(), render_page(sketch_, {.dpi = kDpi, .sheet = kSheet}).value());
+    return mean_difference(
+        ours(),
+        render_page(visible_strokes(drawing_.document), {.dpi = kDpi, .sheet = kSheet}).value());
   }
 
   fs::path folder_;
-  Sketch sketch_ = thin_lines();
+  Drawing drawing_ = thin_lines();
   GrainPrint print_{grain_of("rough-paper"), kDpi};
 };
 
@@ -247,8 +252,8 @@ TEST_F(GrainPicture, AnotherProgramShowsItFromSvg) {
   if (std::system("command -v rsvg-convert >/dev/null 2>&1") != 0) {
     GTEST_SKIP() << "rsvg-convert is not installed (package librsvg2-bin)";
   }
-  ASSERT_TRUE(
-      write_file(path("a.svg"), svg_text(sketch_, {.sheet = kSheet, .grain = print_}).value()));
+  ASSERT_TRUE(write_file(path("a.svg"),
+                         svg_ink_text(drawing_, {.sheet = kSheet, .grain = print_}).value()));
   ASSERT_EQ(
       std::system(("rsvg-convert -w 480 -h 360 -b white " + path("a.svg") + " -o " + path("a.png"))
                       .c_str()),
@@ -265,9 +270,9 @@ TEST_F(GrainPicture, AnotherProgramShowsItFromPdf) {
   }
   PdfOptions options;
   options.sheet = kSheet;
-  const std::string plain = pdf_text(sketch_, options).value();
+  const std::string plain = pdf_text(drawing_, options).value();
   options.grain = print_;
-  const std::string grained = pdf_text(sketch_, options).value();
+  const std::string grained = pdf_text(drawing_, options).value();
   EXPECT_GT(grained.size(), plain.size());
   ASSERT_TRUE(write_file(path("a.pdf"), grained));
   ASSERT_EQ(std::system(("pdftoppm -r 101.6 -W 480 -H 360 -png -singlefile " + path("a.pdf") + " " +

@@ -11,7 +11,6 @@
 #include <utility>
 #include <vector>
 
-#include "felt/base/atomic_file.h"
 #include "felt/io/unpack.h"
 #include "felt/stroke/outline/outline_path.h"
 
@@ -194,7 +193,7 @@ std::string page_object(const Rect& area, const std::set<std::uint8_t>& alphas,
   return out + " >> >> >>";
 }
 
-Result<void> check(const DrawingView& drawing, const PdfOptions& options, const Rect& area) {
+Result<void> check(const Document& document, const PdfOptions& options, const Rect& area) {
   if (!(options.tolerance_mm > 0.0) || !(options.margin_mm >= 0.0)) {
     return fail(ErrorCode::kInvalidArgument,
                 "PDF: the tolerance must be above 0, the margin 0 or more");
@@ -204,14 +203,15 @@ Result<void> check(const DrawingView& drawing, const PdfOptions& options, const 
     return fail(ErrorCode::kLimitExceeded, "a PDF page has sides from above 0 to 5080 mm");
   }
   const Rect reach = area.inflated(kClipMarginMm);
-  for (const LayerView& layer : drawing.layers) {
-    for (std::size_t i = 0; i < layer.count; ++i) {
-      const Rect ink = layer.stroke(i).bounds();
+  for (const Layer& layer : document.layers()) {
+    if (!layer.visible) continue;
+    for (const StrokeId id : layer.strokes) {
+      const Rect ink = document.find(id)->bounds();
       if (ink.x0 >= reach.x0 && ink.y0 >= reach.y0 && ink.x1 <= reach.x1 && ink.y1 <= reach.y1) {
         continue;
       }
       return fail(ErrorCode::kLimitExceeded,
-                  "stroke " + layer.id(i) + " reaches farther than 1e6 mm from the page");
+                  "stroke " + stroke_name(id) + " reaches farther than 1e6 mm from the page");
     }
   }
   return {};
@@ -221,15 +221,16 @@ Result<void> check(const DrawingView& drawing, const PdfOptions& options, const 
 /// masks follow when they are known.
 class PdfParts final : public DrawingParts {
  public:
-  PdfParts(DrawingView drawing, const PdfOptions& options, const Rect& area)
-      : drawing_(std::move(drawing)),
-        ranges_(stroke_ranges(drawing_)),
+  PdfParts(const Document& document, const PdfOptions& options, const Rect& area)
+      : document_(document),
+        ranges_(stroke_ranges(document, LayerChoice::kVisible)),
         options_(options),
         area_(area) {
     if (options.grain) grain_.emplace(*options.grain, area);
     if (options.paper.a > 0) alphas_.insert(options.paper.a);
-    for (const LayerView& layer : drawing_.layers) {
-      for (std::size_t i = 0; i < layer.count; ++i) alphas_.insert(layer.stroke(i).color().a);
+    for (const Layer& layer : document.layers()) {
+      if (!layer.visible) continue;
+      for (const StrokeId id : layer.strokes) alphas_.insert(document.find(id)->color().a);
     }
   }
 
@@ -294,16 +295,17 @@ class PdfParts final : public DrawingParts {
   }
 
   Result<void> add_strokes(const StrokeRange& range, Content& content) const {
-    const LayerView& layer = drawing_.layers[range.layer];
+    const Layer& layer = document_.layers()[range.layer];
     for (std::size_t i = range.first; i < range.last; ++i) {
-      const Stroke& stroke = layer.stroke(i);
+      const StrokeId id = layer.strokes[i];
+      const StrokePtr stroke = document_.find(id);
       std::size_t mask = 0;
       if (grain_) {
-        const Result<std::optional<GrainMask>> seen = grain_->of(stroke);
-        if (!seen) return tl::unexpected(with_context(seen.error(), "stroke " + layer.id(i)));
+        const Result<std::optional<GrainMask>> seen = grain_->of(*stroke);
+        if (!seen) return tl::unexpected(with_context(seen.error(), "stroke " + stroke_name(id)));
         if (*seen) mask = masks_.add(**seen);
       }
-      content.stroke(stroke, options_.tolerance_mm, mask);
+      content.stroke(*stroke, options_.tolerance_mm, mask);
     }
     return {};
   }
@@ -322,7 +324,7 @@ class PdfParts final : public DrawingParts {
            "\n%%EOF\n";
   }
 
-  DrawingView drawing_;
+  const Document& document_;
   std::vector<StrokeRange> ranges_;
   PdfOptions options_;
   Rect area_;
@@ -336,22 +338,16 @@ class PdfParts final : public DrawingParts {
 
 }  // namespace
 
-Result<std::unique_ptr<DrawingParts>> pdf_parts(DrawingView drawing, const PdfOptions& options) {
-  const Rect area = picture_area(drawing.ink(), options.sheet, options.margin_mm);
-  if (auto ok = check(drawing, options, area); !ok) return tl::unexpected(ok.error());
-  return std::make_unique<PdfParts>(std::move(drawing), options, area);
+Result<std::unique_ptr<DrawingParts>> pdf_parts(const Drawing& drawing, const PdfOptions& options) {
+  const Rect area = picture_area(ink_bounds(drawing.document), options.sheet, options.margin_mm);
+  if (auto ok = check(drawing.document, options, area); !ok) return tl::unexpected(ok.error());
+  return std::make_unique<PdfParts>(drawing.document, options, area);
 }
 
-Result<std::string> pdf_text(const Sketch& sketch, const PdfOptions& options) {
-  const Result<std::unique_ptr<DrawingParts>> parts = pdf_parts(view_of(sketch), options);
+Result<std::string> pdf_text(const Drawing& drawing, const PdfOptions& options) {
+  const Result<std::unique_ptr<DrawingParts>> parts = pdf_parts(drawing, options);
   if (!parts) return tl::unexpected(parts.error());
   return bytes_of(**parts);
-}
-
-Result<void> write_pdf(const std::string& path, const Sketch& sketch, const PdfOptions& options) {
-  const Result<std::string> text = pdf_text(sketch, options);
-  if (text) return write_file(path, *text);
-  return tl::unexpected(with_context(text.error(), path == "-" ? "stdout" : path));
 }
 
 }  // namespace felt

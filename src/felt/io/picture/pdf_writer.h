@@ -8,7 +8,7 @@
 #include "felt/geometry/rect.h"
 #include "felt/io/drawing_parts.h"
 #include "felt/io/picture/grain_mask.h"
-#include "felt/stroke/sketch.h"
+#include "felt/stroke/stroke.h"
 
 namespace felt {
 
@@ -24,20 +24,18 @@ struct PdfOptions {
   std::optional<GrainPrint> grain{};
 };
 
-/// The strokes of all layers as a PDF 1.4 file of one page at true size: each stroke is one filled
-/// outline of curves, sharp at any zoom, in its colour; a transparent one does not darken where it
-/// crosses itself. Equal sketches give equal bytes: no date, no name of a program's version.
+/// The strokes of visible layers as a PDF 1.4 file of one page at true size: each stroke is one
+/// filled outline of curves, sharp at any zoom, in its colour; a transparent one does not darken
+/// where it crosses itself. Equal sketches give equal bytes: no date, no name of a program's
+/// version.
 ///
 /// Grain is a soft mask on the outline (PDF 1.4, 7.5.4).
 ///
 /// Error: a page that is empty or larger than the 5080 mm that PDF allows (14400 points), options
 /// that make no sense, a stroke that reaches farther than 1e6 mm from the page.
-Result<std::unique_ptr<DrawingParts>> pdf_parts(DrawingView drawing, const PdfOptions& options);
+Result<std::unique_ptr<DrawingParts>> pdf_parts(const Drawing& drawing, const PdfOptions& options);
 
 /// The same as one text.
-Result<std::string> pdf_text(const Sketch& sketch, const PdfOptions& options);
-
-/// Writes it, whole or not at all; "-" is stdout. Errors name the file.
-Result<void> write_pdf(const std::string& path, const Sketch& sketch, const PdfOptions& options);
+Result<std::string> pdf_text(const Drawing& drawing, const PdfOptions& options);
 
 }  // namespace felt

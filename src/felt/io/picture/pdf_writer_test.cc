@@ -7,8 +7,10 @@
 #include <cstdlib>
 #include <filesystem>
 
+#include "felt/base/atomic_file.h"
 #include "felt/base/read_file.h"
 #include "felt/io/picture/png.h"
+#include "felt/io/testing/test_drawings.h"
 #include "felt/render/page.h"
 #include "felt/stroke/testing/random_stroke.h"
 
@@ -18,21 +20,21 @@ namespace {
 namespace fs = std::filesystem;
 using ::testing::HasSubstr;
 
-Sketch sketch_on_page(std::uint64_t seed, int count) {
-  Sketch sketch;
+Drawing drawing_on_page(std::uint64_t seed, int count) {
+  std::vector<Stroke> strokes;
   for (int i = 0; i < count; ++i) {
     StrokeData data =
         felt::testing::random_stroke(1000 * seed + static_cast<std::uint64_t>(i)).data();
     for (Point& p : data.points) p = {20.0 + p.x, 20.0 + p.y};
-    sketch.push_back({"s" + std::to_string(i), Stroke::create(std::move(data)).value()});
+    strokes.push_back(Stroke::create(std::move(data)).value());
   }
-  return sketch;
+  return testing::drawing_of(strokes);
 }
 
 /// Every object begins where the table of the file says.
 TEST(PdfWriter, TheTableFindsEveryObject) {
   for (std::uint64_t seed = 0; seed < 20; ++seed) {
-    const std::string pdf = pdf_text(sketch_on_page(seed, static_cast<int>(seed)), {}).value();
+    const std::string pdf = pdf_text(drawing_on_page(seed, static_cast<int>(seed)), {}).value();
     const std::size_t start = std::stoul(pdf.substr(pdf.rfind("startxref") + 10));
     ASSERT_EQ(pdf.substr(start, 5), "xref\n");
     const std::size_t first = pdf.find("65535 f \n", start) + 9;
@@ -44,7 +46,7 @@ TEST(PdfWriter, TheTableFindsEveryObject) {
     const std::size_t length = std::stoul(pdf.substr(pdf.find("\n5 0 obj\n") + 9));
     const std::size_t stream = pdf.find("stream\n") + 7;
     EXPECT_EQ(pdf.substr(stream + length, 9), "endstream");
-    EXPECT_EQ(pdf, pdf_text(sketch_on_page(seed, static_cast<int>(seed)), {}).value());
+    EXPECT_EQ(pdf, pdf_text(drawing_on_page(seed, static_cast<int>(seed)), {}).value());
   }
 }
 
@@ -57,7 +59,6 @@ TEST(PdfWriter, WhatCannotBeAPageIsAnError) {
   EXPECT_FALSE(pdf_text({}, {.sheet = Rect{0.0, 0.0, 6000.0, 10.0}}));
   EXPECT_FALSE(pdf_text({}, {.sheet = Rect{0.0, 0.0, 0.0, 10.0}}));
   EXPECT_FALSE(pdf_text({}, {.tolerance_mm = 0.0}));
-  EXPECT_THAT(write_pdf("/nowhere/a.pdf", {}, {}).error().message, HasSubstr("/nowhere/a.pdf"));
 }
 
 /// Another program's picture of the file is ours.
@@ -70,16 +71,18 @@ TEST(PdfWriter, AnotherProgramSeesTheSameInk) {
   constexpr double kDpi = 150.0;
   const Rect sheet{0.0, 0.0, 60.96, 60.96};  // 360 pixels
   for (std::uint64_t seed = 0; seed < 5; ++seed) {
-    const Sketch sketch = sketch_on_page(seed, 8);
+    const Drawing drawing = drawing_on_page(seed, 8);
     const std::string pdf = folder + "/a.pdf";
     const Rgba paper{255, 250, 240, 255};
-    ASSERT_TRUE(write_pdf(pdf, sketch, {.sheet = sheet, .paper = paper}));
+    ASSERT_TRUE(write_file(pdf, pdf_text(drawing, {.sheet = sheet, .paper = paper}).value()));
     ASSERT_EQ(
         std::system(("pdftoppm -r 150 -png -singlefile " + pdf + " " + folder + "/a").c_str()), 0);
     Result<PngPicture> theirs =
         decode_png(read_file(folder + "/a.png", std::size_t{1} << 26).value());
     ASSERT_TRUE(theirs);
-    Image ours = render_page(sketch, {.dpi = kDpi, .sheet = sheet, .paper = paper}).value();
+    Image ours = render_page(visible_strokes(drawing.document),
+                             {.dpi = kDpi, .sheet = sheet, .paper = paper})
+                     .value();
     ASSERT_EQ(theirs->image.width(), ours.width());
     ASSERT_EQ(theirs->image.height(), ours.height());
     double sum = 0.0;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "felt/geometry/rect.h"
+#include "felt/io/drawing_builder.h"
 #include "felt/io/ink_of_points.h"
 #include "felt/io/limits.h"
 #include "felt/io/quickdraw/quickdraw_line.h"
@@ -38,7 +39,7 @@ class QuickdrawReader {
     lines_.push_back(line.number());
   }
 
-  Result<ImportedDrawing> finish() {
+  Result<Imported> finish() {
     if (records_.empty()) {
       return fail(ErrorCode::kInvalidData,
                   first_error_.empty() ? "holds no drawing" : "holds no drawing: " + first_error_);
@@ -48,10 +49,11 @@ class QuickdrawReader {
     for (int i = 0; i < count; ++i) {
       add_layer(i, {kQuickdrawCellMm * (i % columns), kQuickdrawCellMm * (i / columns)});
     }
-    drawing_.page.emplace();
-    drawing_.page->width_mm = kQuickdrawCellMm * columns;
-    drawing_.page->height_mm = kQuickdrawCellMm * ((count + columns - 1) / columns);
-    return ImportedDrawing{std::move(drawing_), std::move(report_)};
+    Drawing& drawing = builder_.drawing();
+    drawing.has_page = true;
+    drawing.page.width_mm = kQuickdrawCellMm * columns;
+    drawing.page.height_mm = kQuickdrawCellMm * ((count + columns - 1) / columns);
+    return Imported{std::move(builder_).build(), std::move(report_)};
   }
 
  private:
@@ -80,8 +82,9 @@ class QuickdrawReader {
   void add_layer(int index, Point corner) {
     QuickdrawRecord& record = records_[static_cast<std::size_t>(index)];
     const Placing placing = placing_of(record);
-    SketchLayer layer;
-    layer.name = record.word.empty() ? "Drawing " + std::to_string(index + 1) : record.word;
+    const std::string name =
+        record.word.empty() ? "Drawing " + std::to_string(index + 1) : record.word;
+    const std::size_t layer = builder_.add_layer({name});
     for (std::vector<InkSample>& samples : record.strokes) {
       restore_simplified(samples);
       for (InkSample& s : samples) {
@@ -91,15 +94,14 @@ class QuickdrawReader {
       Result<Stroke> stroke =
           data ? Stroke::create(*std::move(data)) : tl::unexpected(data.error());
       if (!stroke) {
-        report_.add(lines_[static_cast<std::size_t>(index)], "a stroke of '" + layer.name + "'",
+        report_.add(lines_[static_cast<std::size_t>(index)], "a stroke of '" + name + "'",
                     "was left out: " + stroke.error().message);
         continue;
       }
-      layer.strokes.push_back({"s" + std::to_string(++stroke_count_), *std::move(stroke)});
+      builder_.add(layer, *std::move(stroke));
       std::vector<InkSample>().swap(samples);
     }
     record = {};
-    drawing_.layers.push_back(std::move(layer));
   }
 
   InkOfPoints ink_;
@@ -107,14 +109,13 @@ class QuickdrawReader {
   std::vector<QuickdrawRecord> records_;
   std::vector<std::int64_t> lines_;
   std::string first_error_;
-  LayeredSketch drawing_;
+  DrawingBuilder builder_;
   ImportReport report_;
-  std::int64_t stroke_count_ = 0;
 };
 
 }  // namespace
 
-Result<ImportedDrawing> import_quickdraw(std::string_view text, const ImportOptions& options) {
+Result<Imported> import_quickdraw(std::string_view text, const ImportOptions& options) {
   if (text.size() > limits::kMaxImportBytes) {
     return fail(ErrorCode::kLimitExceeded, "is larger than 256 MiB");
   }

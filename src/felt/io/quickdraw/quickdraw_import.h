@@ -18,6 +18,6 @@ inline constexpr int kMaxQuickdrawDrawings = 1000;
 /// a layer for each drawing, named after its word. Raw drawings, in pixels of any screen, are moved
 /// and scaled into the square of the simplified ones (docs/formats/quickdraw.md). A line that is no
 /// drawing becomes a notice. Error: there is no drawing at all.
-Result<ImportedDrawing> import_quickdraw(std::string_view text, const ImportOptions& options = {});
+Result<Imported> import_quickdraw(std::string_view text, const ImportOptions& options = {});
 
 }  // namespace felt

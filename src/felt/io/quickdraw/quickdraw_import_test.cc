@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 
 #include "felt/io/quickdraw/quickdraw_line.h"
+#include "felt/io/testing/test_drawings.h"
 
 namespace felt {
 namespace {
@@ -103,33 +104,33 @@ TEST(QuickdrawLine, LinesOfSimplifiedStrokesGetPointsOnThem) {
 }
 
 TEST(QuickdrawImport, CornersStayCorners) {
-  const ImportedDrawing d =
+  const Imported d =
       import_quickdraw(R"({"drawing":[[[30,30,225,225,30],[255,110,112,255,255]]]})").value();
-  const Stroke& s = d.drawing.layers[0].strokes[0].stroke;
+  const Stroke s = testing::strokes_in(d.drawing.document, 0)[0];
   int corners = 0;
   for (const JointKind kind : s.data().joints) corners += kind == JointKind::kCorner ? 1 : 0;
   EXPECT_EQ(corners, 3);
 }
 
 TEST(QuickdrawImport, OneDrawingInItsSquareAtTwoTenthsOfAMillimetre) {
-  const ImportedDrawing d =
+  const Imported d =
       import_quickdraw(R"({"word":"line","drawing":[[[0,255],[0,0]],[[0,255],[255,255]]]})")
           .value();
   EXPECT_TRUE(d.report.empty());
-  ASSERT_EQ(d.drawing.layers.size(), 1u);
-  EXPECT_EQ(d.drawing.layers[0].name, "line");
-  ASSERT_EQ(d.drawing.layers[0].strokes.size(), 2u);
-  const Stroke& s = d.drawing.layers[0].strokes[1].stroke;
+  ASSERT_EQ(d.drawing.document.layers().size(), 1u);
+  EXPECT_EQ(d.drawing.document.layers()[0].name, "line");
+  ASSERT_EQ(d.drawing.document.layers()[0].strokes.size(), 2u);
+  const Stroke s = testing::strokes_in(d.drawing.document, 0)[1];
   EXPECT_NEAR(distance(s.position(0.0), {4.5, 55.5}), 0.0, 1e-6);
   EXPECT_NEAR(distance(s.position(s.segment_count()), {55.5, 55.5}), 0.0, 1e-6);
-  EXPECT_EQ(d.drawing.page->width_mm, 60.0);
-  EXPECT_EQ(d.drawing.page->height_mm, 60.0);
+  EXPECT_EQ(d.drawing.page.width_mm, 60.0);
+  EXPECT_EQ(d.drawing.page.height_mm, 60.0);
 }
 
 TEST(QuickdrawImport, RawDrawingsAreScaledIntoTheSquare) {
-  const ImportedDrawing d =
+  const Imported d =
       import_quickdraw(R"({"word":"w","drawing":[[[1000,2000],[500,700],[0,100]]]})").value();
-  const Stroke& s = d.drawing.layers[0].strokes[0].stroke;
+  const Stroke s = testing::strokes_in(d.drawing.document, 0)[0];
   EXPECT_NEAR(distance(s.position(0.0), {4.5, 4.5}), 0.0, 1e-6);
   EXPECT_NEAR(distance(s.position(s.segment_count()), {55.5, 4.5 + 10.2}), 0.0, 1e-6);
 }
@@ -140,13 +141,13 @@ TEST(QuickdrawImport, AContactSheet) {
     text += R"({"word":"w)" + std::to_string(i) + R"(","drawing":[[[0,255],[0,255]]]})" + "\n";
   }
   text += "nonsense\n{\"drawing\":[[[1],[1]]]}\n";
-  const ImportedDrawing d = import_quickdraw(text).value();
-  ASSERT_EQ(d.drawing.layers.size(), 6u);
-  EXPECT_EQ(d.drawing.layers[5].name, "Drawing 6");
-  EXPECT_EQ(d.drawing.page->width_mm, 180.0);
-  EXPECT_EQ(d.drawing.page->height_mm, 120.0);
-  EXPECT_NEAR(d.drawing.layers[4].strokes[0].stroke.position(0).x, 64.5, 1e-6);
-  EXPECT_NEAR(d.drawing.layers[4].strokes[0].stroke.position(0).y, 64.5, 1e-6);
+  const Imported d = import_quickdraw(text).value();
+  ASSERT_EQ(d.drawing.document.layers().size(), 6u);
+  EXPECT_EQ(d.drawing.document.layers()[5].name, "Drawing 6");
+  EXPECT_EQ(d.drawing.page.width_mm, 180.0);
+  EXPECT_EQ(d.drawing.page.height_mm, 120.0);
+  EXPECT_NEAR(testing::strokes_in(d.drawing.document, 4)[0].position(0).x, 64.5, 1e-6);
+  EXPECT_NEAR(testing::strokes_in(d.drawing.document, 4)[0].position(0).y, 64.5, 1e-6);
   ASSERT_EQ(d.report.notices().size(), 1u);
   EXPECT_THAT(notice_text(d.report.notices()[0]),
               HasSubstr("line 6: is no drawing and was left out"));
@@ -158,13 +159,13 @@ TEST(QuickdrawImport, TheNumberOfDrawingsIsLimited) {
     for (int i = 0; i < count; ++i) text += "{\"drawing\":[[[1],[1]]]}\n";
     return import_quickdraw(text).value();
   };
-  EXPECT_EQ(import(kMaxQuickdrawDrawings - 1).drawing.layers.size(), 999u);
+  EXPECT_EQ(import(kMaxQuickdrawDrawings - 1).drawing.document.layers().size(), 999u);
   EXPECT_TRUE(import(kMaxQuickdrawDrawings).report.empty());
-  const ImportedDrawing above = import(kMaxQuickdrawDrawings + 2);
-  EXPECT_EQ(above.drawing.layers.size(), 1000u);
+  const Imported above = import(kMaxQuickdrawDrawings + 2);
+  EXPECT_EQ(above.drawing.document.layers().size(), 1000u);
   ASSERT_EQ(above.report.notices().size(), 1u);
   EXPECT_EQ(above.report.notices()[0].count, 2);
-  EXPECT_LE(above.drawing.page->width_mm, SheetPage::kMostMm);
+  EXPECT_LE(above.drawing.page.width_mm, SheetPage::kMostMm);
 }
 
 TEST(QuickdrawImport, NothingIsAnError) {

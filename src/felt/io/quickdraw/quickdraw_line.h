@@ -7,7 +7,7 @@
 
 #include "felt/base/result.h"
 #include "felt/io/ndjson/ndjson_lines.h"
-#include "felt/stroke/fit/ink_sample.h"
+#include "felt/stroke/fit/ink_fit.h"
 
 namespace felt {
 

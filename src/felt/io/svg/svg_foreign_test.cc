@@ -8,13 +8,13 @@
 #include "felt/io/svg/svg_limits.h"
 #include "felt/io/svg/svg_writer.h"
 #include "felt/io/testing/import_checks.h"
+#include "felt/io/testing/test_drawings.h"
 
 namespace felt {
 namespace {
 
-using testing::notice_lines;
-
 using ::testing::HasSubstr;
+using testing::notice_lines;
 
 /// A document whose user unit is a millimetre.
 std::string svg(const std::string& inside) {
@@ -25,18 +25,14 @@ std::string svg(const std::string& inside) {
          inside + "</svg>";
 }
 
-ImportedDrawing imported(const std::string& text) {
-  Result<ImportedDrawing> result = import_svg(text);
+Imported imported(const std::string& text) {
+  Result<Imported> result = import_svg(text);
   EXPECT_TRUE(result) << result.error().message;
-  return result ? *std::move(result) : ImportedDrawing();
+  return result ? *std::move(result) : Imported();
 }
 
-Sketch strokes(const ImportedDrawing& drawing) {
-  Sketch all;
-  for (const SketchLayer& layer : drawing.drawing.layers) {
-    all.insert(all.end(), layer.strokes.begin(), layer.strokes.end());
-  }
-  return all;
+std::vector<Stroke> strokes(const Imported& imported) {
+  return testing::strokes_in(imported.drawing.document);
 }
 
 constexpr const char* kLine =
@@ -44,24 +40,23 @@ constexpr const char* kLine =
     "stroke-linejoin='round'";
 
 TEST(SvgForeign, CurvesAreTakenAsTheyAre) {
-  const ImportedDrawing drawing = imported(svg("<path id='leaf'" + std::string(kLine) +
-                                               " d='M1 2C3 4 5 6 7 8S11 12 13 2l0 10'/><path" +
-                                               kLine + " d='M20 20h10v10z'/>"));
+  const Imported drawing = imported(svg("<path id='leaf'" + std::string(kLine) +
+                                        " d='M1 2C3 4 5 6 7 8S11 12 13 2l0 10'/><path" + kLine +
+                                        " d='M20 20h10v10z'/>"));
   EXPECT_TRUE(drawing.report.empty()) << notice_lines(drawing);
-  const Sketch ink = strokes(drawing);
+  const std::vector<Stroke> ink = strokes(drawing);
   ASSERT_EQ(ink.size(), 2U);
-  const StrokeData& d = ink[0].stroke.data();
-  EXPECT_EQ(ink[0].id, "leaf");
+  const StrokeData& d = ink[0].data();
   EXPECT_EQ(d.points[1], (Point{3, 4}));
   EXPECT_EQ(d.points[4], (Point{9, 10}));
   EXPECT_EQ(d.points[6], (Point{13, 2}));
   EXPECT_EQ(d.joints, (std::vector<JointKind>{JointKind::kSmooth, JointKind::kCorner}));
   EXPECT_EQ(d.widths, (std::vector<WidthKnot>{{0, 2}, {3, 2}}));
   EXPECT_EQ(d.color, (Rgba{0x10, 0x20, 0x30, 255}));
-  EXPECT_TRUE(ink[1].stroke.closed());
-  EXPECT_EQ(ink[1].stroke.segment_count(), 3);
-  ASSERT_TRUE(drawing.drawing.page);
-  EXPECT_EQ(drawing.drawing.page->area(), (Rect{0, 0, 100, 80}));
+  EXPECT_TRUE(ink[1].closed());
+  EXPECT_EQ(ink[1].segment_count(), 3);
+  ASSERT_TRUE(drawing.drawing.has_page);
+  EXPECT_EQ(drawing.drawing.page.area(), (Rect{0, 0, 100, 80}));
 }
 
 TEST(SvgForeign, ShortSegmentsGoIntoTheirNeighbours) {
@@ -71,66 +66,65 @@ TEST(SvgForeign, ShortSegmentsGoIntoTheirNeighbours) {
     const double a = 6.283185307179586 * i / 400.0;
     d += "L" + std::to_string(10 + 2 * std::cos(a)) + " " + std::to_string(10 + 2 * std::sin(a));
   }
-  const ImportedDrawing drawing =
+  const Imported drawing =
       imported(svg("<path" + std::string(kLine) + " d='" + d + "z'/><path" + kLine +
                    " d='M40 40h0.01'/><path" + kLine + " d='M50 50h5v0l0.02 0h5'/>"));
-  const Sketch ink = strokes(drawing);
+  const std::vector<Stroke> ink = strokes(drawing);
   ASSERT_EQ(ink.size(), 3U) << notice_lines(drawing);
-  EXPECT_TRUE(ink[0].stroke.closed());
-  for (double u = 0.0; u <= ink[0].stroke.segment_count(); u += 0.25) {
-    EXPECT_NEAR(distance(ink[0].stroke.position(u), {10, 10}), 2.0, 0.05);
+  EXPECT_TRUE(ink[0].closed());
+  for (double u = 0.0; u <= ink[0].segment_count(); u += 0.25) {
+    EXPECT_NEAR(distance(ink[0].position(u), {10, 10}), 2.0, 0.05);
   }
-  EXPECT_NEAR(distance(ink[1].stroke.position(0.5), {40.005, 40}), 0.0, 1e-9);
-  EXPECT_EQ(ink[2].stroke.segment_count(), 2);
-  EXPECT_EQ(ink[2].stroke.data().points.back(), (Point{60.02, 50}));
+  EXPECT_NEAR(distance(ink[1].position(0.5), {40.005, 40}), 0.0, 1e-9);
+  EXPECT_EQ(ink[2].segment_count(), 2);
+  EXPECT_EQ(ink[2].data().points.back(), (Point{60.02, 50}));
   EXPECT_THAT(notice_lines(drawing), HasSubstr("shorter than 0.05 mm"));
 }
 
 TEST(SvgForeign, StretchedPensAreAsWideAsTheyGo) {
-  const ImportedDrawing drawing =
+  const Imported drawing =
       imported(svg("<g transform='scale(3 1)'><path" + std::string(kLine) + " d='M1 1h5'/><path" +
                    kLine + " d='M10 1v5'/><path" + kLine +
                    " d='M10 10h5v5'/><circle cx='20' cy='30' r='5'" + kLine + "/></g>"));
-  const Sketch ink = strokes(drawing);
+  const std::vector<Stroke> ink = strokes(drawing);
   ASSERT_EQ(ink.size(), 4U);
-  EXPECT_NEAR(ink[0].stroke.width_mm(0.5), 2.0, 1e-9);
-  EXPECT_NEAR(ink[1].stroke.width_mm(0.5), 6.0, 1e-9);
-  EXPECT_NEAR(ink[2].stroke.width_mm(0.5), 2.0, 1e-9);
-  EXPECT_NEAR(ink[2].stroke.width_mm(1.5), 6.0, 1e-9);
-  EXPECT_NEAR(ink[3].stroke.width_mm(0.0), 6.0, 1e-9);
-  EXPECT_NEAR(ink[3].stroke.width_mm(1.0), 2.0, 1e-9);
+  EXPECT_NEAR(ink[0].width_mm(0.5), 2.0, 1e-9);
+  EXPECT_NEAR(ink[1].width_mm(0.5), 6.0, 1e-9);
+  EXPECT_NEAR(ink[2].width_mm(0.5), 2.0, 1e-9);
+  EXPECT_NEAR(ink[2].width_mm(1.5), 6.0, 1e-9);
+  EXPECT_NEAR(ink[3].width_mm(0.0), 6.0, 1e-9);
+  EXPECT_NEAR(ink[3].width_mm(1.0), 2.0, 1e-9);
   EXPECT_THAT(notice_lines(drawing), HasSubstr("stretched in one direction"));
 }
 
 TEST(SvgForeign, DashesAreStrokes) {
-  const ImportedDrawing drawing =
+  const Imported drawing =
       imported(svg("<path" + std::string(kLine) +
                    " stroke-dasharray='6 4' stroke-dashoffset='2' d='M10 10h30'/>"));
-  const Sketch ink = strokes(drawing);
+  const std::vector<Stroke> ink = strokes(drawing);
   ASSERT_EQ(ink.size(), 4U);
-  EXPECT_NEAR(ink[0].stroke.data().points.back().x, 14.0, 1e-9);
-  EXPECT_NEAR(ink[1].stroke.data().points.front().x, 18.0, 1e-9);
-  EXPECT_NEAR(ink[1].stroke.data().points.back().x, 24.0, 1e-9);
-  EXPECT_NEAR(ink[3].stroke.data().points.back().x, 40.0, 1e-9);
-  EXPECT_EQ(ink[3].id, "path1-4");
+  EXPECT_NEAR(ink[0].data().points.back().x, 14.0, 1e-9);
+  EXPECT_NEAR(ink[1].data().points.front().x, 18.0, 1e-9);
+  EXPECT_NEAR(ink[1].data().points.back().x, 24.0, 1e-9);
+  EXPECT_NEAR(ink[3].data().points.back().x, 40.0, 1e-9);
 }
 
 TEST(SvgForeign, FillingsBecomeEdges) {
-  const ImportedDrawing drawing = imported(
+  const Imported drawing = imported(
       svg("<path id='a' fill='teal' d='M10 10h10v10'/>\n<circle fill='navy' stroke='red' r='9' "
           "cx='50' cy='50' stroke-linejoin='round'/>"));
-  const Sketch ink = strokes(drawing);
+  const std::vector<Stroke> ink = strokes(drawing);
   ASSERT_EQ(ink.size(), 2U);
-  EXPECT_TRUE(ink[0].stroke.closed());
-  EXPECT_EQ(ink[0].stroke.color(), (Rgba{0, 128, 128, 255}));
-  EXPECT_EQ(ink[0].stroke.width_mm(0.0), 0.35);
-  EXPECT_EQ(ink[1].stroke.color(), (Rgba{255, 0, 0, 255}));
+  EXPECT_TRUE(ink[0].closed());
+  EXPECT_EQ(ink[0].color(), (Rgba{0, 128, 128, 255}));
+  EXPECT_EQ(ink[0].width_mm(0.0), 0.35);
+  EXPECT_EQ(ink[1].color(), (Rgba{255, 0, 0, 255}));
   EXPECT_THAT(notice_lines(drawing), HasSubstr("line 2: path 'a' is filled and has no line"));
   EXPECT_THAT(notice_lines(drawing), HasSubstr("line 3: circle has a filling, which was left out"));
 }
 
 TEST(SvgForeign, SaysWhatItLeavesOut) {
-  const ImportedDrawing drawing = imported(svg(
+  const Imported drawing = imported(svg(
       "<text id='title'>x</text>\n<text>y</text>\n<image/>\n<script>a()</script>\n<g "
       "filter='url(#f)' "
       "mask='url(#m)' clip-path='url(#c)'/>\n<path" +
@@ -149,19 +143,19 @@ TEST(SvgForeign, SaysWhatItLeavesOut) {
         "has flat or square ends"}) {
     EXPECT_THAT(text, HasSubstr(expected));
   }
-  const Sketch ink = strokes(drawing);
+  const std::vector<Stroke> ink = strokes(drawing);
   ASSERT_EQ(ink.size(), 3U);
-  EXPECT_EQ(ink[1].stroke.color(), (Rgba{255, 0, 0, 255}));
+  EXPECT_EQ(ink[1].color(), (Rgba{255, 0, 0, 255}));
 }
 
 TEST(SvgForeign, LayersOfInkscape) {
   const std::string path = "<path" + std::string(kLine) + " d='M1 1h9'/>";
-  const ImportedDrawing drawing = imported(svg(
+  const Imported drawing = imported(svg(
       path + "<g inkscape:groupmode='layer' inkscape:label='Back' sodipodi:insensitive='true'>" +
       path + "<g inkscape:groupmode='layer' inkscape:label='Sub' style='display:none'>" + path +
       "</g>" + path + "</g>" + path));
   std::vector<std::string> layers;
-  for (const SketchLayer& l : drawing.drawing.layers) {
+  for (const Layer& l : drawing.drawing.document.layers()) {
     layers.push_back(l.name + (l.visible ? "" : " hidden") + (l.locked ? " locked" : "") + " " +
                      std::to_string(l.strokes.size()));
   }
@@ -171,8 +165,10 @@ TEST(SvgForeign, LayersOfInkscape) {
 
 TEST(SvgForeign, PageAndPaper) {
   const auto page = [](const std::string& head, const std::string& inside = "") {
-    return imported("<svg xmlns='http://www.w3.org/2000/svg' " + head + ">" + inside + "</svg>")
-        .drawing.page;
+    const Drawing drawing =
+        imported("<svg xmlns='http://www.w3.org/2000/svg' " + head + ">" + inside + "</svg>")
+            .drawing;
+    return drawing.has_page ? std::optional(drawing.page) : std::nullopt;
   };
   EXPECT_EQ(page("width='210mm' height='297mm'")->area(), (Rect{0, 0, 210, 297}));
   EXPECT_NEAR(page("width='960' height='96px'")->width_mm, 254.0, 1e-9);
@@ -193,28 +189,27 @@ std::string power_stroke(const std::string& effect, const std::string& path) {
 }
 
 TEST(SvgForeign, PowerStrokesHaveTheirWidths) {
-  const ImportedDrawing linear =
+  const Imported linear =
       imported(power_stroke("interpolator_type='Linear' offset_points='0.5,1 | 1.25,2'",
                             "M10 10C13 10 17 10 20 10L30 20"));
   EXPECT_TRUE(linear.report.empty()) << notice_lines(linear);
-  const Stroke stroke = strokes(linear).at(0).stroke;
+  const Stroke stroke = strokes(linear).at(0);
   EXPECT_EQ(stroke.data().widths, (std::vector<WidthKnot>{{0, 2}, {0.5, 2}, {1.25, 4}, {2, 4}}));
   EXPECT_EQ(stroke.color(), (Rgba{0, 128, 128, 255}));
-  const ImportedDrawing johan = imported(power_stroke(
+  const Imported johan = imported(power_stroke(
       "interpolator_type='CubicBezierJohan' scale_width='2' end_linecap_type='zerowidth' "
       "offset_points='0,1 | 1,2'",
       "M10 10L20 10L30 20"));
   EXPECT_THAT(notice_lines(johan), HasSubstr("CubicBezierJohan, which were sampled"));
-  const Stroke sampled = strokes(johan).at(0).stroke;
+  const Stroke sampled = strokes(johan).at(0);
   EXPECT_EQ(sampled.width_mm(0.0), 4.0);
   EXPECT_EQ(sampled.width_mm(1.0), 8.0);
   EXPECT_NEAR(sampled.width_mm(0.5), 6.0, 1e-9);
   EXPECT_EQ(sampled.width_mm(2.0), kMinWidthMm);
-  const ImportedDrawing ring =
-      imported(power_stroke("offset_points='1,1 | 3,2'", "M10 10h10v10h-10z"));
-  EXPECT_NEAR(strokes(ring).at(0).stroke.width_mm(0.0), 3.0, 1e-9);
-  EXPECT_NEAR(strokes(ring).at(0).stroke.width_mm(4.0), 3.0, 1e-9);
-  const ImportedDrawing broken = imported(power_stroke("offset_points=''", "M10 10h10"));
+  const Imported ring = imported(power_stroke("offset_points='1,1 | 3,2'", "M10 10h10v10h-10z"));
+  EXPECT_NEAR(strokes(ring).at(0).width_mm(0.0), 3.0, 1e-9);
+  EXPECT_NEAR(strokes(ring).at(0).width_mm(4.0), 3.0, 1e-9);
+  const Imported broken = imported(power_stroke("offset_points=''", "M10 10h10"));
   EXPECT_THAT(notice_lines(broken), HasSubstr("has lost its variable width"));
   EXPECT_EQ(strokes(broken).size(), 1U);
 }
@@ -267,11 +262,11 @@ TEST(SvgForeign, EntitiesAddLittle) {
   EXPECT_TRUE(with(kMost / 8, 8));
   EXPECT_FALSE(with(kMost / 8, 9));
   // Entities inside of entities; a billion laughs are refused.
-  const ImportedDrawing nested = imported(
+  const Imported nested = imported(
       "<!DOCTYPE svg [<!ENTITY c 'red'><!ENTITY st 'stroke:&c;'>]>\n<svg "
       "xmlns='http://www.w3.org/2000/svg'><path style='&st;' d='M1 1h9'/></svg>");
   ASSERT_EQ(strokes(nested).size(), 1U);
-  EXPECT_EQ(strokes(nested)[0].stroke.color(), (Rgba{255, 0, 0, 255}));
+  EXPECT_EQ(strokes(nested)[0].color(), (Rgba{255, 0, 0, 255}));
   std::string laughs = "<!DOCTYPE svg [<!ENTITY a \"ha\">";
   for (char c = 'b'; c <= 'z'; ++c) {
     const std::string before = std::string("&") + static_cast<char>(c - 1) + ";";
@@ -293,10 +288,10 @@ TEST(SvgForeign, RepeatingElementsEnds) {
     for (int i = 0; i < 10; ++i) text += "<use xlink:href='#l" + std::to_string(level + 1) + "'/>";
     text += "</g>";
   }
-  const ImportedDrawing bomb = imported(svg(text + "<path id='l10'" + kLine + " d='M1 1h9'/>"));
+  const Imported bomb = imported(svg(text + "<path id='l10'" + kLine + " d='M1 1h9'/>"));
   EXPECT_THAT(notice_lines(bomb), HasSubstr("'use' repeats more than is taken"));
   EXPECT_LE(strokes(bomb).size(), static_cast<std::size_t>(limits::kMaxSvgUseElements));
-  const ImportedDrawing cycle = imported(
+  const Imported cycle = imported(
       svg("<g id='a'><use xlink:href='#b'/></g><g id='b'><use xlink:href='#a'/></g><use id='c' "
           "xlink:href='#c'/>"));
   EXPECT_THAT(notice_lines(cycle), HasSubstr("it repeats itself"));
@@ -307,9 +302,9 @@ TEST(SvgForeign, RepeatingElementsEnds) {
   for (int i = 0; i < 2000; ++i) text += "<use xlink:href='#p'/>";
   const std::string long_file = svg(text);
   std::size_t segments = 0;
-  const ImportedDrawing many = imported(long_file);
-  for (const SketchStroke& s : strokes(many)) {
-    segments += static_cast<std::size_t>(s.stroke.segment_count());
+  const Imported many = imported(long_file);
+  for (const Stroke& s : strokes(many)) {
+    segments += static_cast<std::size_t>(s.segment_count());
   }
   EXPECT_LE(segments, limits::kSpareSvgSegments + long_file.size() / 2);
   EXPECT_THAT(notice_lines(many), HasSubstr("more curves than are taken"));
@@ -356,7 +351,7 @@ TEST(SvgForeign, DashesEnd) {
         svg("<path" + std::string(kLine) + " stroke-dasharray='" + pattern + "' d='M0 0h99999'/>"));
   };
   EXPECT_GT(strokes(dashes("0.5 0.50002")).size(), limits::kMaxSvgDashes - 10);
-  const ImportedDrawing over = dashes("0.5 0.49");
+  const Imported over = dashes("0.5 0.49");
   EXPECT_EQ(strokes(over).size(), 1U);
   EXPECT_THAT(notice_lines(over), HasSubstr("became a solid line"));
   EXPECT_EQ(strokes(dashes("1e-7")).size(), 1U);
@@ -366,7 +361,7 @@ TEST(SvgForeign, LayersReachTheirLimit) {
   const auto layers = [](std::size_t count) {
     std::string text;
     for (std::size_t i = 0; i < count; ++i) text += "<g inkscape:groupmode='layer'/>";
-    return imported(svg(text)).drawing.layers.size();
+    return imported(svg(text)).drawing.document.layers().size();
   };
   EXPECT_EQ(layers(limits::kMaxSvgLayers - 1), limits::kMaxSvgLayers - 1);
   EXPECT_EQ(layers(limits::kMaxSvgLayers), limits::kMaxSvgLayers);
@@ -387,7 +382,7 @@ TEST(SvgForeign, HugeNumbersEndInNotices) {
       "<rect width='1e9' height='1e9' stroke='red'/>",
       "<circle r='1e12mm' stroke='red'/>"};
   for (const std::string& odd : odd_ones) {
-    const ImportedDrawing drawing = imported(svg(odd));
+    const Imported drawing = imported(svg(odd));
     EXPECT_FALSE(drawing.report.empty()) << odd.substr(0, 200);
     EXPECT_TRUE(svg_text(drawing.drawing, {})) << odd.substr(0, 200);
   }

@@ -9,7 +9,7 @@
 
 namespace felt {
 
-Result<ImportedDrawing> import_svg(std::string_view bytes, const ImportOptions&) {
+Result<Imported> import_svg(std::string_view bytes, const ImportOptions&) {
   std::string unpacked;
   if (is_gzip(bytes)) {
     Result<std::string> text = gunzip(bytes);

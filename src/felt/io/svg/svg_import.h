@@ -18,6 +18,6 @@ namespace felt {
 /// `bytes` is the whole file and not trusted: time and memory are bounded by its size, and nothing
 /// outside it is opened. Error: no XML or no SVG, one of a newer Feltline, or a limit of
 /// limits.h; the message names line and reason.
-Result<ImportedDrawing> import_svg(std::string_view bytes, const ImportOptions& options = {});
+Result<Imported> import_svg(std::string_view bytes, const ImportOptions& options = {});
 
 }  // namespace felt

@@ -8,6 +8,7 @@
 #include "felt/io/svg/svg_length.h"
 #include "felt/io/svg/svg_writer.h"
 #include "felt/io/testing/import_checks.h"
+#include "felt/io/testing/test_drawings.h"
 #include "felt/io/unpack.h"
 #include "felt/stroke/testing/random_stroke.h"
 #include "felt/stroke/width_profile.h"
@@ -15,52 +16,58 @@
 namespace felt {
 namespace {
 
+using ::testing::HasSubstr;
 using testing::notice_lines;
 
-using ::testing::HasSubstr;
-
-Sketch random_sketch(std::uint64_t seed, int count) {
-  Sketch sketch;
+std::vector<Stroke> strokes_of_media(std::uint64_t seed, int count) {
+  std::vector<Stroke> strokes;
   for (int i = 0; i < count; ++i) {
     StrokeData data =
         felt::testing::random_stroke(1000 * seed + static_cast<std::uint64_t>(i)).data();
     if (i % 3 == 1) data.material = "Kohle \"weich\" <&>\n";
-    sketch.push_back({"s" + std::to_string(i), Stroke::create(std::move(data)).value()});
+    strokes.push_back(Stroke::create(std::move(data)).value());
   }
-  return sketch;
+  return strokes;
 }
 
-LayeredSketch random_drawing(std::uint64_t seed) {
+Drawing drawing_in_layers(std::uint64_t seed) {
   std::mt19937_64 random(seed);
-  LayeredSketch drawing;
+  DrawingBuilder builder;
+  Drawing& drawing = builder.drawing();
   const std::uint64_t count = random() % 5;
   for (std::uint64_t i = 0; i < count; ++i) {
-    SketchLayer layer;
-    if (random() % 4 > 0) layer.name = "Ebene \"" + std::to_string(random() % 3) + "\" <&\t>";
-    layer.visible = random() % 2 == 0;
-    layer.locked = random() % 2 == 0;
-    layer.strokes = random_sketch(100 * seed + i, static_cast<int>(random() % 5));
-    drawing.layers.push_back(std::move(layer));
+    LayerState state;
+    if (random() % 4 > 0) state.name = "Ebene \"" + std::to_string(random() % 3) + "\" <&\t>";
+    state.visible = random() % 2 == 0;
+    state.locked = random() % 2 == 0;
+    const std::size_t layer = builder.add_layer(std::move(state));
+    for (Stroke& stroke : strokes_of_media(100 * seed + i, static_cast<int>(random() % 5))) {
+      builder.add(layer, std::move(stroke));
+    }
   }
   if (random() % 2 == 0) {
     const auto byte = [&] { return static_cast<std::uint8_t>(random() % 256); };
+    drawing.has_page = true;
     drawing.page = SheetPage{10.0 + static_cast<double>(random() % 100000) / 37.0,
                              10.0 + static_cast<double>(random() % 100000) / 37.0,
                              {byte(), byte(), byte(), byte()}};
   }
-  if (random() % 2 == 0) {
-    (drawing.page ? drawing.page->surface : drawing.surface) = "B\xC3\xBCtten \"<&>\"";
-  }
+  if (random() % 2 == 0) drawing.page.surface = "B\xC3\xBCtten \"<&>\"";
   for (std::uint64_t i = 3 * (random() % 2); i > 0; --i) {
     drawing.materials.push_back("id = \"m" + std::to_string(i) + "\"\n# <&>\t\r\n");
   }
-  return drawing;
+  return std::move(builder).build();
 }
 
-ImportedDrawing imported(std::string_view svg) {
-  Result<ImportedDrawing> result = import_svg(svg);
+/// What a stream of these strokes becomes.
+std::string svg_of_strokes(const std::vector<Stroke>& strokes, const SvgOptions& options = {}) {
+  return svg_ink_text(testing::drawing_of(strokes), options).value();
+}
+
+Imported imported(std::string_view svg) {
+  Result<Imported> result = import_svg(svg);
   EXPECT_TRUE(result) << result.error().message;
-  return result ? *std::move(result) : ImportedDrawing();
+  return result ? *std::move(result) : Imported();
 }
 
 std::string changed(std::string text, std::string_view from, std::string_view to) {
@@ -78,9 +85,9 @@ std::string attribute_in(const std::string& text, const std::string& name) {
 
 TEST(SvgImport, DrawingsComeBackEqual) {
   for (std::uint64_t seed = 0; seed < 200; ++seed) {
-    const LayeredSketch drawing = random_drawing(seed);
+    const Drawing drawing = drawing_in_layers(seed);
     const std::string text = svg_text(drawing, {}).value();
-    const ImportedDrawing back = imported(text);
+    const Imported back = imported(text);
     ASSERT_EQ(back.drawing, drawing) << "seed " << seed;
     EXPECT_TRUE(back.report.empty()) << "seed " << seed << ": " << notice_lines(back);
     EXPECT_EQ(svg_text(back.drawing, {}).value(), text) << "seed " << seed;
@@ -88,33 +95,31 @@ TEST(SvgImport, DrawingsComeBackEqual) {
 }
 
 TEST(SvgImport, AsManyLayersComeBackAsADrawingMayHave) {
-  LayeredSketch drawing;
-  for (int i = 0; i < 10'000; ++i) {
-    drawing.layers.push_back({"Layer " + std::to_string(i + 1), i % 2 == 0, i % 3 == 0, {}});
-  }
-  drawing.layers.back().strokes = random_sketch(1, 1);
-  const ImportedDrawing back = imported(svg_text(drawing, {}).value());
+  DrawingBuilder builder;
+  for (int i = 0; i < 10'000; ++i) builder.add_layer({"", i % 2 == 0, i % 3 == 0});
+  builder.add(9'999, strokes_of_media(1, 1)[0]);
+  const Drawing drawing = std::move(builder).build();
+  const Imported back = imported(svg_text(drawing, {}).value());
   EXPECT_TRUE(back.report.empty()) << notice_lines(back);
-  EXPECT_EQ(back.drawing.layers.size(), drawing.layers.size());
   EXPECT_TRUE(back.drawing == drawing);
 }
 
 TEST(SvgImport, PlainSketchesComeBackEqual) {
   for (std::uint64_t seed = 0; seed < 100; ++seed) {
-    const Sketch sketch = random_sketch(seed, 1 + static_cast<int>(seed % 7));
+    const std::vector<Stroke> strokes = strokes_of_media(seed, 1 + static_cast<int>(seed % 7));
     SvgOptions options;
     if (seed % 2 == 0) options.sheet = Rect{0.0, 0.0, 297.0, 210.0};
-    if (seed % 3 == 0) options.paper = {250, 240, 1, static_cast<std::uint8_t>(1 + seed)};
-    const ImportedDrawing back = imported(svg_text(sketch, options).value());
-    ASSERT_EQ(back.drawing.layers.size(), 1U);
-    EXPECT_EQ(back.drawing.layers[0].strokes, sketch) << "seed " << seed;
-    EXPECT_EQ(back.drawing.layers[0].name, "Ink");
+    if (seed % 3 == 0) options.paper = Rgba{250, 240, 1, static_cast<std::uint8_t>(1 + seed)};
+    const Imported back = imported(svg_of_strokes(strokes, options));
+    ASSERT_EQ(back.drawing.document.layers().size(), 1U);
+    EXPECT_EQ(testing::strokes_in(back.drawing.document), strokes) << "seed " << seed;
+    EXPECT_EQ(back.drawing.document.layers()[0].name, "Ink");
     EXPECT_TRUE(back.report.empty()) << notice_lines(back);
     if (!options.sheet) continue;
-    ASSERT_TRUE(back.drawing.page);
-    EXPECT_EQ(back.drawing.page->area(), *options.sheet);
-    const Rgba paper = options.paper.a > 0 ? options.paper : Rgba{0, 0, 0, 0};
-    EXPECT_EQ(back.drawing.page->paper, paper) << "seed " << seed;
+    ASSERT_TRUE(back.drawing.has_page);
+    EXPECT_EQ(back.drawing.page.area(), *options.sheet);
+    const Rgba paper = options.paper.value_or(Rgba{0, 0, 0, 0});
+    EXPECT_EQ(back.drawing.page.paper, paper) << "seed " << seed;
   }
 }
 
@@ -122,15 +127,15 @@ TEST(SvgImport, EveryAlphaReadsBack) {
   for (int alpha = 0; alpha < 256; ++alpha) {
     StrokeData data = felt::testing::random_stroke(1).data();
     data.color = {1, 2, 3, static_cast<std::uint8_t>(alpha)};
-    const Sketch sketch{{"a", Stroke::create(std::move(data)).value()}};
-    const ImportedDrawing back = imported(svg_text(sketch, {}).value());
-    ASSERT_EQ(back.drawing.layers.size(), 1U) << alpha;
-    EXPECT_EQ(back.drawing.layers[0].strokes, sketch) << alpha;
+    const std::vector<Stroke> strokes{Stroke::create(std::move(data)).value()};
+    const Imported back = imported(svg_of_strokes(strokes));
+    ASSERT_EQ(back.drawing.document.layers().size(), 1U) << alpha;
+    EXPECT_EQ(testing::strokes_in(back.drawing.document), strokes) << alpha;
   }
 }
 
 TEST(SvgImport, PackedFilesAreUnpacked) {
-  const LayeredSketch drawing = random_drawing(3);
+  const Drawing drawing = drawing_in_layers(3);
   EXPECT_EQ(imported(gzip(svg_text(drawing, {}).value())).drawing, drawing);
   const auto cut = import_svg(gzip(svg_text(drawing, {}).value()).substr(0, 100));
   EXPECT_FALSE(cut);
@@ -138,40 +143,38 @@ TEST(SvgImport, PackedFilesAreUnpacked) {
 
 TEST(SvgImport, SaysWhatIsNoSvg) {
   const auto message = [](const std::string& svg) {
-    const Result<ImportedDrawing> drawing = import_svg(svg);
+    const Result<Imported> drawing = import_svg(svg);
     return drawing ? std::string("it was read") : drawing.error().message;
   };
   EXPECT_THAT(message(""), HasSubstr("no XML"));
   EXPECT_THAT(message("<html/>"), HasSubstr("no SVG: its first element is 'html'"));
   EXPECT_THAT(message("<svg>\n<g>\n</svg>"), HasSubstr("line 3"));
-  const std::string ours = svg_text(random_sketch(1, 2), {}).value();
+  const std::string ours = svg_of_strokes(strokes_of_media(1, 2));
   EXPECT_THAT(message(changed(ours, "felt:version=\"2\"", "felt:version=\"3\"")),
               HasSubstr("newer Feltline"));
 }
 
 TEST(SvgImport, TonesComeBackAndDamagedOnesAreToldOf) {
   StrokeData data = testing::straight_stroke({0, 0}, {10, 0}, 1, 2).data();
-  const auto text_of = [&] {
-    return svg_text(Sketch{{"s", Stroke::create(data).value()}}, {}).value();
-  };
+  const auto written = [&] { return svg_of_strokes({Stroke::create(data).value()}); };
   const auto widths_in = [](const std::string& text) {
-    return imported(text).drawing.layers[0].strokes[0].stroke.data().widths;
+    return testing::strokes_in(imported(text).drawing.document)[0].data().widths;
   };
-  EXPECT_EQ(text_of().find("felt:tones"), std::string::npos);
-  EXPECT_EQ(widths_in(text_of()), data.widths);
+  EXPECT_EQ(written().find("felt:tones"), std::string::npos);
+  EXPECT_EQ(widths_in(written()), data.widths);
   data.widths[0].tone = 0.75;
   data.widths[1].tone = 0.125;
-  const std::string text = text_of();
+  const std::string text = written();
   EXPECT_EQ(widths_in(text), data.widths);
-  const std::string written = "felt:tones=\"" + attribute_in(text, "felt:tones") + "\"";
-  EXPECT_EQ(widths_in(changed(text, written, ""))[0].tone, tone_of_width(1));
+  const std::string tones_attribute = "felt:tones=\"" + attribute_in(text, "felt:tones") + "\"";
+  EXPECT_EQ(widths_in(changed(text, tones_attribute, ""))[0].tone, tone_of_width(1));
   // Too few, too many, beyond 1, not a digit, none.
   for (const char* tones : {"BA", "BAAA", "JAAAAAAAAAAAAAAAAQQ", "B!!", "x", "A"}) {
     SCOPED_TRACE(tones);
-    const ImportedDrawing back =
-        imported(changed(text, written, "felt:tones=\"" + std::string(tones) + "\""));
+    const Imported back =
+        imported(changed(text, tones_attribute, "felt:tones=\"" + std::string(tones) + "\""));
     EXPECT_THAT(notice_lines(back), HasSubstr("tones that are not one number of 0 to 1"));
-    EXPECT_EQ(back.drawing.layers[0].strokes[0].stroke.data().widths[1],
+    EXPECT_EQ(testing::strokes_in(back.drawing.document, 0)[0].data().widths[1],
               (WidthKnot{1.0, 2.0, tone_of_width(2.0)}));
   }
 }
@@ -181,34 +184,35 @@ TEST(SvgImport, TonesAreInterpolatedWhereWidthsWereChanged) {
   StrokeData data = testing::straight_stroke({0, 0}, {10, 0}, 1, 2).data();
   data.widths[0].tone = 0.0;
   data.widths[1].tone = 1.0;
-  std::string text = svg_text(Sketch{{"s", Stroke::create(data).value()}}, {}).value();
+  std::string text = svg_of_strokes({Stroke::create(data).value()});
   text = changed(text, "offset_points=\"0,.5 | 1,1\"", "offset_points=\"0,.5 | 0.25,2 | 1,1\"");
-  const auto widths = imported(text).drawing.layers[0].strokes[0].stroke.data().widths;
+  const auto widths = testing::strokes_in(imported(text).drawing.document)[0].data().widths;
   EXPECT_EQ(widths, (std::vector<WidthKnot>{{0, 1, 0.0}, {0.25, 4, 0.25}, {1, 2, 1.0}}));
 }
 
 /// Ours with a transform that another program put on it.
 TEST(SvgImport, OursIsMovedExactly) {
-  const Sketch sketch = random_sketch(5, 4);
-  const std::string text = svg_text(sketch, {}).value();
-  const ImportedDrawing same =
+  const std::vector<Stroke> strokes = strokes_of_media(5, 4);
+  const std::string text = svg_of_strokes(strokes);
+  const Imported same =
       imported(changed(text, "<path id=", "<path transform=\"translate(0)\" id="));
-  EXPECT_EQ(same.drawing.layers[0].strokes, sketch);
+  EXPECT_EQ(testing::strokes_in(same.drawing.document), strokes);
   for (const char* transform :
        {"translate(10,20)", "rotate(90)", "scale(2)", "matrix(0.6 0.8 -0.8 0.6 3 4)", "scale(-2 2)",
         "rotate(33 10 20) scale(1.7)"}) {
     SCOPED_TRACE(transform);
     std::string moved = changed(text, "<g>", "<g transform=\"" + std::string(transform) + "\"><g>");
     moved = changed(moved, "</svg>", "</g></svg>");
-    const ImportedDrawing back = imported(moved);
-    ASSERT_EQ(back.drawing.layers.size(), 1U);
-    ASSERT_EQ(back.drawing.layers[0].strokes.size(), sketch.size());
+    const Imported back = imported(moved);
+    ASSERT_EQ(back.drawing.document.layers().size(), 1U);
+    const std::vector<Stroke> read = testing::strokes_in(back.drawing.document);
+    ASSERT_EQ(read.size(), strokes.size());
     EXPECT_TRUE(back.report.empty()) << notice_lines(back);
     const Affine m = svg_transform(transform).value();
     const double scale = std::sqrt(std::fabs(determinant(m)));
-    for (std::size_t i = 0; i < sketch.size(); ++i) {
-      const StrokeData& was = sketch[i].stroke.data();
-      const StrokeData& is = back.drawing.layers[0].strokes[i].stroke.data();
+    for (std::size_t i = 0; i < strokes.size(); ++i) {
+      const StrokeData& was = strokes[i].data();
+      const StrokeData& is = read[i].data();
       ASSERT_EQ(is.points.size(), was.points.size());
       EXPECT_EQ(is.joints, was.joints);
       EXPECT_EQ(is.material, was.material);
@@ -234,15 +238,15 @@ TEST(SvgImport, WhatAnotherProgramMovedIsTakenAndTheRestStays) {
   data.points.insert(data.points.end(), {{2, 1}, {3, 1}, {4.0 / 3.0, 1}});
   data.joints = {JointKind::kCorner};
   data.widths.back().u = 2.0;
-  const std::string text = svg_text(Sketch{{"s", Stroke::create(data).value()}}, {}).value();
+  const std::string text = svg_of_strokes({Stroke::create(data).value()});
   const std::string line = attribute_in(text, "inkscape:original-d");
   ASSERT_EQ(line, "M0 0c.111.095.222.19.333.286 1.667.714 2.667.714 1 .714");
-  const ImportedDrawing back =
+  const Imported back =
       imported(changed(text, line, "M0 0c.111.095.222.19.333.286 1.667.714 2.667.714 1.5.814"));
-  ASSERT_EQ(back.drawing.layers.size(), 1U);
+  ASSERT_EQ(back.drawing.document.layers().size(), 1U);
   StrokeData moved = data;
   moved.points.back() = {1.833, 1.1};
-  const StrokeData& is = back.drawing.layers[0].strokes[0].stroke.data();
+  const StrokeData is = testing::strokes_in(back.drawing.document)[0].data();
   EXPECT_LT(distance(is.points.back(), moved.points.back()), 0.0006);
   moved.points.back() = is.points.back();
   EXPECT_EQ(is, moved);
@@ -259,9 +263,9 @@ constexpr const char* kVersion1 = R"svg(<?xml version="1.0" encoding="UTF-8"?>
 )svg";
 
 TEST(SvgImport, FilesOfVersion1ReadAsTheyDid) {
-  const ImportedDrawing back = imported(kVersion1);
+  const Imported back = imported(kVersion1);
   EXPECT_TRUE(back.report.empty()) << notice_lines(back);
-  ASSERT_EQ(back.drawing.layers.size(), 1U);
+  ASSERT_EQ(back.drawing.document.layers().size(), 1U);
   StrokeData open, ring;
   open.points = {
       {1.1, 2.2}, {3.123456789012345, 2.2}, {5.5, 2.2}, {7.75, 2.2}, {9.1, 2.2}, {11.7, 5.3},
@@ -275,8 +279,8 @@ TEST(SvgImport, FilesOfVersion1ReadAsTheyDid) {
   ring.closed = true;
   ring.widths = {{0, 0.8, 0.25}, {1.5, 0.9, 0.5}, {2, 0.8, 1}};
   ring.color = {0xa0, 0, 0, 0x80};
-  EXPECT_EQ(back.drawing.layers[0].strokes,
-            (Sketch{{"a", Stroke::create(open).value()}, {"b <&>", Stroke::create(ring).value()}}));
+  EXPECT_EQ(testing::strokes_in(back.drawing.document),
+            (std::vector<Stroke>{Stroke::create(open).value(), Stroke::create(ring).value()}));
 }
 
 }  // namespace

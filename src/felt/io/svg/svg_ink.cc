@@ -77,47 +77,50 @@ void SvgInk::say(const SvgShape& shape, std::string what) {
 }
 
 void SvgInk::notice(std::int64_t line, std::string element, std::string what) {
-  imported_.report.add(line, svg_clean_name(element), std::move(what));
+  report_.add(line, svg_clean_name(element), std::move(what));
 }
 
 void SvgInk::root(const SvgRoot& root) {
   is_ours_ = root.is_ours;
   has_page_attribute_ = !root.page.empty();
+  Drawing& drawing = builder_.drawing();
   for (const std::string_view text : root.materials) {
-    if (add_material_text(imported_.drawing.materials, text)) continue;
+    if (add_material_text(drawing.materials, text)) continue;
     notice(0, "svg", "carries a material that is none or too long; it was left out");
   }
+  const auto set_page = [&drawing](const std::optional<SheetPage>& page) {
+    drawing.has_page = page.has_value();
+    drawing.page = page.value_or(SheetPage{});
+  };
   if (root.is_ours && has_page_attribute_) {
-    imported_.drawing.page = written_page(root.page);
-    std::optional<SheetPage>& page = imported_.drawing.page;
-    (page ? page->surface : imported_.drawing.surface) = root.surface;
+    set_page(written_page(root.page));
+    drawing.page.surface = root.surface;
     return;
   }
   if (!root.begins_at_zero || !root.width_mm || !root.height_mm) return;
-  imported_.drawing.page = page_of(*root.width_mm, *root.height_mm);
-  if (!imported_.drawing.page) {
+  set_page(page_of(*root.width_mm, *root.height_mm));
+  if (!drawing.has_page) {
     notice(0, "svg", "has a page of a size that sheets cannot have, which was ignored");
   } else if (is_ours_) {
-    imported_.drawing.page->paper = {0, 0, 0, 0};
+    drawing.page.paper = {0, 0, 0, 0};
   }
 }
 
 void SvgInk::paper(Rgba color) {
-  if (imported_.drawing.page && !has_page_attribute_) imported_.drawing.page->paper = color;
+  Drawing& drawing = builder_.drawing();
+  if (drawing.has_page && !has_page_attribute_) drawing.page.paper = color;
 }
 
 void SvgInk::layer(const SvgLayer& layer) {
-  std::vector<SketchLayer>& layers = imported_.drawing.layers;
-  if (layers.size() >= limits::kMaxSvgLayers) {
+  if (builder_.layer_count() >= limits::kMaxSvgLayers) {
     return notice(0, "svg", "has more than 10000 layers; the others joined the last");
   }
   std::string name = layer.number == 0 ? kLayerName : svg_clean_name(layer.label);
-  layers.push_back({std::move(name), layer.visible, layer.locked, {}});
+  builder_.add_layer({std::move(name), layer.visible, layer.locked});
 }
 
 void SvgInk::shape(SvgShape shape) {
-  ++number_;
-  part_ = 0;
+  has_part_ = false;
   const bool lowest = std::exchange(may_be_paper_, false);
   if (lowest && take_as_paper(shape)) return;
   if (outside_frame(shape)) return;
@@ -129,12 +132,13 @@ void SvgInk::shape(SvgShape shape) {
 bool SvgInk::take_as_paper(const SvgShape& shape) {
   const bool is_plain =
       shape.element == "rect" && shape.fill && !shape.line && !shape.is_cut && !is_ours_;
-  if (!is_plain || !imported_.drawing.page) return false;
-  const Rect box = bounds_mm(shape), page = imported_.drawing.page->area();
+  Drawing& drawing = builder_.drawing();
+  if (!is_plain || !drawing.has_page) return false;
+  const Rect box = bounds_mm(shape), page = drawing.page.area();
   const double off = std::max({std::fabs(box.x0 - page.x0), std::fabs(box.y0 - page.y0),
                                std::fabs(box.x1 - page.x1), std::fabs(box.y1 - page.y1)});
   if (!(off <= 0.01)) return false;
-  imported_.drawing.page->paper = shape.fill->color;
+  drawing.page.paper = shape.fill->color;
   say(shape, "fills the page and was taken as the paper");
   return true;
 }
@@ -162,7 +166,6 @@ bool SvgInk::add_wide(const SvgShape& shape) {
   }
   if (shape.variable_width->is_ours) {
     wide->data.color = shape.variable_width->color;
-    wide->id = svg_clean_name(wide->id);
     wide->data.material = svg_clean_name(wide->data.material);
   } else {
     wide->data.material = kSolidMedium;
@@ -170,7 +173,7 @@ bool SvgInk::add_wide(const SvgShape& shape) {
     wide->id.clear();
   }
   for (std::string& what : wide->notices) say(shape, std::move(what));
-  push(shape, std::move(wide->data), std::move(wide->id));
+  push(shape, std::move(wide->data), wide->id);
   return true;
 }
 
@@ -311,22 +314,19 @@ void SvgInk::add_part(const SvgShape& shape, SvgContour moved, Rgba color, doubl
   push(shape, std::move(data), {});
 }
 
-void SvgInk::push(const SvgShape& shape, StrokeData data, std::string id) {
+void SvgInk::push(const SvgShape& shape, StrokeData data, std::string_view name) {
   Result<Stroke> stroke = Stroke::create(std::move(data));
   if (!stroke) return say(shape, "makes no stroke and was left out: " + stroke.error().message);
   if (is_far(stroke->bounds())) return say(shape, kFar);
   const bool is_ours = shape.variable_width && shape.variable_width->is_ours;
-  if (id.empty() && !is_ours) {
-    id = shape.id.empty() ? std::string(shape.element) + std::to_string(number_)
-                          : svg_clean_name(shape.id);
-    if (++part_ > 1) id += "-" + std::to_string(part_);
-  }
-  if (imported_.drawing.layers.empty()) layer({});
-  imported_.drawing.layers.back().strokes.push_back({std::move(id), *std::move(stroke)});
+  // Of several strokes that become of one shape, the first has its name.
+  if (name.empty() && !is_ours && !std::exchange(has_part_, true)) name = shape.id;
+  if (builder_.layer_count() == 0) layer({});
+  builder_.add(builder_.layer_count() - 1, *std::move(stroke), name);
 }
 
-ImportedDrawing SvgInk::take() {
-  return std::move(imported_);
+Imported SvgInk::take() {
+  return {std::move(builder_).build(), std::move(report_)};
 }
 
 std::string svg_clean_name(std::string_view text) {

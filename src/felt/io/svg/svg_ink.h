@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include "felt/io/drawing_builder.h"
 #include "felt/io/import.h"
 #include "felt/io/svg/svg_limits.h"
 #include "felt/io/svg/svg_scene.h"
@@ -24,7 +25,8 @@ class SvgInk final : public SvgSceneSink {
   void paper(Rgba color) override;
   void notice(std::int64_t line, std::string element, std::string what) override;
 
-  ImportedDrawing take();
+  /// Returns the drawing and the report. Call it once.
+  Imported take();
 
  private:
   void say(const SvgShape& shape, std::string what);
@@ -36,12 +38,12 @@ class SvgInk final : public SvgSceneSink {
   void add_contour(const SvgShape& shape, SvgContour contour, Rgba color, double width);
   void add_part(const SvgShape& shape, SvgContour moved, Rgba color, double width);
   void notice_ends(const SvgShape& shape);
-  void push(const SvgShape& shape, StrokeData data, std::string id);
+  void push(const SvgShape& shape, StrokeData data, std::string_view name);
 
-  ImportedDrawing imported_;
+  DrawingBuilder builder_;
+  ImportReport report_;
   std::size_t dashes_left_ = limits::kMaxSvgDashes;
-  std::size_t number_ = 0;  ///< of the shape
-  std::size_t part_ = 0;    ///< strokes of the shape so far
+  bool has_part_ = false;  ///< there is a stroke of the shape already
   bool is_ours_ = false;
   bool has_page_attribute_ = false;
   bool may_be_paper_ = true;  ///< only what lies below everything else

@@ -7,6 +7,7 @@
 #include "felt/io/svg/svg_import.h"
 #include "felt/io/svg/svg_limits.h"
 #include "felt/io/svg/svg_variables.h"
+#include "felt/io/testing/test_drawings.h"
 
 namespace felt {
 namespace {
@@ -19,22 +20,20 @@ constexpr const char* kRound = " stroke-linecap='round' stroke-linejoin='round' 
 
 /// What became of a document whose user unit is a millimetre.
 struct ReadBack {
-  Sketch strokes;
+  std::vector<Stroke> strokes;
   std::string notices;
   std::optional<SheetPage> page;
   explicit ReadBack(const std::string& inside, const std::string& before = {},
                     const std::string& behind = {}) {
-    Result<ImportedDrawing> result =
+    Result<Imported> result =
         import_svg(before +
                    "<svg xmlns='http://www.w3.org/2000/svg' width='100mm' height='80mm' "
                    "viewBox='0 0 100 80'>\n" +
                    inside + "</svg>" + behind);
     EXPECT_TRUE(result) << result.error().message;
     if (!result) return;
-    page = result->drawing.page;
-    for (const SketchLayer& layer : result->drawing.layers) {
-      strokes.insert(strokes.end(), layer.strokes.begin(), layer.strokes.end());
-    }
+    if (result->drawing.has_page) page = result->drawing.page;
+    strokes = testing::strokes_in(result->drawing.document);
     for (const ImportNotice& n : result->report.notices()) notices += notice_text(n) + "\n";
   }
 };
@@ -47,7 +46,7 @@ Rgba color_of(const std::string& color) {
   const ReadBack read(line("style='stroke:" + color + "'"));
   EXPECT_THAT(read.notices, IsEmpty()) << color;
   EXPECT_EQ(read.strokes.size(), 1U) << color;
-  return read.strokes.empty() ? Rgba{} : read.strokes[0].stroke.color();
+  return read.strokes.empty() ? Rgba{} : read.strokes[0].color();
 }
 
 void expect_near(Rgba a, Rgba b, int most) {
@@ -77,12 +76,12 @@ TEST(SvgLosses, ColoursOfCss4) {
 TEST(SvgLosses, AColourThatIsNotReadBecomesBlackAndIsTold) {
   const ReadBack read(line("stroke='rgb(from red r g b)'"));
   ASSERT_EQ(read.strokes.size(), 1U);
-  EXPECT_EQ(read.strokes[0].stroke.color(), kBlack);
+  EXPECT_EQ(read.strokes[0].color(), kBlack);
   EXPECT_THAT(read.notices, HasSubstr("has a stroke that is not read, and became black"));
   // An older form before it is what CSS means it for.
   const ReadBack older(line("style='stroke:red;stroke:rgb(from blue r g b)'"));
   ASSERT_EQ(older.strokes.size(), 1U);
-  EXPECT_EQ(older.strokes[0].stroke.color(), kRed);
+  EXPECT_EQ(older.strokes[0].color(), kRed);
   EXPECT_THAT(older.notices, IsEmpty());
 }
 
@@ -93,15 +92,15 @@ TEST(SvgLosses, Variables) {
        {"var(--ink)", "var(--none, red)", "var(--none, var(--ink))", "var(--twice)"}) {
     const ReadBack read(sheet + line(std::string("stroke='") + red + "'"));
     ASSERT_EQ(read.strokes.size(), 1U) << red;
-    EXPECT_EQ(read.strokes[0].stroke.color(), kRed) << red;
+    EXPECT_EQ(read.strokes[0].color(), kRed) << red;
     EXPECT_THAT(read.notices, IsEmpty());
   }
   const ReadBack inner(sheet + "<g class='b'>" + line("stroke='var(--ink)'") + "</g>" +
                        line("stroke='var(--ink)' stroke-width='var(--w,5)'"));
   ASSERT_EQ(inner.strokes.size(), 2U);
-  EXPECT_EQ(inner.strokes[0].stroke.color(), (Rgba{0, 0, 255, 255}));
-  EXPECT_EQ(inner.strokes[1].stroke.color(), kRed);
-  EXPECT_EQ(inner.strokes[1].stroke.width_mm(0.0), 4.0);
+  EXPECT_EQ(inner.strokes[0].color(), (Rgba{0, 0, 255, 255}));
+  EXPECT_EQ(inner.strokes[1].color(), kRed);
+  EXPECT_EQ(inner.strokes[1].width_mm(0.0), 4.0);
   const ReadBack unknown(line("stroke='var(--none)'"));
   ASSERT_EQ(unknown.strokes.size(), 1U);
   EXPECT_THAT(unknown.notices, HasSubstr("has a stroke that is not read, and became black"));
@@ -143,7 +142,7 @@ TEST(SvgLosses, WidthsThatAreCalculatedOrNotRead) {
   const auto width = [](const char* text) {
     return ReadBack(line(std::string("stroke='red' stroke-width='") + text + "'"))
         .strokes.at(0)
-        .stroke.width_mm(0.0);
+        .width_mm(0.0);
   };
   EXPECT_DOUBLE_EQ(width("calc(1px + 2*(3 - 1))"), 5.0);
   EXPECT_DOUBLE_EQ(width("calc(10px / 4)"), 2.5);
@@ -165,9 +164,9 @@ TEST(SvgLosses, SizesAndPathsInCss) {
       "#p{d:path('M1 1L9 1')}</style><rect stroke='red' fill='none'/><circle "
       "stroke='red' fill='none'/><path id='p' stroke='red' fill='none'/>");
   ASSERT_EQ(read.strokes.size(), 3U);
-  EXPECT_NEAR(read.strokes[0].stroke.bounds().width(), 51.0, 1e-6);
-  EXPECT_NEAR(read.strokes[1].stroke.bounds().x0, 9.5, 1e-3);
-  EXPECT_NEAR(read.strokes[2].stroke.bounds().width(), 9.0, 1e-6);
+  EXPECT_NEAR(read.strokes[0].bounds().width(), 51.0, 1e-6);
+  EXPECT_NEAR(read.strokes[1].bounds().x0, 9.5, 1e-3);
+  EXPECT_NEAR(read.strokes[2].bounds().width(), 9.0, 1e-6);
 }
 
 TEST(SvgLosses, TransformsAsProperties) {
@@ -175,7 +174,7 @@ TEST(SvgLosses, TransformsAsProperties) {
                       line("stroke='red'") + "</g>");
   ASSERT_EQ(read.strokes.size(), 1U);
   // (10, 10) is scaled to (20, 20), turned to (-20, 20), moved to (-10, 40).
-  const Point begin = read.strokes[0].stroke.position(0.0);
+  const Point begin = read.strokes[0].position(0.0);
   EXPECT_NEAR(begin.x, -10.0, 1e-9);
   EXPECT_NEAR(begin.y, 40.0, 1e-9);
   EXPECT_THAT(read.notices, IsEmpty());
@@ -189,7 +188,7 @@ TEST(SvgLosses, PathLengthAndLinesThatAreNotScaled) {
       "<g transform='scale(10)'><path d='M1 1h5' stroke='red' fill='none' "
       "stroke-width='4' vector-effect='non-scaling-stroke'/></g>");
   ASSERT_EQ(thin.strokes.size(), 1U);
-  EXPECT_NEAR(thin.strokes[0].stroke.width_mm(0.0), 4.0 * 25.4 / 96.0, 1e-9);
+  EXPECT_NEAR(thin.strokes[0].width_mm(0.0), 4.0 * 25.4 / 96.0, 1e-9);
 }
 
 TEST(SvgLosses, FlatDashesStayAsLongAsTheyAre) {
@@ -199,7 +198,7 @@ TEST(SvgLosses, FlatDashesStayAsLongAsTheyAre) {
       "stroke-dasharray='10 5'/>");
   ASSERT_EQ(read.strokes.size(), 7U);
   for (std::size_t i = 0; i < 6; ++i) {
-    const Rect seen = read.strokes[i].stroke.bounds();
+    const Rect seen = read.strokes[i].bounds();
     EXPECT_NEAR(seen.x0, 15.0 * static_cast<double>(i), 1e-6) << i;
     EXPECT_NEAR(seen.width(), 10.0, 1e-6) << i;
   }
@@ -216,7 +215,7 @@ TEST(SvgLosses, AGradientIsItsMeanColour) {
                         line("stroke='url(#g)'"));
     EXPECT_THAT(read.notices, HasSubstr("mean colour of its stops"));
     EXPECT_EQ(read.strokes.size(), 1U);
-    return read.strokes.empty() ? Rgba{} : read.strokes[0].stroke.color();
+    return read.strokes.empty() ? Rgba{} : read.strokes[0].color();
   };
   expect_near(color("<stop offset='0' stop-color='white'/><stop offset='1'/>"),
               {128, 128, 128, 255}, 1);
@@ -252,7 +251,7 @@ TEST(SvgLosses, WhatIsLeftOutIsTold) {
   EXPECT_THAT(ReadBack("<g style='zoom:2'>" + red + "</g>").notices, HasSubstr("has a zoom"));
   EXPECT_THAT(ReadBack("<solidColor id='s' solid-color='red'/>" + line("stroke='url(#s)'"))
                   .strokes.at(0)
-                  .stroke.color(),
+                  .color(),
               kRed);
 }
 
@@ -271,8 +270,8 @@ TEST(SvgLosses, APathThatIsTooLongForAStrokeBecomesSeveral) {
   }
   const ReadBack read("<path stroke='red' fill='none' d='" + d + "'/>");
   ASSERT_EQ(read.strokes.size(), 2U);
-  const Stroke& first = read.strokes[0].stroke;
-  EXPECT_EQ(first.position(first.segment_count()), read.strokes[1].stroke.position(0.0));
+  const Stroke& first = read.strokes[0];
+  EXPECT_EQ(first.position(first.segment_count()), read.strokes[1].position(0.0));
   EXPECT_THAT(read.notices, HasSubstr("became several strokes"));
 }
 

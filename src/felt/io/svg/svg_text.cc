@@ -357,7 +357,7 @@ Result<void> append_svg_stroke(std::string& out, std::string_view id, const Stro
 
 namespace {
 
-std::string page_text(const std::optional<SheetPage>& page) {
+std::string page_text(const SheetPage* page) {
   if (!page) return "none";
   std::string text;
   append_number(text, page->width_mm);
@@ -374,17 +374,16 @@ std::string page_text(const std::optional<SheetPage>& page) {
 
 }  // namespace
 
-Result<std::string> svg_model_text(const DrawingView& drawing) {
-  std::string out = "felt:page=\"" + page_text(drawing.page) + "\" ";
+Result<std::string> svg_model_text(const Drawing& drawing, const SheetPage* page) {
+  std::string out = "felt:page=\"" + page_text(page) + "\" ";
   const auto attribute = [&out](const std::string& name, std::string_view text) {
     out += "felt:" + name + "=\"";
     auto ok = append_xml_attribute(out, text);
     out += "\" ";
     return ok ? ok : tl::unexpected(with_context(ok.error(), "the drawing's " + name));
   };
-  const std::string& surface = drawing.page ? drawing.page->surface : drawing.surface;
-  if (!surface.empty()) {
-    if (auto ok = attribute("surface", surface); !ok) {
+  if (!drawing.page.surface.empty()) {
+    if (auto ok = attribute("surface", drawing.page.surface); !ok) {
       return tl::unexpected(ok.error());
     }
   }
@@ -396,7 +395,7 @@ Result<std::string> svg_model_text(const DrawingView& drawing) {
   return out;
 }
 
-Result<void> append_svg_layer_begin(std::string& out, const LayerView& layer, std::size_t number) {
+Result<void> append_svg_layer_begin(std::string& out, const Layer& layer, std::size_t number) {
   std::string label;
   if (auto ok = append_xml_attribute(label, layer.name); !ok) return ok;
   out += "<g id=\"layer" + std::to_string(number) +

@@ -5,10 +5,10 @@
 #include <string_view>
 
 #include "felt/base/result.h"
+#include "felt/document/drawing.h"
 #include "felt/geometry/rect.h"
-#include "felt/io/drawing_view.h"
 #include "felt/stroke/outline/outline_path.h"
-#include "felt/stroke/sketch.h"
+#include "felt/stroke/stroke.h"
 
 namespace felt {
 
@@ -44,14 +44,14 @@ inline constexpr double kSvgWidthGuess = 1.0;
 /// page the model has, as svg_model_text gives it.
 void append_svg_head(std::string& out, const Rect& area, Rgba paper, std::string_view model = {});
 
-/// What the root says of a drawing: attributes with its page ("297 210 #ffffffff", or "none"), its
-/// surface and its materials where it has any, each with a blank behind. Error: a surface or text
-/// that XML cannot hold.
-Result<std::string> svg_model_text(const DrawingView& drawing);
+/// The attributes of the root that describe a drawing: `page` ("297 210 #ffffffff", or "none" if it
+/// is null), its surface and its materials if it has any, each followed by a blank. Error: a
+/// surface or text that XML cannot hold.
+Result<std::string> svg_model_text(const Drawing& drawing, const SheetPage* page);
 
 /// Start of a layer, as Inkscape has them; `number` makes its element id unique. Nothing is
 /// appended on error: a name that XML cannot hold.
-Result<void> append_svg_layer_begin(std::string& out, const LayerView& layer, std::size_t number);
+Result<void> append_svg_layer_begin(std::string& out, const Layer& layer, std::size_t number);
 
 /// Start of strokes that are in no layer.
 void append_svg_group_begin(std::string& out);

@@ -6,7 +6,7 @@
 #include "felt/base/result.h"
 #include "felt/geometry/affine.h"
 #include "felt/io/svg/svg_scene.h"
-#include "felt/stroke/sketch.h"
+#include "felt/stroke/stroke.h"
 
 namespace felt {
 

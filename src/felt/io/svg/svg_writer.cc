@@ -1,69 +1,27 @@
 #include "felt/io/svg/svg_writer.h"
 
-#include <cmath>
 #include <utility>
 
 #include "felt/io/svg/svg_text.h"
 
 namespace felt {
 
-SvgWriter::SvgWriter(AtomicFile file, const SvgOptions& options)
-    : file_(std::move(file)), options_(options) {}
-
-Result<SvgWriter> SvgWriter::create(const std::string& path, const SvgOptions& options) {
-  if (!(options.tolerance_mm > 0.0) || !(options.margin_mm >= 0.0) ||
-      (options.sheet && options.sheet->empty())) {
-    return fail(ErrorCode::kInvalidArgument,
-                "SVG: the tolerance must be above 0, the margin 0 or more, the sheet not empty");
-  }
-  auto file = AtomicFile::create(path);
-  if (!file) return tl::unexpected<Error>(std::move(file.error()));
-  SvgWriter writer(*std::move(file), options);
-  append_svg_head(writer.text_, picture_area({}, options.sheet, options.margin_mm), options.paper);
-  append_svg_group_begin(writer.text_);
-  return writer;
-}
-
-Result<void> SvgWriter::add(const SketchStroke& stroke) {
-  if (auto ok =
-          append_svg_stroke(text_, stroke.id, stroke.stroke, count_ + 1, options_.tolerance_mm);
-      !ok) {
-    return tl::unexpected<Error>(with_context(ok.error(), "stroke " + std::to_string(count_ + 1)));
-  }
-  ++count_;
-  return add_text({}, stroke.stroke.bounds());
-}
-
-Result<void> SvgWriter::add_text(std::string_view strokes, const Rect& ink) {
-  text_ += strokes;
-  ink_.extend(ink);
-  auto done = file_.write(text_);
-  text_.clear();
-  return done;
-}
-
-Result<void> SvgWriter::finish() {
-  append_svg_group_end(text_);
-  append_svg_tail(text_);
-  if (auto ok = file_.write(text_); !ok) return ok;
-  std::string head;
-  append_svg_head(head, picture_area(ink_, options_.sheet, options_.margin_mm), options_.paper);
-  if (auto ok = file_.overwrite(0, head); !ok) return ok;
-  return file_.commit();
-}
-
 namespace {
+
+constexpr Rgba kNoPaper{255, 255, 255, 0};
+
+enum class SvgLayers { kWritten, kLeftOut };
 
 /// Part 0 is the head; then the strokes, the layers' tags with the first and the last of each.
 class SvgParts final : public DrawingParts {
  public:
-  SvgParts(DrawingView drawing, const SvgOptions& options, const Rect& area, std::string head,
-           bool layered)
-      : drawing_(std::move(drawing)),
-        ranges_(stroke_ranges(drawing_)),
+  SvgParts(const Document& document, const SvgOptions& options, const Rect& area, std::string head,
+           SvgLayers layers)
+      : document_(document),
+        ranges_(stroke_ranges(document, LayerChoice::kAll)),
         tolerance_mm_(options.tolerance_mm),
         head_(std::move(head)),
-        is_layered_(layered) {
+        layers_(layers) {
     if (options.grain) masks_.emplace(*options.grain, area);
   }
 
@@ -79,7 +37,7 @@ class SvgParts final : public DrawingParts {
     }
     const StrokeRange& range = ranges_[i - 1];
     auto ok = append(out.bytes, range);
-    if (ok || !is_layered_) return ok;
+    if (ok || layers_ == SvgLayers::kLeftOut) return ok;
     return tl::unexpected(with_context(ok.error(), "layer " + std::to_string(range.layer + 1)));
   }
 
@@ -91,79 +49,75 @@ class SvgParts final : public DrawingParts {
 
  private:
   Result<void> append(std::string& text, const StrokeRange& range) const {
-    const LayerView& layer = drawing_.layers[range.layer];
+    const Layer& layer = document_.layers()[range.layer];
     if (range.first == 0) {
       if (auto ok = begin(text, layer, range.layer + 1); !ok) return ok;
     }
     for (std::size_t i = range.first; i < range.last; ++i) {
       const std::size_t number = range.before + (i - range.first) + 1;
-      if (auto ok = append_stroke(text, layer, i, number); !ok) {
+      if (auto ok = append_stroke(text, layer.strokes[i], number); !ok) {
         return tl::unexpected(with_context(ok.error(), "stroke " + std::to_string(number)));
       }
     }
-    if (range.last == layer.count) append_svg_group_end(text);
+    if (range.last == layer.strokes.size()) append_svg_group_end(text);
     return {};
   }
 
-  Result<void> begin(std::string& text, const LayerView& layer, std::size_t number) const {
-    if (is_layered_) return append_svg_layer_begin(text, layer, number);
+  Result<void> begin(std::string& text, const Layer& layer, std::size_t number) const {
+    if (layers_ == SvgLayers::kWritten) return append_svg_layer_begin(text, layer, number);
     append_svg_group_begin(text);
     return {};
   }
 
-  Result<void> append_stroke(std::string& text, const LayerView& layer, std::size_t i,
-                             std::size_t number) const {
-    const Stroke& stroke = layer.stroke(i);
-    if (!masks_) return append_svg_stroke(text, layer.id(i), stroke, number, tolerance_mm_);
-    const Result<std::optional<GrainMask>> mask = masks_->of(stroke);
+  Result<void> append_stroke(std::string& text, StrokeId id, std::size_t number) const {
+    const StrokePtr stroke = document_.find(id);
+    if (!masks_) return append_svg_stroke(text, stroke_name(id), *stroke, number, tolerance_mm_);
+    const Result<std::optional<GrainMask>> mask = masks_->of(*stroke);
     if (!mask) return tl::unexpected(mask.error());
-    return append_svg_stroke(text, layer.id(i), stroke, number, tolerance_mm_,
+    return append_svg_stroke(text, stroke_name(id), *stroke, number, tolerance_mm_,
                              *mask ? &**mask : nullptr);
   }
 
-  DrawingView drawing_;
+  const Document& document_;
   std::vector<StrokeRange> ranges_;
   double tolerance_mm_;
   std::string head_;
-  bool is_layered_;
+  SvgLayers layers_;
   mutable std::optional<GrainMasks> masks_;  // of one thread: any_order()
 };
 
 }  // namespace
 
-Result<std::unique_ptr<DrawingParts>> svg_parts(DrawingView drawing, const SvgOptions& options) {
-  const std::optional<SheetPage> page = drawing.page;
-  const Result<std::string> model = svg_model_text(drawing);
+Result<std::unique_ptr<DrawingParts>> svg_parts(const Drawing& drawing, const SvgOptions& options) {
+  std::optional<SheetPage> page;
+  if (drawing.has_page && !options.sheet) {
+    page = drawing.page;
+    page->paper = options.paper.value_or(page->paper);
+  }
+  const Result<std::string> model = svg_model_text(drawing, page ? &*page : nullptr);
   if (!model) return tl::unexpected(model.error());
-  const Rect area =
-      page ? page->area() : picture_area(drawing.ink(), options.sheet, options.margin_mm);
+  const Rect area = page ? page->area()
+                         : picture_area(ink_bounds(drawing.document, LayerChoice::kAll),
+                                        options.sheet, options.margin_mm);
   std::string head;
-  append_svg_head(head, area, page ? page->paper : options.paper, *model);
-  return std::make_unique<SvgParts>(std::move(drawing), options, area, std::move(head), true);
+  append_svg_head(head, area, page ? page->paper : options.paper.value_or(kNoPaper), *model);
+  return std::make_unique<SvgParts>(drawing.document, options, area, std::move(head),
+                                    SvgLayers::kWritten);
 }
 
-Result<std::string> svg_text(const Sketch& sketch, const SvgOptions& options) {
-  DrawingView drawing = view_of(sketch);
-  const Rect area = picture_area(drawing.ink(), options.sheet, options.margin_mm);
-  std::string head;
-  append_svg_head(head, area, options.paper);
-  SvgParts parts(std::move(drawing), options, area, std::move(head), false);
-  return bytes_of(parts);
-}
-
-Result<std::string> svg_text(const LayeredSketch& drawing, const SvgOptions& options) {
-  const Result<std::unique_ptr<DrawingParts>> parts = svg_parts(view_of(drawing), options);
+Result<std::string> svg_text(const Drawing& drawing, const SvgOptions& options) {
+  const Result<std::unique_ptr<DrawingParts>> parts = svg_parts(drawing, options);
   if (!parts) return tl::unexpected(parts.error());
   return bytes_of(**parts);
 }
 
-Result<void> write_svg(const std::string& path, const Sketch& sketch, const SvgOptions& options) {
-  auto writer = SvgWriter::create(path, options);
-  if (!writer) return tl::unexpected<Error>(std::move(writer.error()));
-  for (const SketchStroke& s : sketch) {
-    if (auto ok = writer->add(s); !ok) return ok;
-  }
-  return writer->finish();
+Result<std::string> svg_ink_text(const Drawing& drawing, const SvgOptions& options) {
+  const Rect area = picture_area(ink_bounds(drawing.document, LayerChoice::kAll), options.sheet,
+                                 options.margin_mm);
+  std::string head;
+  append_svg_head(head, area, options.paper.value_or(kNoPaper));
+  SvgParts parts(drawing.document, options, area, std::move(head), SvgLayers::kLeftOut);
+  return bytes_of(parts);
 }
 
 }  // namespace felt

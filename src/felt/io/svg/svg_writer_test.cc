@@ -13,8 +13,10 @@
 #include <pugixml.hpp>
 #include <sstream>
 
+#include "felt/base/atomic_file.h"
 #include "felt/io/picture/png.h"
 #include "felt/io/svg/svg_text.h"
+#include "felt/io/testing/test_drawings.h"
 #include "felt/render/page.h"
 #include "felt/stroke/testing/ink_oracle.h"
 #include "felt/stroke/testing/random_stroke.h"
@@ -26,17 +28,20 @@ namespace {
 namespace fs = std::filesystem;
 using ::testing::HasSubstr;
 
-Sketch sketch_in_rows(std::uint64_t first, int count) {
-  Sketch sketch;
+std::vector<Stroke> strokes_in_rows(std::uint64_t first, int count) {
+  std::vector<Stroke> strokes;
   for (int i = 0; i < count; ++i) {
     const std::uint64_t seed = first + static_cast<std::uint64_t>(i);
     StrokeData data = testing::RandomStroke(seed).make();
     const int row = i / 4;
     for (Point& p : data.points) p += Vec{30.0 * (i % 4), 30.0 * row};
-    sketch.push_back({"stroke <" + std::to_string(seed) + "> \"&\"\t\n",
-                      Stroke::create(std::move(data)).value()});
+    strokes.push_back(Stroke::create(std::move(data)).value());
   }
-  return sketch;
+  return strokes;
+}
+
+std::string stream_text(const std::vector<Stroke>& strokes, const SvgOptions& options = {}) {
+  return svg_ink_text(testing::drawing_of(strokes), options).value();
 }
 
 /// Two different ways to read it: here the text is taken apart by hand, as docs/formats/svg.md
@@ -133,15 +138,16 @@ pugi::xml_document parsed(const std::string& text) {
 constexpr std::size_t kMostBytesAStroke = 3200;
 
 TEST(SvgWriter, CarriesTheModelExactly) {
-  const Sketch sketch = sketch_in_rows(100, 60);
-  const auto document = parsed(svg_text(sketch, {}).value());
+  const std::vector<Stroke> strokes = strokes_in_rows(100, 60);
+  const auto document = parsed(stream_text(strokes));
   std::size_t i = 0;
   for (const pugi::xml_node path : document.child("svg").child("g").children("path")) {
-    EXPECT_EQ(path.attribute("felt:id").as_string(path.attribute("id").value()), sketch[i].id);
-    EXPECT_EQ(model_of(path), sketch[i].stroke.data()) << i;
+    EXPECT_EQ(path.attribute("felt:id").as_string(path.attribute("id").value()),
+              "s" + std::to_string(i + 1));
+    EXPECT_EQ(model_of(path), strokes[i].data()) << i;
     ++i;
   }
-  EXPECT_EQ(i, sketch.size());
+  EXPECT_EQ(i, strokes.size());
 }
 
 /// The `d` of a path as polygons in mm, curves cut finely. The writer uses relative lines and
@@ -184,27 +190,26 @@ Outline outline_in(const std::string& d) {
 
 /// As other programs see it: the written path, rounded to steps, with lines for flat curves.
 TEST(SvgWriter, R53_TheWrittenPathIsWithinAHundredthOfAMillimetre) {
-  const Sketch sketch = sketch_in_rows(300, 60);
-  const auto document = parsed(svg_text(sketch, {}).value());
+  const std::vector<Stroke> strokes = strokes_in_rows(300, 60);
+  const auto document = parsed(stream_text(strokes));
   std::size_t i = 0;
   for (const pugi::xml_node path : document.child("svg").child("g").children("path")) {
     SCOPED_TRACE(i);
-    testing::expect_outline_is_the_ink(outline_in(path.attribute("d").value()), sketch[i].stroke,
-                                       0.01, i, 400);
+    testing::expect_outline_is_the_ink(outline_in(path.attribute("d").value()), strokes[i], 0.01, i,
+                                       400);
     ++i;
   }
-  EXPECT_EQ(i, sketch.size());
+  EXPECT_EQ(i, strokes.size());
 }
 
 /// 6.6 kB a stroke before there were steps and exact numbers beside them.
 TEST(SvgWriter, R53_AStrokeTakesFewBytes) {
-  const Sketch sketch = sketch_in_rows(100, 60);
-  EXPECT_LE(svg_text(sketch, {})->size() / sketch.size(), kMostBytesAStroke);
+  const std::vector<Stroke> strokes = strokes_in_rows(100, 60);
+  EXPECT_LE(stream_text(strokes).size() / strokes.size(), kMostBytesAStroke);
 }
 
 TEST(SvgWriter, PowerStrokeKnotsAreHalfWidths) {
-  Sketch sketch{{"a", testing::straight_stroke({0, 0}, {10, 0}, 0.3, 1.7)}};
-  const auto document = parsed(svg_text(sketch, {}).value());
+  const auto document = parsed(stream_text({testing::straight_stroke({0, 0}, {10, 0}, 0.3, 1.7)}));
   const pugi::xml_node svg = document.child("svg");
   const pugi::xml_node group = svg.child("g");
   // Inkscape computes the effect to 0.01 user units: smaller units than mm make it fail.
@@ -219,13 +224,13 @@ TEST(SvgWriter, PowerStrokeKnotsAreHalfWidths) {
 }
 
 TEST(SvgWriter, StatesTheAreaInMillimetres) {
-  const Sketch sketch{{"a", testing::straight_stroke({10, 20}, {40, 20}, 1.0, 1.0)}};
-  const auto document = parsed(svg_text(sketch, {.sheet = {}, .margin_mm = 2.0}).value());
+  const auto document = parsed(stream_text({testing::straight_stroke({10, 20}, {40, 20}, 1.0, 1.0)},
+                                           {.sheet = {}, .margin_mm = 2.0}));
   const pugi::xml_node svg = document.child("svg");
   EXPECT_STREQ(svg.attribute("width").value(), "35mm");
   EXPECT_STREQ(svg.attribute("viewBox").value(), "7.5 17.5 35 5");
   const SvgOptions a4{.sheet = Rect{0, 0, 210, 297}};
-  EXPECT_STREQ(parsed(*svg_text(Sketch{}, a4)).child("svg").attribute("viewBox").value(),
+  EXPECT_STREQ(parsed(stream_text({}, a4)).child("svg").attribute("viewBox").value(),
                "0 0 210 297");
 }
 
@@ -233,7 +238,7 @@ TEST(SvgWriter, EveryAlphaComesBack) {
   StrokeData data = testing::straight_stroke({0, 0}, {9, 0}, 1, 1).data();
   for (int a = 0; a < 256; ++a) {
     data.color.a = static_cast<std::uint8_t>(a);
-    const auto document = parsed(svg_text(Sketch{{"a", *Stroke::create(data)}}, {}).value());
+    const auto document = parsed(stream_text({*Stroke::create(data)}));
     EXPECT_EQ(model_of(document.child("svg").child("g").child("path")).color, data.color);
   }
 }
@@ -243,24 +248,33 @@ TEST(SvgWriter, RefusesWhatXmlCannotHold) {
   for (const std::string& id :
        {std::string("a\x01"), std::string("nul\0", 4), std::string("\xff"), std::string("\xc0\x80"),
         std::string("\xed\xa0\x80"), std::string("\xef\xbf\xbe"), std::string("cut \xe2\x82")}) {
-    const auto text = svg_text(Sketch{{"fine", s}, {id, s}}, {});
-    ASSERT_FALSE(text);
-    EXPECT_EQ(text.error().code, ErrorCode::kInvalidData);
-    EXPECT_THAT(text.error().message, HasSubstr("stroke 2"));
+    std::string text = "before";
+    const Result<void> done = append_svg_stroke(text, id, s, 2, 0.005);
+    ASSERT_FALSE(done);
+    EXPECT_EQ(done.error().code, ErrorCode::kInvalidData);
+    EXPECT_EQ(text, "before");
   }
-  EXPECT_TRUE(svg_text(Sketch{{"Skizze \xe2\x9c\x8f \xf0\x9f\x8e\xa8", s}}, {}));
+  const std::string id = "Skizze <\xe2\x9c\x8f> \"&\"\t\n \xf0\x9f\x8e\xa8";
+  std::string text;
+  append_svg_head(text, {0, 0, 9, 9}, {255, 255, 255, 0});
+  EXPECT_EQ(text.size(), kSvgHeadBytes);
+  ASSERT_TRUE(append_svg_stroke(text, id, s, 2, 0.005));
+  append_svg_tail(text);
+  EXPECT_EQ(parsed(text).child("svg").child("path").attribute("felt:id").value(), id);
 }
 
-TEST(SvgWriter, FileAndTextAreTheSame) {
-  const Sketch sketch = sketch_in_rows(7, 12);
-  const std::string path = scratch_path("svg-test.svg");
-  ASSERT_TRUE(write_svg(path, sketch, {}));
-  std::ifstream in(path, std::ios::binary);
-  std::ostringstream text;
-  text << in.rdbuf();
-  EXPECT_EQ(text.str(), *svg_text(sketch, {}));
-  fs::remove(path);
-  EXPECT_EQ(text.str().find(">\n", 50), kSvgHeadBytes - 2);
+TEST(SvgWriter, AStreamOfStrokesIsTheSameText) {
+  const Drawing drawing = testing::drawing_of(strokes_in_rows(7, 12));
+  std::string text;
+  append_svg_head(text, picture_area(ink_bounds(drawing.document), {}, 5.0), {255, 255, 255, 0});
+  append_svg_group_begin(text);
+  for (const StrokeId id : drawing.document.layers()[0].strokes) {
+    ASSERT_TRUE(append_svg_stroke(text, stroke_name(id), *drawing.document.find(id), id.value,
+                                  SvgOptions{}.tolerance_mm));
+  }
+  append_svg_group_end(text);
+  append_svg_tail(text);
+  EXPECT_EQ(text, svg_ink_text(drawing, {}).value());
 }
 
 /// Largest and mean difference of two pictures' channels.
@@ -279,18 +293,21 @@ TEST(SvgWriter, AnotherProgramShowsTheSamePicture) {
   if (std::system("command -v rsvg-convert >/dev/null 2>&1") != 0) {
     GTEST_SKIP() << "rsvg-convert is not installed (package librsvg2-bin)";
   }
-  const Sketch sketch = sketch_in_rows(40, 16);
+  const std::vector<Stroke> strokes = strokes_in_rows(40, 16);
   const SvgOptions options{.sheet = Rect{-10, -10, 130, 130}};
   const std::string svg = scratch_path("svg-view.svg");
   const std::string png = svg + ".png";
-  ASSERT_TRUE(write_svg(svg, sketch, options));
+  const Drawing drawing = testing::drawing_of(strokes);
+  ASSERT_TRUE(write_file(svg, stream_text(strokes, options)));
   ASSERT_EQ(std::system(("rsvg-convert -w 1400 -h 1400 -b white " + svg + " -o " + png).c_str()),
             0);
   std::ifstream in(png, std::ios::binary);
   std::ostringstream bytes;
   bytes << in.rdbuf();
   const Image theirs = decode_png(bytes.str()).value().image;
-  const Image ours = render_page(sketch, {.dpi = 254.0, .sheet = options.sheet}).value();
+  const Image ours =
+      render_page(visible_strokes(drawing.document), {.dpi = 254.0, .sheet = options.sheet})
+          .value();
   ASSERT_EQ(theirs.width(), ours.width());
   ASSERT_EQ(theirs.height(), ours.height());
   const auto [worst, mean] = difference(theirs, ours);

@@ -6,9 +6,10 @@
 #include <string>
 #include <vector>
 
-#include "felt/geometry/vec.h"
+#include "felt/geometry/point.h"
 #include "felt/io/import.h"
-#include "felt/stroke/outline/flatten.h"
+#include "felt/io/testing/test_drawings.h"
+#include "felt/stroke/outline/outline.h"
 
 /// What tests of several readers and writers of ink ask.
 namespace felt::testing {
@@ -20,16 +21,16 @@ inline std::vector<std::string> texts(const ImportReport& report) {
 }
 
 /// Returns all notices, one a line.
-inline std::string notice_lines(const ImportedDrawing& drawing) {
-  std::string lines;
-  for (const std::string& text : texts(drawing.report)) lines += text + "\n";
-  return lines;
+inline std::string notice_lines(const Imported& imported) {
+  std::string text;
+  for (const std::string& line : texts(imported.report)) text += line + "\n";
+  return text;
 }
 
-inline const Stroke& only_stroke(const ImportedDrawing& d) {
-  EXPECT_EQ(d.drawing.layers.size(), 1u);
-  EXPECT_EQ(d.drawing.layers[0].strokes.size(), 1u);
-  return d.drawing.layers[0].strokes[0].stroke;
+inline Stroke only_stroke(const Imported& d) {
+  EXPECT_EQ(d.drawing.document.layers().size(), 1u);
+  EXPECT_EQ(d.drawing.document.stroke_count(), 1u);
+  return strokes_in(d.drawing.document).at(0);
 }
 
 /// Largest distance of the centre line of a from that of b, in mm.

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "felt/io/drawing_builder.h"
 #include "felt/io/ink_of_points.h"
 #include "felt/io/number_list.h"
 #include "felt/io/unpack.h"
@@ -24,30 +25,30 @@ constexpr double kA4WidthPt = 595.27559, kA4HeightPt = 841.88976;
 constexpr double kUsualWidthPt = 1.41;  // the medium pen of Xournal++
 constexpr Rgba kWhite{255, 255, 255, 255};
 
-struct NamedColor {
+struct ColorName {
   std::string_view name;
   Rgba color;
 };
 /// Names of colours in Xournal's files; the last five are of paper.
-constexpr std::array kXoppColors = {NamedColor{"black", {0x00, 0x00, 0x00, 255}},
-                                    NamedColor{"blue", {0x33, 0x33, 0xcc, 255}},
-                                    NamedColor{"red", {0xff, 0x00, 0x00, 255}},
-                                    NamedColor{"green", {0x00, 0x80, 0x00, 255}},
-                                    NamedColor{"gray", {0x80, 0x80, 0x80, 255}},
-                                    NamedColor{"lightblue", {0x00, 0xc0, 0xff, 255}},
-                                    NamedColor{"lightgreen", {0x00, 0xff, 0x00, 255}},
-                                    NamedColor{"magenta", {0xff, 0x00, 0xff, 255}},
-                                    NamedColor{"orange", {0xff, 0x80, 0x00, 255}},
-                                    NamedColor{"yellow", {0xff, 0xff, 0x00, 255}},
-                                    NamedColor{"white", {0xff, 0xff, 0xff, 255}},
-                                    NamedColor{"pink", {0xff, 0xc0, 0xd4, 255}}};
+constexpr std::array kXoppColors = {ColorName{"black", {0x00, 0x00, 0x00, 255}},
+                                    ColorName{"blue", {0x33, 0x33, 0xcc, 255}},
+                                    ColorName{"red", {0xff, 0x00, 0x00, 255}},
+                                    ColorName{"green", {0x00, 0x80, 0x00, 255}},
+                                    ColorName{"gray", {0x80, 0x80, 0x80, 255}},
+                                    ColorName{"lightblue", {0x00, 0xc0, 0xff, 255}},
+                                    ColorName{"lightgreen", {0x00, 0xff, 0x00, 255}},
+                                    ColorName{"magenta", {0xff, 0x00, 0xff, 255}},
+                                    ColorName{"orange", {0xff, 0x80, 0x00, 255}},
+                                    ColorName{"yellow", {0xff, 0xff, 0x00, 255}},
+                                    ColorName{"white", {0xff, 0xff, 0xff, 255}},
+                                    ColorName{"pink", {0xff, 0xc0, 0xd4, 255}}};
 constexpr std::array kPaperColors = {
-    NamedColor{"blue", {0xa0, 0xe8, 0xff, 255}}, NamedColor{"green", {0x80, 0xff, 0xc0, 255}},
-    NamedColor{"orange", {0xff, 0xc0, 0x80, 255}}, NamedColor{"yellow", {0xff, 0xff, 0x80, 255}}};
+    ColorName{"blue", {0xa0, 0xe8, 0xff, 255}}, ColorName{"green", {0x80, 0xff, 0xc0, 255}},
+    ColorName{"orange", {0xff, 0xc0, 0x80, 255}}, ColorName{"yellow", {0xff, 0xff, 0x80, 255}}};
 constexpr std::uint8_t kHighlighterAlpha = 0x7f;
 
 template <std::size_t n>
-std::optional<Rgba> named_color(const std::array<NamedColor, n>& names, std::string_view name) {
+std::optional<Rgba> named_color(const std::array<ColorName, n>& names, std::string_view name) {
   const auto found =
       std::find_if(names.begin(), names.end(), [&](const auto& c) { return c.name == name; });
   return found == names.end() ? std::nullopt : std::optional(found->color);
@@ -58,7 +59,7 @@ class XoppReader {
   XoppReader(const XmlInput& input, const ImportOptions& options)
       : input_(input), ink_(solid_fit(options.fit)) {}
 
-  Result<ImportedDrawing> read() {
+  Result<Imported> read() {
     const pugi::xml_node root = input_.root();
     if (std::string_view(root.name()) != "xournal") {
       return fail(ErrorCode::kInvalidData, "line " + std::to_string(input_.line_of(root)) +
@@ -85,11 +86,8 @@ class XoppReader {
       }
     }
     finish_sheet(root);
-    if (drawing_.layers.empty()) {
-      drawing_.layers.emplace_back();
-      drawing_.layers[0].name = "Layer 1";
-    }
-    return ImportedDrawing{std::move(drawing_), std::move(report_)};
+    if (builder_.layer_count() == 0) builder_.add_layer({});
+    return Imported{std::move(builder_).build(), std::move(report_)};
   }
 
  private:
@@ -149,19 +147,19 @@ class XoppReader {
   }
 
   void read_layer(const pugi::xml_node& node, int number) {
-    SketchLayer layer;
-    layer.name = node.attribute("name").value();
-    if (layer.name.size() > limits::kMaxNameBytes) {
+    std::string label = node.attribute("name").value();
+    if (label.size() > limits::kMaxNameBytes) {
       notice(node, "has a name of more than 4096 bytes, which was left out");
-      layer.name.clear();
+      label.clear();
     }
-    if (layer.name.empty()) layer.name = "Layer " + std::to_string(number);
-    if (several_pages_) layer.name = "Page " + std::to_string(page_number_) + ": " + layer.name;
+    if (label.empty()) label = "Layer " + std::to_string(number);
+    if (several_pages_) label = "Page " + std::to_string(page_number_) + ": " + label;
+    std::vector<Stroke> strokes;
     for (const pugi::xml_node& child : node.children()) {
       if (child.type() != pugi::node_element) continue;
       const std::string_view name = child.name();
       if (name == "stroke") {
-        read_stroke(child, layer.strokes);
+        read_stroke(child, strokes);
       } else if (name == "text" || name == "link") {
         notice(child, "is text, no ink, and was left out");
       } else if (name == "image" || name == "teximage") {
@@ -171,8 +169,9 @@ class XoppReader {
       }
     }
     // A page without ink needs no layer among those of the others.
-    if (several_pages_ && layer.strokes.empty()) return;
-    drawing_.layers.push_back(std::move(layer));
+    if (several_pages_ && strokes.empty()) return;
+    const std::size_t layer = builder_.add_layer({std::move(label)});
+    for (Stroke& stroke : strokes) builder_.add(layer, std::move(stroke));
   }
 
   static std::optional<Rgba> color_of(std::string_view text) {
@@ -180,7 +179,7 @@ class XoppReader {
     return color_from_text(text);
   }
 
-  void read_stroke(const pugi::xml_node& node, Sketch& strokes) {
+  void read_stroke(const pugi::xml_node& node, std::vector<Stroke>& strokes) {
     read_points(node);
     if (line_.empty()) {
       notice(node, "has no points and was left out");
@@ -199,7 +198,7 @@ class XoppReader {
       notice(node, "was left out: " + stroke.error().message);
       return;
     }
-    strokes.push_back({"s" + std::to_string(++stroke_count_), *std::move(stroke)});
+    strokes.push_back(*std::move(stroke));
   }
 
   Rgba stroke_color(const pugi::xml_node& node) {
@@ -302,16 +301,16 @@ class XoppReader {
     if (width_mm_ > SheetPage::kMostMm || bottom_mm_ > SheetPage::kMostMm) {
       notice(root, "is larger than a sheet can be (5000 mm); the rest lies beside it");
     }
-    drawing_.page = sheet;
+    builder_.drawing().page = sheet;
+    builder_.drawing().has_page = true;
   }
 
   const XmlInput& input_;
   InkOfPoints ink_;
-  LayeredSketch drawing_;
+  DrawingBuilder builder_;
   ImportReport report_;
   bool several_pages_ = false;
   int page_number_ = 0;
-  std::int64_t stroke_count_ = 0;
   double top_mm_ = 0.0, bottom_mm_ = 0.0, width_mm_ = 0.0;
   std::optional<Rgba> paper_;
   std::vector<WidePoint> line_;  // buffers of one stroke
@@ -332,7 +331,7 @@ Result<std::string> unpacked(std::string_view bytes) {
 
 }  // namespace
 
-Result<ImportedDrawing> import_xopp(std::string_view bytes, const ImportOptions& options) {
+Result<Imported> import_xopp(std::string_view bytes, const ImportOptions& options) {
   if (bytes.size() > limits::kMaxImportBytes) {
     return fail(ErrorCode::kLimitExceeded, "is larger than 256 MiB");
   }

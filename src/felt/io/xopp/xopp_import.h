@@ -16,6 +16,6 @@ inline constexpr double kPageGapMm = 5.0;
 /// Reads a document of Xournal++ or Xournal: gzip'ed XML, XML as it is, or the zip container.
 /// Pages come below each other, each layer as a layer; docs/formats/xopp.md says what becomes of
 /// what. `bytes` is the whole file. Error: it is no such document, or beyond the limits.
-Result<ImportedDrawing> import_xopp(std::string_view bytes, const ImportOptions& options = {});
+Result<Imported> import_xopp(std::string_view bytes, const ImportOptions& options = {});
 
 }  // namespace felt

@@ -7,6 +7,7 @@
 
 #include "felt/base/read_file.h"
 #include "felt/io/testing/import_checks.h"
+#include "felt/io/testing/test_drawings.h"
 #include "felt/io/unpack.h"
 #include "felt/material/materials.h"
 
@@ -33,33 +34,33 @@ std::string page(const std::string& strokes, const std::string& width = "720") {
                   strokes + "</layer>\n</page>\n");
 }
 
-ImportedDrawing read(const std::string& text) {
-  Result<ImportedDrawing> drawing = import_xopp(text);
+Imported read(const std::string& text) {
+  Result<Imported> drawing = import_xopp(text);
   EXPECT_TRUE(drawing) << (drawing ? "" : drawing.error().message);
   return drawing.value();
 }
 
 TEST(XoppImport, PointsBecomeMillimetres) {
-  const ImportedDrawing d = read(
+  const Imported d = read(
       page("<stroke tool=\"pen\" color=\"#102030ff\" width=\"7.2\">72 144 360 144</stroke>\n"));
   EXPECT_THAT(texts(d.report), IsEmpty());
-  const Stroke& s = only_stroke(d);
+  const Stroke s = only_stroke(d);
   EXPECT_EQ(s.segment_count(), 1);
   EXPECT_NEAR(distance(s.position(0.0), {25.4, 50.8}), 0.0, 1e-9);
   EXPECT_NEAR(distance(s.position(1.0), {127.0, 50.8}), 0.0, 1e-9);
   EXPECT_NEAR(s.width_mm(0.5), 2.54, 1e-9);
   EXPECT_EQ(s.color(), (Rgba{0x10, 0x20, 0x30, 255}));
-  ASSERT_TRUE(d.drawing.page);
-  EXPECT_NEAR(d.drawing.page->width_mm, 254.0, 1e-9);
-  EXPECT_NEAR(d.drawing.page->height_mm, 127.0, 1e-9);
-  EXPECT_EQ(d.drawing.page->paper, (Rgba{255, 255, 255, 255}));
-  EXPECT_EQ(d.drawing.layers[0].name, "Layer 1");
+  ASSERT_TRUE(d.drawing.has_page);
+  EXPECT_NEAR(d.drawing.page.width_mm, 254.0, 1e-9);
+  EXPECT_NEAR(d.drawing.page.height_mm, 127.0, 1e-9);
+  EXPECT_EQ(d.drawing.page.paper, (Rgba{255, 255, 255, 255}));
+  EXPECT_EQ(d.drawing.document.layers()[0].name, "Layer 1");
 }
 
 TEST(XoppImport, WidthsOfPiecesGoThroughTheMiddleOfEachStep) {
-  const ImportedDrawing d = read(page(
+  const Imported d = read(page(
       "<stroke tool=\"pen\" color=\"black\" width=\"9 1 2 3\">0 0 100 0 200 0 300 0</stroke>\n"));
-  const Stroke& s = only_stroke(d);
+  const Stroke s = only_stroke(d);
   ASSERT_EQ(s.segment_count(), 3);
   const double pt = kMmPerPoint;
   EXPECT_NEAR(s.width_mm(0.0), 1.0 * pt, 1e-9);
@@ -74,7 +75,7 @@ TEST(XoppImport, SmallPiecesAreFitted) {
     points +=
         std::to_string(100 + 0.5 * i) + " " + std::to_string(100 + 30 * std::sin(0.03 * i)) + " ";
   }
-  const ImportedDrawing d =
+  const Imported d =
       read(page("<stroke tool=\"pen\" color=\"black\" width=\"1.41\" capStyle=\"round\">" + points +
                 "</stroke>"));
   EXPECT_THAT(texts(d.report), IsEmpty());
@@ -82,7 +83,7 @@ TEST(XoppImport, SmallPiecesAreFitted) {
 }
 
 TEST(XoppImport, ToolsColoursAndStylesThatWeDoNotHaveAreNoticed) {
-  const ImportedDrawing d =
+  const Imported d =
       read(page("<stroke tool=\"highlighter\" color=\"yellow\" width=\"20\">0 0 99 0</stroke>\n"
                 "<stroke tool=\"highlighter\" color=\"#ffa15420\" width=\"20\" capStyle=\"butt\">0 "
                 "0 99 0</stroke>\n"
@@ -90,13 +91,13 @@ TEST(XoppImport, ToolsColoursAndStylesThatWeDoNotHaveAreNoticed) {
                 "<stroke tool=\"pen\" color=\"blue\" width=\"1\" style=\"dash\" fill=\"128\">0 0 "
                 "99 0</stroke>\n"
                 "<stroke tool=\"chalk\" color=\"nocolour\" width=\"1\">0 0 99 0</stroke>\n"));
-  const Sketch& s = d.drawing.layers[0].strokes;
+  const std::vector<Stroke> s = testing::strokes_in(d.drawing.document, 0);
   ASSERT_EQ(s.size(), 5u);
-  EXPECT_EQ(s[0].stroke.color(), (Rgba{255, 255, 0, 0x7f}));
-  EXPECT_EQ(s[1].stroke.color(), (Rgba{0xff, 0xa1, 0x54, 0x20}));
-  EXPECT_EQ(s[2].stroke.color(), (Rgba{255, 255, 255, 255}));
-  EXPECT_EQ(s[3].stroke.color(), (Rgba{0x33, 0x33, 0xcc, 255}));
-  EXPECT_EQ(s[4].stroke.color(), (Rgba{0, 0, 0, 255}));
+  EXPECT_EQ(s[0].color(), (Rgba{255, 255, 0, 0x7f}));
+  EXPECT_EQ(s[1].color(), (Rgba{0xff, 0xa1, 0x54, 0x20}));
+  EXPECT_EQ(s[2].color(), (Rgba{255, 255, 255, 255}));
+  EXPECT_EQ(s[3].color(), (Rgba{0x33, 0x33, 0xcc, 255}));
+  EXPECT_EQ(s[4].color(), (Rgba{0, 0, 0, 255}));
   const auto notes = texts(d.report);
   EXPECT_THAT(notes, Contains("line 7: stroke has round ends now"));
   EXPECT_THAT(notes,
@@ -109,7 +110,7 @@ TEST(XoppImport, ToolsColoursAndStylesThatWeDoNotHaveAreNoticed) {
 }
 
 TEST(XoppImport, WhatIsNoInkIsNamedWithItsLine) {
-  const ImportedDrawing d =
+  const Imported d =
       read(page("<text font=\"Sans\" size=\"12\" x=\"1\" y=\"1\" color=\"#000000ff\">hello</text>\n"
                 "<image left=\"0\" top=\"0\">AAAA</image>\n<teximage text=\"x\"/>\n<wobble/>\n"));
   EXPECT_THAT(
@@ -131,14 +132,15 @@ TEST(XoppImport, PagesLieBelowEachOther) {
     }
     pages += "</page>\n";
   }
-  const ImportedDrawing d = read(document(pages));
-  ASSERT_EQ(d.drawing.layers.size(), 2u);
-  EXPECT_EQ(d.drawing.layers[0].name, "Page 1: top");
-  EXPECT_EQ(d.drawing.layers[1].name, "Page 3: top");
-  EXPECT_NEAR(d.drawing.layers[1].strokes[0].stroke.position(0).y, 2 * (127.0 + kPageGapMm), 1e-9);
-  EXPECT_EQ(d.drawing.layers[1].strokes[0].id, "s2");
-  EXPECT_NEAR(d.drawing.page->height_mm, 3 * 127.0 + 2 * kPageGapMm, 1e-9);
-  EXPECT_EQ(d.drawing.page->paper, (Rgba{0xff, 0xff, 0x80, 255}));
+  const Imported d = read(document(pages));
+  ASSERT_EQ(d.drawing.document.layers().size(), 2u);
+  EXPECT_EQ(d.drawing.document.layers()[0].name, "Page 1: top");
+  EXPECT_EQ(d.drawing.document.layers()[1].name, "Page 3: top");
+  EXPECT_NEAR(testing::strokes_in(d.drawing.document, 1)[0].position(0).y, 2 * (127.0 + kPageGapMm),
+              1e-9);
+  EXPECT_EQ(d.drawing.document.layers()[1].strokes[0].value, 2u);
+  EXPECT_NEAR(d.drawing.page.height_mm, 3 * 127.0 + 2 * kPageGapMm, 1e-9);
+  EXPECT_EQ(d.drawing.page.paper, (Rgba{0xff, 0xff, 0x80, 255}));
   EXPECT_THAT(
       texts(d.report),
       ::testing::ElementsAre(
@@ -148,12 +150,12 @@ TEST(XoppImport, PagesLieBelowEachOther) {
 
 TEST(XoppImport, PagesWithoutInkGiveALayerToDrawOn) {
   const std::string empty = "<page width=\"720\" height=\"360\"><layer/></page>";
-  EXPECT_EQ(read(document(empty + empty)).drawing.layers.size(), 1u);
-  EXPECT_EQ(read(document("")).drawing.layers.size(), 1u);
+  EXPECT_EQ(read(document(empty + empty)).drawing.document.layers().size(), 1u);
+  EXPECT_EQ(read(document("")).drawing.document.layers().size(), 1u);
 }
 
 TEST(XoppImport, DotsAreDabs) {
-  const ImportedDrawing d =
+  const Imported d =
       read(page("<stroke tool=\"pen\" color=\"black\" width=\"2.26\">"
                 "200.2 358 200.2 358</stroke>"));
   EXPECT_NEAR(distance(only_stroke(d).position(0.0), {200.2 * kMmPerPoint, 358 * kMmPerPoint}), 0,
@@ -181,7 +183,7 @@ TEST(XoppImport, BadNumbersAreNoticedAndTheRestIsKept) {
 
 TEST(XoppImport, NumbersAtTheirLimits) {
   const auto count = [](const std::string& x) {
-    const ImportedDrawing d =
+    const Imported d =
         read(page("<stroke tool=\"pen\" color=\"black\" width=\"1\">0 0 " + x + " 0</stroke>"));
     return texts(d.report).size();
   };
@@ -223,9 +225,9 @@ TEST(XoppImport, RealFiles) {
       {"packaged_xopp_stroke_old.xopp", 1}};
   for (const auto& [name, strokes] : files) {
     SCOPED_TRACE(name);
-    const ImportedDrawing d = read(read_file((folder / name).string(), 1 << 20).value());
+    const Imported d = read(read_file((folder / name).string(), 1 << 20).value());
     std::size_t count = 0;
-    for (const SketchLayer& layer : d.drawing.layers) count += layer.strokes.size();
+    for (const Layer& layer : d.drawing.document.layers()) count += layer.strokes.size();
     EXPECT_EQ(count, strokes);
   }
 }

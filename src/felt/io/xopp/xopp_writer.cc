@@ -12,7 +12,7 @@
 #include "felt/io/limits.h"
 #include "felt/io/xml/xml_text.h"
 #include "felt/io/xopp/xopp_import.h"
-#include "felt/stroke/outline/flatten.h"
+#include "felt/stroke/outline/outline.h"
 
 namespace felt {
 namespace {
@@ -72,14 +72,12 @@ class WideLine {
 /// Part 0 is the head; then the strokes, the layers' tags with the first and the last of each.
 class XoppParts final : public DrawingParts {
  public:
-  explicit XoppParts(DrawingView drawing)
-      : drawing_(std::move(drawing)), ranges_(stroke_ranges(drawing_)) {
+  XoppParts(const Drawing& drawing, const std::optional<Rgba>& paper)
+      : document_(drawing.document), ranges_(stroke_ranges(drawing.document, LayerChoice::kAll)) {
     head_ =
         "<?xml version=\"1.0\" standalone=\"no\"?>\n"
         "<xournal creator=\"Feltline\" fileversion=\"4\">\n<title>Feltline drawing</title>\n";
-    begin_page();
-    // A page of Xournal++ has a layer to draw on.
-    if (drawing_.layers.empty()) head_ += "<layer>\n</layer>\n";
+    begin_page(drawing, paper);
   }
 
   [[nodiscard]] std::size_t count() const override { return ranges_.size() + 1; }
@@ -91,7 +89,7 @@ class XoppParts final : public DrawingParts {
       return {};
     }
     const StrokeRange& range = ranges_[i - 1];
-    const LayerView& layer = drawing_.layers[range.layer];
+    const Layer& layer = document_.layers()[range.layer];
     if (range.first == 0) {
       out.bytes += "<layer name=\"";
       if (auto ok = append_xml_attribute(out.bytes, layer.name); !ok) {
@@ -101,25 +99,26 @@ class XoppParts final : public DrawingParts {
     }
     WideLine line;
     for (std::size_t k = range.first; k < range.last; ++k) {
-      const Stroke& stroke = layer.stroke(k);
-      if (auto ok = check(stroke, range.before + (k - range.first) + 1); !ok) return ok;
-      append(out.bytes, stroke.color(), line.sample(stroke));
+      const StrokePtr stroke = document_.find(layer.strokes[k]);
+      if (auto ok = check(*stroke, range.before + (k - range.first) + 1); !ok) return ok;
+      append(out.bytes, stroke->color(), line.sample(*stroke));
     }
-    if (range.last == layer.count) out.bytes += "</layer>\n";
+    if (range.last == layer.strokes.size()) out.bytes += "</layer>\n";
     return {};
   }
 
   std::string tail() override { return "</page>\n</xournal>\n"; }
 
  private:
-  void begin_page() {
+  void begin_page(const Drawing& drawing, const std::optional<Rgba>& wanted_paper) {
     Rgba paper{255, 255, 255, 255};
     Rect area;
-    if (drawing_.page) {
-      area = drawing_.page->area();
-      if (drawing_.page->paper.a > 0) paper = drawing_.page->paper;
+    if (drawing.has_page) {
+      area = drawing.page.area();
+      const Rgba color = wanted_paper.value_or(drawing.page.paper);
+      if (color.a > 0) paper = color;
     } else {
-      area = drawing_.ink();
+      area = ink_bounds(document_, LayerChoice::kAll);
       area = area.empty() ? SheetPage{}.area() : area.inflated(kXoppMarginMm);
     }
     corner_ = {area.x0, area.y0};
@@ -165,7 +164,7 @@ class XoppParts final : public DrawingParts {
     out += "</stroke>\n";
   }
 
-  DrawingView drawing_;
+  const Document& document_;
   std::vector<StrokeRange> ranges_;
   std::string head_;
   Point corner_;
@@ -173,12 +172,13 @@ class XoppParts final : public DrawingParts {
 
 }  // namespace
 
-Result<std::unique_ptr<DrawingParts>> xopp_parts(DrawingView drawing) {
-  return gzip_parts(std::make_unique<XoppParts>(std::move(drawing)));
+Result<std::unique_ptr<DrawingParts>> xopp_parts(const Drawing& drawing,
+                                                 const std::optional<Rgba>& paper) {
+  return gzip_parts(std::make_unique<XoppParts>(drawing, paper));
 }
 
-Result<std::string> xopp_bytes(const LayeredSketch& drawing) {
-  const Result<std::unique_ptr<DrawingParts>> parts = xopp_parts(view_of(drawing));
+Result<std::string> xopp_bytes(const Drawing& drawing) {
+  const Result<std::unique_ptr<DrawingParts>> parts = xopp_parts(drawing);
   if (!parts) return tl::unexpected(parts.error());
   return bytes_of(**parts);
 }

@@ -8,7 +8,7 @@
 #include "felt/io/testing/random_layers.h"
 #include "felt/io/unpack.h"
 #include "felt/io/xopp/xopp_import.h"
-#include "felt/stroke/outline/flatten.h"
+#include "felt/stroke/outline/outline.h"
 
 namespace felt {
 namespace {
@@ -17,16 +17,14 @@ using testing::distance_of;
 
 using ::testing::HasSubstr;
 
-LayeredSketch one(Stroke stroke) {
-  LayeredSketch drawing;
-  drawing.page.emplace();
-  drawing.layers.emplace_back();
-  drawing.layers[0].name = "ink";
-  drawing.layers[0].strokes.push_back({"a", std::move(stroke)});
-  return drawing;
+Drawing one(Stroke stroke, const std::string& layer = "ink") {
+  DrawingBuilder builder;
+  builder.drawing().has_page = true;
+  builder.add(builder.add_layer({layer}), std::move(stroke));
+  return std::move(builder).build();
 }
 
-std::string text_of(const LayeredSketch& drawing) {
+std::string text_of(const Drawing& drawing) {
   return gunzip(xopp_bytes(drawing).value()).value();
 }
 
@@ -40,10 +38,8 @@ TEST(XoppWriter, AStraightStrokeInPoints) {
 }
 
 TEST(XoppWriter, WidthsComeInSmallSteps) {
-  const LayeredSketch drawing = one(testing::straight_stroke({0, 0}, {50, 0}, 1.0, 2.0));
-  const Sketch back = import_xopp(xopp_bytes(drawing).value()).value().drawing.layers[0].strokes;
-  ASSERT_EQ(back.size(), 1u);
-  const Stroke& s = back[0].stroke;
+  const Drawing drawing = one(testing::straight_stroke({0, 0}, {50, 0}, 1.0, 2.0));
+  const Stroke s = testing::only_stroke(import_xopp(xopp_bytes(drawing).value()).value());
   const double end = s.segment_count();
   for (double t = 0.0; t <= 1.0; t += 0.05) {
     const double x = s.position(t * end).x;
@@ -54,31 +50,32 @@ TEST(XoppWriter, WidthsComeInSmallSteps) {
 TEST(XoppWriter, ComesBackNearlyAsItWas) {
   for (std::uint64_t seed = 1; seed <= 12; ++seed) {
     SCOPED_TRACE(seed);
-    LayeredSketch drawing = testing::random_layers(seed);
-    drawing.page.emplace();
-    const ImportedDrawing back = import_xopp(xopp_bytes(drawing).value()).value();
+    Drawing drawing = testing::random_layers(seed);
+    drawing.has_page = true;
+    const Imported back = import_xopp(xopp_bytes(drawing).value()).value();
     EXPECT_TRUE(back.report.empty());
-    EXPECT_NEAR(back.drawing.page->width_mm, drawing.page->width_mm, 1e-4);
-    if (drawing.layers.empty()) continue;
-    ASSERT_EQ(back.drawing.layers.size(), drawing.layers.size());
-    for (std::size_t i = 0; i < drawing.layers.size(); ++i) {
-      const Sketch &was = drawing.layers[i].strokes, &is = back.drawing.layers[i].strokes;
+    EXPECT_NEAR(back.drawing.page.width_mm, drawing.page.width_mm, 1e-4);
+    const std::size_t layers = drawing.document.layers().size();
+    ASSERT_EQ(back.drawing.document.layers().size(), layers);
+    for (std::size_t i = 0; i < layers; ++i) {
+      const std::vector<Stroke> was = testing::strokes_in(drawing.document, i);
+      const std::vector<Stroke> is = testing::strokes_in(back.drawing.document, i);
       ASSERT_EQ(is.size(), was.size());
       for (std::size_t k = 0; k < was.size(); ++k) {
-        EXPECT_EQ(is[k].stroke.color(), was[k].stroke.color());
-        EXPECT_LE(distance_of(was[k].stroke, is[k].stroke), 0.1);
+        EXPECT_EQ(is[k].color(), was[k].color());
+        EXPECT_LE(distance_of(was[k], is[k]), 0.1);
       }
     }
   }
 }
 
 TEST(XoppWriter, WithoutASheetThePageIsTheInkAndAMargin) {
-  LayeredSketch drawing = one(testing::straight_stroke({-100, 50}, {0, 50}, 2, 2));
-  drawing.page.reset();
-  const ImportedDrawing back = import_xopp(xopp_bytes(drawing).value()).value();
-  EXPECT_NEAR(back.drawing.page->width_mm, 112.0, 1e-4);
-  EXPECT_NEAR(back.drawing.page->height_mm, 12.0, 1e-4);
-  EXPECT_NEAR(back.drawing.layers[0].strokes[0].stroke.position(0).x, 6.0, 1e-4);
+  Drawing drawing = one(testing::straight_stroke({-100, 50}, {0, 50}, 2, 2));
+  drawing.has_page = false;
+  const Imported back = import_xopp(xopp_bytes(drawing).value()).value();
+  EXPECT_NEAR(back.drawing.page.width_mm, 112.0, 1e-4);
+  EXPECT_NEAR(back.drawing.page.height_mm, 12.0, 1e-4);
+  EXPECT_NEAR(testing::strokes_in(back.drawing.document, 0)[0].position(0).x, 6.0, 1e-4);
 }
 
 TEST(XoppWriter, TranslucentInkIsAHighlighters) {
@@ -89,18 +86,18 @@ TEST(XoppWriter, TranslucentInkIsAHighlighters) {
 }
 
 TEST(XoppWriter, EqualDrawingsGiveEqualBytes) {
-  const LayeredSketch drawing = testing::random_layers(11);
+  const Drawing drawing = testing::random_layers(11);
   EXPECT_EQ(xopp_bytes(drawing).value(), xopp_bytes(drawing).value());
   EXPECT_EQ(text_of({}), text_of({}));
   EXPECT_TRUE(import_xopp(xopp_bytes({}).value()));
 }
 
 TEST(XoppWriter, WhatCannotBeWrittenIsAnError) {
-  LayeredSketch drawing = one(testing::straight_stroke({0, 0}, {1.1e9, 0}, 1, 1));
+  Drawing drawing = one(testing::straight_stroke({0, 0}, {1.1e9, 0}, 1, 1));
   EXPECT_THAT(xopp_bytes(drawing).error().message, HasSubstr("stroke 1: a coordinate beyond 1e9"));
   drawing = one(testing::straight_stroke({0, 0}, {1e9, 0}, 1, 1));
   EXPECT_TRUE(xopp_bytes(drawing));
-  drawing.layers[0].name = "\x01";
+  drawing = one(testing::straight_stroke({0, 0}, {1, 0}, 1, 1), "\x01");
   EXPECT_THAT(xopp_bytes(drawing).error().message, HasSubstr("a layer's name"));
 }
 

@@ -2,7 +2,6 @@
 
 #include "felt/base/result.h"
 #include "felt/stroke/stroke.h"
-#include "felt/stroke/stroke_tip.h"
 
 namespace felt {
 

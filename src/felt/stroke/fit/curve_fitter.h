@@ -9,46 +9,12 @@
 #include "felt/base/chunked_vector.h"
 #include "felt/geometry/cubic.h"
 #include "felt/stroke/fit/corner_detector.h"
+#include "felt/stroke/fit/ink_fit.h"
 #include "felt/stroke/fit/kept_samples.h"
 #include "felt/stroke/fit/long_run.h"
 #include "felt/stroke/stroke.h"
 
 namespace felt {
-
-/// What a curve fit must keep to.
-struct CurveFitOptions {
-  /// Largest distance from any sample to the curve, in mm. Values below kMinSegmentMm, the
-  /// resolution of the stroke model (I5), count as kMinSegmentMm.
-  double tolerance_mm = 0.15;
-  [[nodiscard]] double effective_tolerance_mm() const noexcept {
-    return std::max(tolerance_mm, kMinSegmentMm);
-  }
-};
-
-/// A chain of joined cubics fitted to samples.
-struct FittedCurve {
-  std::vector<Point> points;      ///< 3n + 1 control points; empty before the first segment
-  std::vector<JointKind> joints;  ///< n - 1 kinds of the inner joints
-  /// For each sample that the n segments cover, in order: its place u = segment index + t on the
-  /// curve. Non-decreasing; the curve at u lies within the tolerance of the sample.
-  std::vector<double> sample_u;
-
-  [[nodiscard]] int segment_count() const noexcept {
-    return points.empty() ? 0 : static_cast<int>(points.size() / 3);
-  }
-  [[nodiscard]] Cubic segment(int i) const noexcept {
-    const auto k = static_cast<std::size_t>(3 * i);
-    return {{points[k], points[k + 1], points[k + 2], points[k + 3]}};
-  }
-
-  friend bool operator==(const FittedCurve&, const FittedCurve&) = default;
-};
-
-/// Where on a curve `count` consecutive samples lie.
-struct SamplePlace {
-  double u = 0.0;
-  std::uint32_t count = 0;
-};
 
 /// Appends the place of each of the samples on `segment`. They are a hair apart, so that a width
 /// may change where the pen rests (R15): as far as the next place `next_u` and the reserve in the

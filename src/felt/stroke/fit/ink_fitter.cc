@@ -4,8 +4,12 @@
 #include <cmath>
 #include <utility>
 
+#include "felt/stroke/fit/curve_fitter.h"
 #include "felt/stroke/fit/paper_fitter.h"
+#include "felt/stroke/fit/pen_filter.h"
 #include "felt/stroke/fit/refine.h"
+#include "felt/stroke/fit/width_fitter.h"
+#include "felt/stroke/fit/width_map.h"
 
 namespace felt {
 namespace {

@@ -2,36 +2,13 @@
 
 #include <memory>
 #include <span>
-#include <string>
 
 #include "felt/base/chunked_vector.h"
 #include "felt/base/result.h"
-#include "felt/stroke/fit/curve_fitter.h"
-#include "felt/stroke/fit/ink_sample.h"
-#include "felt/stroke/fit/pen_filter.h"
-#include "felt/stroke/fit/width_fitter.h"
-#include "felt/stroke/fit/width_map.h"
+#include "felt/stroke/fit/ink_fit.h"
 #include "felt/stroke/stroke.h"
 
 namespace felt {
-
-/// Which curve fitting to use.
-enum class FitScheme {
-  kFeltline,   ///< ours: max error within the tolerance, G1 joints, corners kept
-  kPaper2002,  ///< the scheme of the paper, eq. 2 with s shared samples (R6), for study
-};
-
-/// How ink is made from samples.
-struct InkFitOptions {
-  FitScheme scheme = FitScheme::kFeltline;
-  CurveFitOptions curve;
-  int shared_samples = 4;         ///< s of [Paper eq. 2]; kPaper2002 only
-  bool filter_artefacts = false;  ///< pen-down / pen-up filter before the fit (PenFilter)
-  PenFilterOptions filter;
-  WidthMapOptions width_map = kPenWidths;
-  WidthFitOptions width;
-  std::string material = StrokeData{}.material;  ///< of the stroke
-};
 
 /// Pen samples in, a variable-width stroke out, while it is being drawn.
 ///

@@ -7,6 +7,8 @@
 #include <limits>
 #include <vector>
 
+#include "felt/stroke/fit/curve_fitter.h"
+#include "felt/stroke/fit/width_map.h"
 #include "felt/stroke/testing/fit_oracle.h"
 #include "felt/stroke/testing/test_ink.h"
 #include "felt/stroke/width_profile.h"

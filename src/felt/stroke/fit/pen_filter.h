@@ -5,35 +5,9 @@
 #include <span>
 #include <vector>
 
-#include "felt/stroke/fit/ink_sample.h"
+#include "felt/stroke/fit/ink_fit.h"
 
 namespace felt {
-
-/// What counts as an artefact of the pen rather than as ink. Times are those of the samples.
-struct PenFilterOptions {
-  /// How long a sample is held before it is ink, and so how far back both ends can be mended.
-  double window_ms = 30.0;
-  /// Time between samples that carry no time (a tablet at 133 Hz).
-  double interval_ms = 7.5;
-
-  /// A pressure blob: from an end of the stroke on, over at most blob_ms and blob_mm, the pressure
-  /// exceeds the one a window away by this ratio.
-  double blob_ratio = 1.3;
-  double blob_ms = 25.0;
-  double blob_mm = 0.5;
-
-  /// A hook at lift: at most hook_max_mm of path after a turn by at least hook_angle_deg, all of it
-  /// below hook_pressure_ratio of the pressure before. Shorter than hook_min_mm it is noise.
-  double hook_max_mm = 1.5;
-  double hook_min_mm = 0.15;
-  double hook_angle_deg = 90.0;
-  double hook_pressure_ratio = 0.5;
-
-  /// A stray sample: farther from its neighbours than jump_mm and than any hand moves, which in
-  /// fast strokes is 1.5 to 2.5 m/s.
-  double jump_mm = 10.0;
-  double jump_mm_per_s = 5000.0;
-};
 
 /// Takes the artefacts of pen-down and pen-up out of a stroke before it is fitted:
 ///   - pressure that arrives late: the first samples, without pressure or with 0, get that of the

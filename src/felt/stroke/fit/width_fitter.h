@@ -4,22 +4,9 @@
 #include <span>
 #include <vector>
 
-#include "felt/stroke/stroke.h"
+#include "felt/stroke/fit/ink_fit.h"
 
 namespace felt {
-
-/// What a width profile must keep to.
-struct WidthFitOptions {
-  /// Largest difference between the profile and the filtered width of any sample, in mm. 0 puts a
-  /// knot at every sample that is not on the line of its neighbours.
-  double tolerance_mm = 0.15;
-  double min_mm = kMinWidthMm;  ///< widths are clamped to [min_mm, max_mm] (I4)
-  double max_mm = 6.0;
-  /// Largest difference between the profile and the tone of any sample, where samples have a tone
-  /// of their own. Of handwriting on a tablet 0.05 takes 11 % more breakpoints than the widths of
-  /// 0.3..2 mm alone, and none more than those of 0.3..6 mm; 0.1 takes none, 0.03 takes 28 %.
-  double tone_tolerance = 0.05;
-};
 
 /// Samples closer than this in u share one place: a profile is a function and has one width there.
 inline constexpr double kSameWidthPlace = 1e-9;

@@ -3,41 +3,9 @@
 #include <cstdint>
 #include <optional>
 
-#include "felt/stroke/fit/ink_sample.h"
+#include "felt/stroke/fit/ink_fit.h"
 
 namespace felt {
-
-/// How pressure and lean become tone (WidthKnot::tone), for a medium that has its own:
-///   tone = (light + (heavy - light) p^gamma) (1 + (lean - 1) l)
-struct ToneMapOptions {
-  double light = 0.0;  ///< tone at p = 0; 0..1
-  double heavy = 1.0;  ///< at p = 1; 0..1
-  double gamma = 1.0;  ///< > 0
-  double lean = 1.0;   ///< tone of a pen that leans fully, in tones of an upright one; 0..1
-
-  friend bool operator==(const ToneMapOptions&, const ToneMapOptions&) = default;
-};
-
-/// How pressure becomes width: W = (min + (max - min) p^gamma) (1 + (lean_width - 1) l), by
-/// specification section 5b and the lean share l of geometry/lean.h. The defaults are those of the
-/// haptic plane, where pressing is the paper's way to draw broader, without any lean.
-struct WidthMapOptions {
-  double min_mm = 0.3;                   ///< width at p = 0; not below kMinWidthMm
-  double max_mm = 6.0;                   ///< width at p = 1; not below min_mm
-  double gamma = 1.0;                    ///< > 0; above 1 keeps a light hand thin
-  double absent_pressure = 0.5;          ///< p where the source has none (a mouse)
-  double time_constant_ms = 20.0;        ///< of the low-pass on p; 0 switches it off
-  double interval_ms = 7.5;              ///< between samples without times (a tablet at 133 Hz)
-  double lean_width = 1.0;               ///< width of a pen that leans fully, in upright ones; >= 1
-  double absent_lean_deg = 0.0;          ///< lean where the source has none
-  std::optional<ToneMapOptions> tone{};  ///< absent: tone_of_width of the width
-
-  friend bool operator==(const WidthMapOptions&, const WidthMapOptions&) = default;
-};
-
-/// Widths of an ordinary pen: what tablet and mouse ink gets unless asked otherwise. A tablet
-/// reports about 0.3..0.6 in writing, which would be 2..4 mm on the scale of the haptic plane.
-inline constexpr WidthMapOptions kPenWidths{.min_mm = 0.3, .max_mm = 2.0};
 
 /// Width in mm of the pressure p. p is clamped to [0, 1], NaN counts as absent. Non-decreasing
 /// in p; exactly min_mm at 0 and max_mm at 1 (R14).

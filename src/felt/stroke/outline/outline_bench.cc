@@ -12,13 +12,13 @@ constexpr double kPxPerMm = 4.0;
 
 /// Polygons at a tolerance of 1 / range px.
 void OutlinePolygon(benchmark::State& state) {
-  const Sketch sketch = testing::screen_of_strokes(1000);
+  const std::vector<Stroke> strokes = testing::screen_of_strokes(1000);
   const double tolerance_mm = 1.0 / (kPxPerMm * static_cast<double>(state.range(0)));
   StrokeOutliner outliner;
   std::size_t points = 0;
   for (auto _ : state) {
     points = 0;
-    for (const auto& s : sketch) points += outliner.trace(s.stroke, tolerance_mm).points.size();
+    for (const Stroke& s : strokes) points += outliner.trace(s, tolerance_mm).points.size();
   }
   state.SetItemsProcessed(state.iterations() * 1000);
   state.counters["points_per_stroke"] = static_cast<double>(points) / 1000.0;
@@ -27,11 +27,11 @@ BENCHMARK(OutlinePolygon)->Arg(10)->Arg(20)->Unit(benchmark::kMicrosecond);
 
 /// Curves as an SVG file gets them.
 void OutlineCurves(benchmark::State& state) {
-  const Sketch sketch = testing::screen_of_strokes(1000);
+  const std::vector<Stroke> strokes = testing::screen_of_strokes(1000);
   std::size_t points = 0;
   for (auto _ : state) {
     points = 0;
-    for (const auto& s : sketch) points += outline_path(s.stroke, 0.005).points.size();
+    for (const Stroke& s : strokes) points += outline_path(s, 0.005).points.size();
   }
   state.SetItemsProcessed(state.iterations() * 1000);
   state.counters["points_per_stroke"] = static_cast<double>(points) / 1000.0;

@@ -5,7 +5,7 @@
 
 #include "felt/geometry/cubic.h"
 #include "felt/stroke/outline/envelope.h"
-#include "felt/stroke/outline/flatten.h"
+#include "felt/stroke/outline/outline.h"
 
 namespace felt {
 

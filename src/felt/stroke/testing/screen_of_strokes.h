@@ -4,18 +4,18 @@
 #include <random>
 #include <utility>
 
-#include "felt/stroke/sketch.h"
+#include "felt/stroke/stroke.h"
 
 namespace felt::testing {
 
 /// Strokes of 1 to 8 segments about 125 px long and 1 to 6 px wide, anywhere on a full-HD screen
 /// at 4 px/mm: the scene that rasterisers were compared on.
-inline Sketch screen_of_strokes(int count) {
+inline std::vector<Stroke> screen_of_strokes(int count) {
   std::mt19937_64 random(1);
   const auto uniform = [&](double a, double b) {
     return std::uniform_real_distribution<double>(a, b)(random);
   };
-  Sketch sketch;
+  std::vector<Stroke> strokes;
   for (int k = 0; k < count; ++k) {
     const int n = 1 + static_cast<int>(uniform(0.0, 8.0));
     StrokeData d;
@@ -31,9 +31,9 @@ inline Sketch screen_of_strokes(int count) {
     }
     d.widths.push_back({static_cast<double>(n), uniform(0.25, 1.5)});
     d.color = {30, 30, 90, 128};
-    sketch.push_back({"", Stroke::create(std::move(d)).value()});
+    strokes.push_back(Stroke::create(std::move(d)).value());
   }
-  return sketch;
+  return strokes;
 }
 
 }  // namespace felt::testing

@@ -5,7 +5,7 @@
 #include "felt/haptics/bricks/drawing_feel.h"
 #include "felt/haptics/bricks/spring.h"
 #include "felt/haptics/bricks/well.h"
-#include "felt/haptics/compose.h"
+#include "felt/haptics/force_model.h"
 #include "felt/tools/connect/connect_options.h"
 #include "felt/tools/feel_id.h"
 #include "felt/tools/scene.h"

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "felt/document/stroke_index.h"
 #include "felt/tools/connecting.h"
 
 namespace felt {

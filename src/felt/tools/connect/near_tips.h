@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "felt/document/stroke_index.h"
 #include "felt/tools/scene.h"
 
 namespace felt {

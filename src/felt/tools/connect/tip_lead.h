@@ -3,7 +3,6 @@
 #include <optional>
 
 #include "felt/stroke/stroke.h"
-#include "felt/stroke/stroke_tip.h"
 
 namespace felt {
 

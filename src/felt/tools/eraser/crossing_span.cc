@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "felt/document/stroke_index.h"
 #include "felt/geometry/intersect.h"
 #include "felt/geometry/nearest.h"
 

@@ -4,6 +4,8 @@
 #include <limits>
 #include <utility>
 
+#include "felt/document/stroke_index.h"
+
 namespace felt {
 
 std::optional<StrokeHit> aimed_at(Point pen, const EraserSettings& settings, const Scene& scene) {

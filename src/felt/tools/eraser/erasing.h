@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "felt/document/stroke_divisions.h"
+#include "felt/document/stroke_index.h"
 #include "felt/tools/eraser/crossing_span.h"
 #include "felt/tools/eraser/eraser_options.h"
 #include "felt/tools/eraser/ink_clearance.h"

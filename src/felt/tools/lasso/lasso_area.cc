@@ -14,7 +14,7 @@ constexpr std::size_t kMostStrips = 256;
 constexpr double kChordMm = 0.5;
 constexpr double kMostChords = 64.0;
 
-/// An edge is as wide as rounding makes it; geometry/polygon.h has the same.
+/// An edge is as wide as rounding makes it; geometry/polyline.h has the same.
 double edge_width(Point a, Point b) noexcept {
   return 4.0 * std::numeric_limits<double>::epsilon() *
          std::max({std::fabs(a.x), std::fabs(a.y), std::fabs(b.x), std::fabs(b.y)});

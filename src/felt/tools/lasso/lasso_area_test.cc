@@ -5,7 +5,7 @@
 #include <cmath>
 #include <random>
 
-#include "felt/geometry/polygon.h"
+#include "felt/geometry/polyline.h"
 #include "felt/stroke/testing/random_stroke.h"
 #include "felt/tools/lasso/lasso_outline.h"
 

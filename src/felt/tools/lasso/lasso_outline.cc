@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "felt/geometry/polygon.h"
+#include "felt/geometry/polyline.h"
 
 namespace felt {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "felt/geometry/polygon.h"
+#include "felt/geometry/polyline.h"
 #include "felt/stroke/edit/point_marks.h"
 #include "felt/tools/lasso/lasso_force.h"
 #include "felt/tools/lasso/lasso_tool.h"

@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "felt/document/edit.h"
+#include "felt/document/stroke_index.h"
 #include "felt/tools/scene.h"
 
 namespace felt {

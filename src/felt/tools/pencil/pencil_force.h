@@ -5,7 +5,7 @@
 #include "felt/haptics/bricks/drawing_feel.h"
 #include "felt/haptics/bricks/stabiliser.h"
 #include "felt/haptics/bricks/well.h"
-#include "felt/haptics/compose.h"
+#include "felt/haptics/force_model.h"
 #include "felt/tools/feel_id.h"
 #include "felt/tools/pencil/pencil_options.h"
 #include "felt/tools/scene.h"

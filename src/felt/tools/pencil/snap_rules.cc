@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "felt/base/constants.h"
+#include "felt/document/stroke_index.h"
 #include "felt/geometry/intersect.h"
 
 namespace felt::snap_rules {

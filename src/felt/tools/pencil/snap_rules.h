@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "felt/document/stroke_index.h"
 #include "felt/tools/scene.h"
 
 namespace felt {

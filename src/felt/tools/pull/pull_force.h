@@ -2,7 +2,7 @@
 
 #include "felt/haptics/bricks/drawing_feel.h"
 #include "felt/haptics/bricks/spring.h"
-#include "felt/haptics/compose.h"
+#include "felt/haptics/force_model.h"
 #include "felt/tools/feel_id.h"
 #include "felt/tools/pull/pull_gesture.h"
 #include "felt/tools/pull/pull_options.h"

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "felt/haptics/bricks/drawing_feel.h"
-#include "felt/haptics/compose.h"
+#include "felt/haptics/force_model.h"
 #include "felt/tools/feel_id.h"
 #include "felt/tools/scene.h"
 

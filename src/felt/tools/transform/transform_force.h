@@ -8,7 +8,7 @@
 
 #include "felt/haptics/bricks/drawing_feel.h"
 #include "felt/haptics/bricks/tether.h"
-#include "felt/haptics/compose.h"
+#include "felt/haptics/force_model.h"
 #include "felt/tools/feel_id.h"
 #include "felt/tools/scene.h"
 #include "felt/tools/transform/transform_drag.h"

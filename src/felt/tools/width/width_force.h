@@ -5,8 +5,8 @@
 
 #include "felt/haptics/bricks/drawing_feel.h"
 #include "felt/haptics/bricks/spring.h"
-#include "felt/haptics/compose.h"
-#include "felt/haptics/known_velocity.h"
+#include "felt/haptics/force_model.h"
+#include "felt/haptics/pen_sample.h"
 #include "felt/tools/feel_id.h"
 #include "felt/tools/pressing.h"
 #include "felt/tools/scene.h"

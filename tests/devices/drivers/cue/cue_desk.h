@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "felt/devices/cue/cue_driver.h"
+#include "felt/driver/cue_device.h"
 #include "tests/devices/drivers/cue/fake_haptics.h"
 
 namespace felt {

@@ -12,6 +12,7 @@
 #include "felt/devices/openhaptics/hd_abi.h"
 #include "felt/devices/openhaptics/openhaptics_driver.h"
 #include "felt/devices/simulated/simulated_stylus.h"
+#include "felt/document/visible_strokes.h"
 #include "felt/driver/device_models.h"
 #include "felt/driver/open_device.h"
 #include "felt/geometry/lean.h"
@@ -620,7 +621,7 @@ struct Drawing {
   void drain() {
     PenSample sample;
     while (servo->for_edit().pop(sample)) EXPECT_TRUE(session.sample(sample).has_value());
-    while (servo->for_saver().pop(sample)) {
+    while (servo->for_autosave().pop(sample)) {
     }
     servo->publish(session.force());
   }
@@ -666,8 +667,9 @@ TEST_F(OpenHaptics, ADrawingSessionRunsWithinTheSchedulersCallbacks) {
   plain.servo->stop();
   EXPECT_GT(largest_n, 0.5) << "it pushed back";
   EXPECT_EQ(fake->frames(), 2500U);
-  ASSERT_EQ(driven.session.sketch().size(), 1U);
-  const InkDifference difference = ink_difference(plain.session.sketch(), driven.session.sketch());
+  ASSERT_EQ(driven.session.document().stroke_count(), 1U);
+  const InkDifference difference = ink_difference(visible_strokes(plain.session.document()),
+                                                  visible_strokes(driven.session.document()));
   EXPECT_EQ(difference.other, "");
   EXPECT_LT(std::max({difference.ends_mm, difference.curve_mm, difference.width_mm}), 0.1);
 }

@@ -1,0 +1,130 @@
+#include "desktop/files/studio_autosave.h"
+
+#include <QDir>
+#include <QStandardPaths>
+#include <algorithm>
+#include <memory>
+#include <utility>
+#include <variant>
+
+#include "felt/autosave/folder_lock.h"
+#include "felt/material/material_file.h"
+
+namespace felt::desktop {
+namespace {
+
+// A slider that is dragged changes figures ten times a second, and each time the whole drawing is
+// searched for the materials that it uses.
+constexpr int kHeadDelayMs = 500;
+
+}  // namespace
+
+QStringList recovery_roots() {
+  if (QStandardPaths::isTestModeEnabled()) {
+    return {QDir::homePath() + QStringLiteral("/.qttest/state/feltline/working")};
+  }
+  QStringList roots;
+  for (const std::string& root : autosave_roots()) roots.push_back(QString::fromStdString(root));
+  return roots;
+}
+
+StudioAutosave::StudioAutosave(Studio& studio, std::function<Drawing()> current,
+                               const QStringList& roots, QObject* parent)
+    : QObject(parent), studio_(&studio), current_(std::move(current)) {
+  AutosaveOptions options;
+  for (const QString& root : roots) options.roots.push_back(root.toStdString());
+  options.on_status = [this](const AutosaveStatus& status) {
+    // From the autosave thread, which ends before this object does.
+    QMetaObject::invokeMethod(
+        this, [this, status] { Q_EMIT status_changed(status); }, Qt::QueuedConnection);
+  };
+  autosave_.emplace(std::move(options));
+  head_timer_.setSingleShot(true);
+  head_timer_.setInterval(kHeadDelayMs);
+  connect(&head_timer_, &QTimer::timeout, this, &StudioAutosave::post_head);
+  connect_studio(studio);
+}
+
+void StudioAutosave::connect_studio(Studio& studio) {
+  connect(&studio, &Studio::event_applied, this,
+          [this](const Event& event) { autosave_->event_applied(studio_->session(), event); });
+  connect(&studio, &Studio::edit_applied, this, [this](const Edit& edit) {
+    autosave_->edit_applied(studio_->session(), edit);
+    if (lacks_medium_of(edit)) post_head_soon();
+  });
+  connect(&studio, &Studio::modified_changed, this,
+          [this](bool modified) { autosave_->post({.modified = modified}); });
+  connect(&studio, &Studio::page_changed, this, &StudioAutosave::post_head);
+  connect(&studio, &Studio::materials_changed, this, &StudioAutosave::post_head_soon);
+  connect(&studio, &Studio::option_changed, this, [this](const QString& id) {
+    // Perhaps a user-defined medium.
+    if (id.endsWith(QLatin1String(".material"))) post_head();
+  });
+  HapticLoop& loop = studio.loop();
+  const auto attach = [this, &loop] {
+    autosave_->attach(loop.servo().for_autosave(), loop.start_ns());
+  };
+  connect(&loop, &HapticLoop::started, this, attach);
+  connect(&loop, &HapticLoop::stopped, this, [this] { autosave_->detach(); });
+  if (loop.is_running()) attach();
+}
+
+StudioAutosave::~StudioAutosave() {
+  if (is_discarded_) autosave_->post({.modified = false});
+  autosave_.reset();
+}
+
+void StudioAutosave::begin(const QString& name, const QString& path) {
+  is_discarded_ = false;
+  head_timer_.stop();
+  Drawing drawing = current_();
+  note_media(drawing);
+  autosave_->session_began(studio_->session(), std::move(drawing), name.toStdString(),
+                           path.toStdString(), studio_->is_modified());
+}
+
+void StudioAutosave::rename(const QString& name, const QString& path) {
+  autosave_->post({.name = name.toStdString(), .path = path.toStdString()});
+}
+
+void StudioAutosave::flush() {
+  if (head_timer_.isActive()) post_head();
+  autosave_->flush();
+}
+
+void StudioAutosave::post_head() {
+  head_timer_.stop();
+  if (!studio_) return;
+  auto head = std::make_unique<Drawing>(current_());
+  head->document = {};  // the autosave has it
+  note_media(*head);
+  autosave_->post({.head = std::move(head)});
+}
+
+/// The timer is not restarted, so that figures are kept even while they change all the time.
+void StudioAutosave::post_head_soon() {
+  if (!head_timer_.isActive()) head_timer_.start();
+}
+
+void StudioAutosave::note_media(const Drawing& drawing) {
+  media_.clear();
+  for (const std::string& text : drawing.materials) {
+    const Result<AnyMaterial> material = read_material(text);
+    if (material && std::holds_alternative<Medium>(*material)) media_.insert(id_of(*material));
+  }
+}
+
+/// True if strokes came, by a paste or an undo, of a medium that is not Feltline's and whose text
+/// the autosave does not have.
+bool StudioAutosave::lacks_medium_of(const Edit& edit) const {
+  const Materials& known = studio_->session().materials();
+  const Materials& built_in = Materials::built_in();
+  return std::any_of(edit.changes.begin(), edit.changes.end(), [&](const StrokeChange& change) {
+    if (!change.after || media_.contains(change.after->material())) return false;
+    const Medium* medium = known.find_medium(change.after->material());
+    const Medium* ours = built_in.find_medium(change.after->material());
+    return medium && !(ours && *ours == *medium);
+  });
+}
+
+}  // namespace felt::desktop

@@ -1,0 +1,71 @@
+#pragma once
+
+#include <QObject>
+#include <QPointer>
+#include <QString>
+#include <QStringList>
+#include <QTimer>
+#include <functional>
+#include <optional>
+#include <set>
+#include <string>
+
+#include "desktop/engine/studio.h"
+#include "desktop/files/drawing_file.h"
+#include "felt/autosave/autosave.h"
+
+namespace felt::desktop {
+
+/// Folders for autosave databases, the preferred one first: autosave_roots(), or below the folder
+/// of a test.
+QStringList recovery_roots();
+
+/// Connects a Studio and its haptic loop to an Autosave. Figures of a material that change, and the
+/// text of a medium that comes with strokes, reach it within half a second. Only flush() and the
+/// destructor wait for a disk. The database of a drawing that is closed normally is deleted; one
+/// that a dead process left is offered at the next start (recovery_dialog.h).
+class StudioAutosave : public QObject {
+  Q_OBJECT
+
+ public:
+  /// `current` returns the whole drawing.
+  StudioAutosave(Studio& studio, std::function<Drawing()> current, const QStringList& roots,
+                 QObject* parent = nullptr);
+  /// Deletes the database if there are no unsaved changes, or after discard().
+  ~StudioAutosave() override;
+
+  /// Another drawing is open, called `name`, from the file `path` or none.
+  void begin(const QString& name, const QString& path);
+  /// The drawing was saved under this name. Studio::is_modified() tells whether that has
+  /// everything.
+  void rename(const QString& name, const QString& path);
+  /// The user does not want the drawing to be kept when the window closes.
+  void discard() { is_discarded_ = true; }
+  /// Waits until everything so far is on the disk, or cannot be.
+  void flush();
+
+  /// Of the database; "" if no folder works.
+  [[nodiscard]] QString folder() const {
+    return QString::fromStdString(autosave_->status().folder);
+  }
+
+ Q_SIGNALS:
+  /// The autosave fails, uses another folder, or works again.
+  void status_changed(const felt::AutosaveStatus& status);
+
+ private:
+  void connect_studio(Studio& studio);
+  void post_head();
+  void post_head_soon();
+  void note_media(const Drawing& drawing);
+  [[nodiscard]] bool lacks_medium_of(const Edit& edit) const;
+
+  QPointer<Studio> studio_;  // the window may delete it first
+  std::function<Drawing()> current_;
+  std::optional<Autosave> autosave_;
+  QTimer head_timer_;
+  std::set<std::string> media_;  // whose texts the autosave has
+  bool is_discarded_ = false;
+};
+
+}  // namespace felt::desktop

@@ -1,0 +1,195 @@
+#pragma once
+
+#include <atomic>
+#include <chrono>
+#include <condition_variable>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "felt/autosave/autosave_database.h"
+#include "felt/autosave/live_ink.h"
+#include "felt/document/edit.h"
+#include "felt/document/selection.h"
+#include "felt/rt/servo.h"
+#include "felt/session/event.h"
+#include "felt/session/session.h"
+#include "felt/store/felt_file.h"
+
+namespace felt {
+
+/// How well a drawing is protected against a crash.
+struct AutosaveStatus {
+  enum class State {
+    kWorking,    ///< in the first folder
+    kElsewhere,  ///< the first folder failed; a later one works
+    kFailing,    ///< in no folder; retried regularly
+  };
+  State state = State::kWorking;
+  std::string why;     ///< the last failure, for the user; "" if kWorking
+  std::string folder;  ///< of the database; "" if kFailing
+
+  friend bool operator==(const AutosaveStatus&, const AutosaveStatus&) = default;
+};
+
+struct AutosaveOptions {
+  /// Folders for databases, the preferred one first: autosave_roots().
+  std::vector<std::string> roots;
+  /// Called when the status changes; the first time only if it is not kWorking. Autosave thread.
+  std::function<void(const AutosaveStatus&)> on_status = {};
+  /// Called after each commit: everything that the session received up to this time of its clock
+  /// is on the disk, and all ink that the haptic loop has read. Autosave thread.
+  std::function<void(std::int64_t)> on_commit = {};
+  /// How long messages are gathered before a commit.
+  std::chrono::milliseconds gather{20};
+  /// Time before the next try after all folders failed, and after the first one failed.
+  std::chrono::milliseconds retry{5'000}, retry_first{60'000};
+  /// A new base is written once the edits since the last one have this size.
+  std::uint64_t max_log_bytes = std::uint64_t{32} << 20;
+  /// For tests of faults: SQLite's name of a file system.
+  const char* vfs = nullptr;
+  /// False: there is no thread, and a test calls process().
+  bool live = true;
+};
+
+/// A change that the autosave keeps. Each member that is set is applied, in the order of the
+/// members.
+struct AutosaveMessage {
+  /// Another drawing replaces the current one, which is saved or not wanted any more.
+  std::unique_ptr<Drawing> drawing = {};
+  /// Page, palette, view and everything else that no event reports. The document and the layer in
+  /// use are ignored.
+  std::unique_ptr<Drawing> head = {};
+  std::optional<std::string> name = {};  ///< what the user calls the drawing
+  std::optional<std::string> path = {};  ///< of the user's file, "" if there is none
+  /// Whether there are unsaved changes. An edit sets it, too.
+  std::optional<bool> modified = {};
+  std::optional<Selection> selection = {};
+  std::optional<Event> event = {};   ///< that the session handled
+  bool gesture_in_progress = false;  ///< just before `event`
+  std::optional<Edit> edit = {};     ///< that the document applied
+  /// What the next gesture depends on: options, tool, device, layer in use.
+  std::vector<Event> context = {};
+};
+
+/// Protects a drawing against a crash of the program or the machine: writes what a session does to
+/// an AutosaveDatabase within 20 ms.
+///
+///   Autosave autosave({.roots = autosave_roots()});
+///   autosave.session_began(session, drawing, "Untitled", "", false);
+///   options.on_event = [&](const Event& event) { autosave.event_applied(session, event); };
+///   options.on_edit = [&](const Edit& edit) { autosave.edit_applied(session, edit); };
+///   autosave.attach(servo.for_autosave(), offset_ns);
+///   autosave.post({.name = "harbour.felt", .path = path, .modified = false});   // after a save
+///
+/// The calls of the edit thread put messages into a queue. The autosave thread applies them to its
+/// replica of the drawing (the strokes are shared) and writes them to the database. It also reads
+/// the haptic loop's second ring of samples, so ink is kept even while the edit thread hangs. Only
+/// the constructor, the destructor and flush() wait for a disk. While the disk stalls, the queue
+/// and the ring (16 s) grow, and all of it is committed afterwards.
+///
+/// A database that failed is never touched again: the replica is written to a new one, in the next
+/// folder that works.
+///
+/// Edit thread, except where noted.
+class Autosave {
+ public:
+  explicit Autosave(AutosaveOptions options);
+  /// Commits what is in the queue, and stops. Deletes the database if there are no unsaved changes
+  /// (`modified`), otherwise leaves it, as a crash does.
+  ~Autosave();
+  Autosave(const Autosave&) = delete;
+  Autosave& operator=(const Autosave&) = delete;
+
+  /// Starts with a session that has this drawing.
+  void session_began(const Session& session, Drawing drawing, std::string name, std::string path,
+                     bool modified);
+  /// For SessionOptions::on_event.
+  void event_applied(const Session& session, const Event& event);
+  /// For SessionOptions::on_edit.
+  void edit_applied(const Session& session, const Edit& edit);
+  /// Adds a message to the queue.
+  void post(AutosaveMessage message);
+
+  /// The haptic loop's samples come from this ring from now on; `offset_ns` is the session's clock
+  /// minus the loop's. The ring must live until detach(), which does not wait for a disk.
+  void attach(Servo::Ring& ring, std::int64_t offset_ns);
+  void detach();
+
+  /// Waits until the queue is committed, or cannot be. For tests and for the end of the program.
+  void flush();
+  /// Any thread.
+  [[nodiscard]] AutosaveStatus status() const;
+  /// Processes the queue and commits. Only if not live.
+  void process();
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  // --- Edit thread
+  void add_layer_in_use(const Session& session, AutosaveMessage& message);
+
+  // --- Any thread
+  void set_status(AutosaveStatus now);
+
+  // --- Autosave thread
+  void run();
+  void take_samples();
+  void apply(AutosaveMessage& message);
+  void apply_to_head(const Event& event);
+  void replace_drawing(Drawing drawing);
+  void set_modified(bool modified);
+  void write_out();
+  bool open_next_database();
+  void try_first_root();
+  Result<void> write();
+  Result<void> write_base();
+  Result<void> create_database(std::size_t root);
+  void fail_over(const Error& error);
+  void remove_old_databases();
+  void finish();
+  [[nodiscard]] bool is_idle() const;
+
+  const AutosaveOptions options_;
+  const std::string process_;  // unlike that of any other process
+
+  // Edit thread: what the last messages said.
+  LayerId layer_;
+  std::uint64_t selection_count_ = 0;
+
+  mutable std::mutex mutex_;
+  std::condition_variable wake_, flushed_;
+  std::vector<AutosaveMessage> queue_;
+  AutosaveStatus status_;
+  std::uint64_t flushes_wanted_ = 0, flushes_done_ = 0;
+  bool stop_ = false, has_work_ = false;
+  std::atomic<bool> has_ring_{false};
+
+  std::mutex ring_mutex_;  // held while memory is copied, never while waiting for a disk
+  Servo::Ring* ring_ = nullptr;
+  std::int64_t ring_offset_ns_ = 0;
+  std::vector<PenSample> samples_;
+
+  // Autosave thread.
+  Drawing drawing_;  // the replica, after all messages so far
+  AutosaveInfo info_;
+  LiveInk live_ink_;
+  LiveInk::Changes live_changes_;
+  std::vector<Edit> edits_;  // not in the database yet
+  std::optional<AutosaveDatabase> database_;
+  std::vector<AutosaveDatabase> old_;  // to be removed once the base of `database_` is complete
+  std::size_t root_ = 0;               // of `database_`
+  int drawing_number_ = 0, database_number_ = 0;
+  bool has_drawing_ = false, is_info_written_ = false;
+  std::int64_t newest_ns_ = INT64_MIN;  // of the events so far, on the session's clock
+  std::string why_;                     // the last failure
+  Clock::time_point next_try_, next_try_first_;
+  std::thread thread_;
+};
+
+}  // namespace felt

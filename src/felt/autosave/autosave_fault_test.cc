@@ -1,0 +1,196 @@
+// The autosave on disks that stall, fail and are full.
+#include <gtest/gtest.h>
+
+#include <thread>
+
+#include "felt/autosave/autosave.h"
+#include "felt/autosave/autosave_database.h"
+#include "felt/autosave/testing/autosave_fixture.h"
+#include "felt/store/testing/faulty_vfs.h"
+
+namespace felt {
+namespace {
+
+using testing::AutosaveFixture;
+using testing::DiskCall;
+using testing::FaultyVfs;
+using testing::TestFolder;
+
+class AutosaveFault : public ::testing::Test {
+ protected:
+  AutosaveFault() { FaultyVfs::the().reset(); }
+  ~AutosaveFault() override { FaultyVfs::the().reset(); }
+
+  [[nodiscard]] AutosaveOptions options() const {
+    AutosaveOptions options{.roots = {folder_.at("first"), folder_.at("second")}};
+    options.vfs = FaultyVfs::kName;
+    options.retry = options.retry_first = std::chrono::hours(1);
+    return options;
+  }
+  [[nodiscard]] bool is_first(const std::string& path) const {
+    return path.starts_with(folder_.at("first"));
+  }
+
+  TestFolder folder_;
+};
+
+/// While the disk stands still, whatever is told returns at once (this test would stand still,
+/// too), samples keep coming, and afterwards all of it is there: 12 s of a hand at 1 kHz.
+TEST_F(AutosaveFault, AStalledDiskHoldsNobodyUp) {
+  AutosaveOptions how = options();
+  AutosaveFixture desk({.roots = {folder_.at("unused")}});
+  Autosave autosave(how);
+  desk.listener = &autosave;
+  desk.listener->session_began(*desk.session, desk.drawing(), "n", "", false);
+  autosave.attach(*desk.ring, AutosaveFixture::kOffsetNs);
+  desk.steps(20);
+  autosave.flush();
+  {
+    const std::unique_lock disk(FaultyVfs::the().stall);
+    const int before = FaultyVfs::the().calls;
+    desk.draw(1);
+    while (FaultyVfs::the().calls == before) std::this_thread::yield();
+    desk.steps(12'000);
+    desk.apply(UndoEvent{});
+    autosave.post({.modified = true});
+    autosave.post({.name = "other", .path = ""});
+    EXPECT_EQ(FaultyVfs::the().calls, before + 1) << "it waits for its first write";
+  }
+  EXPECT_EQ(desk.ring->dropped(), 0u);
+  desk.steps(17);
+  autosave.flush();
+  const Result<Recovered> recovered = recover_autosave(autosave.status().folder);
+  ASSERT_TRUE(recovered);
+  EXPECT_EQ(recovered->name, "other");
+  EXPECT_EQ(autosave.status().state, AutosaveStatus::State::kWorking);
+  EXPECT_TRUE(recovered->drawing.document == desk.ended());
+  EXPECT_GT(recovered->drawing.document.stroke_count(), 190u);
+}
+
+/// ... nor does one that stalls while the edit thread hangs lose what the loop made.
+TEST_F(AutosaveFault, AStalledDiskAndAHungEditThreadLoseNothing) {
+  AutosaveFixture desk({.roots = {folder_.at("unused")}});
+  Autosave autosave(options());
+  desk.listener = &autosave;
+  desk.listener->session_began(*desk.session, desk.drawing(), "n", "", false);
+  autosave.attach(*desk.ring, AutosaveFixture::kOffsetNs);
+  desk.steps(20);
+  autosave.flush();
+  desk.hangs = true;
+  {
+    const std::unique_lock disk(FaultyVfs::the().stall);
+    desk.steps(10'000);
+  }
+  EXPECT_EQ(desk.ring->dropped(), 0u);
+  autosave.flush();
+  const Result<Recovered> recovered = recover_autosave(autosave.status().folder);
+  ASSERT_TRUE(recovered);
+  for (int i = 20; i < 10'020; ++i) {
+    PenSample late = AutosaveFixture::sample(i);
+    late.time_ns += AutosaveFixture::kOffsetNs;
+    ASSERT_TRUE(desk.session->sample(late));
+  }
+  EXPECT_TRUE(recovered->drawing.document == desk.ended());
+}
+
+/// Each call of a kind fails once: the store is never touched again, another takes its place, and
+/// nothing is lost.
+TEST_F(AutosaveFault, WhateverFailsIsNeverTriedAgainInTheSameFile) {
+  for (const DiskCall kind : {DiskCall::kOpen, DiskCall::kWrite, DiskCall::kSync}) {
+    for (const int code : {SQLITE_IOERR_WRITE, SQLITE_FULL, SQLITE_IOERR_FSYNC}) {
+      bool any = true;
+      for (int nth = 1; any && nth < 200; nth += 1 + nth / 12) {
+        const TestFolder folder;
+        AutosaveOptions how = options();
+        how.roots = {folder.at("first"), folder.at("second")};
+        how.max_log_bytes = 2'000;
+        int seen = 0, after = 0;
+        FaultyVfs::the().judge = [&](DiskCall call, const std::string& path) {
+          if (!path.starts_with(folder.at("first"))) return SQLITE_OK;
+          if (seen >= nth) {
+            // One that is not made yet holds nothing, and goes.
+            if (path.find(kAutosaveDatabaseFile) != std::string::npos) ++after;
+            return code;
+          }
+          if (call == kind) ++seen;
+          return seen == nth ? code : SQLITE_OK;
+        };
+        AutosaveFixture desk(how);
+        for (int i = 0; i < 150; ++i) {
+          desk.step();
+          if (i % 5 == 0) desk.autosave->process();
+          if (i % 40 == 20) desk.draw(static_cast<std::uint64_t>(i));
+        }
+        desk.autosave->process();
+        any = seen >= nth;
+        EXPECT_EQ(after, 0) << "the first place was used after its failure";
+        EXPECT_EQ(desk.autosave->status().state,
+                  any ? AutosaveStatus::State::kElsewhere : AutosaveStatus::State::kWorking);
+        const Recovered recovered = desk.crashed();
+        EXPECT_TRUE(recovered.problems.empty());
+        EXPECT_TRUE(recovered.drawing.document == desk.ended()) << "call " << nth;
+      }
+    }
+  }
+}
+
+/// What a store holds that failed in the middle of a commit is what was committed before.
+TEST_F(AutosaveFault, AStoreThatFailedHoldsItsLastCommit) {
+  for (int nth = 12; nth < 60; nth += 3) {
+    const TestFolder folder;
+    AutosaveOptions how = options();
+    how.roots = {folder.at("first")};
+    int writes = 0;
+    FaultyVfs::the().judge = [&](DiskCall call, const std::string&) {
+      return call == DiskCall::kWrite && ++writes >= nth ? SQLITE_FULL : SQLITE_OK;
+    };
+    AutosaveFixture desk(how);
+    desk.autosave->process();
+    std::vector<Document> states{desk.session->document()};
+    std::string store = desk.autosave->status().folder;
+    for (std::uint64_t i = 0; i < 20; ++i) {
+      desk.draw(i);
+      desk.autosave->process();
+      if (desk.autosave->status().state != AutosaveStatus::State::kWorking) break;
+      store = desk.autosave->status().folder;
+      states.push_back(desk.session->document());
+    }
+    if (store.empty()) continue;
+    EXPECT_EQ(desk.autosave->status().state, AutosaveStatus::State::kFailing);
+    const Result<Recovered> recovered = recover_autosave(store);
+    ASSERT_TRUE(recovered) << recovered.error().message;
+    EXPECT_TRUE(recovered->drawing.document == states.back());
+  }
+}
+
+/// The disk is full, then it is not.
+TEST_F(AutosaveFault, AFullDiskIsSaidAndFoundMended) {
+  AutosaveOptions how = options();
+  how.retry = how.retry_first = std::chrono::milliseconds(0);
+  std::vector<AutosaveStatus> told;
+  how.on_status = [&told](const AutosaveStatus& status) { told.push_back(status); };
+  bool is_full = false;
+  FaultyVfs::the().judge = [&](DiskCall call, const std::string&) {
+    return is_full && call == DiskCall::kWrite ? SQLITE_FULL : SQLITE_OK;
+  };
+  AutosaveFixture desk(how);
+  desk.draw(1);
+  desk.autosave->process();
+  EXPECT_TRUE(told.empty());
+  is_full = true;
+  desk.draw(2);
+  desk.autosave->process();
+  desk.steps(70);
+  desk.autosave->process();
+  ASSERT_FALSE(told.empty());
+  EXPECT_EQ(told.back().state, AutosaveStatus::State::kFailing);
+  EXPECT_NE(told.back().why.find("full"), std::string::npos) << told.back().why;
+  is_full = false;
+  desk.steps(30);
+  desk.autosave->process();
+  EXPECT_EQ(told.back().state, AutosaveStatus::State::kWorking);
+  EXPECT_TRUE(desk.crashed().drawing.document == desk.ended());
+}
+
+}  // namespace
+}  // namespace felt

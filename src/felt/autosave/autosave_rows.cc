@@ -1,0 +1,180 @@
+#include "felt/autosave/autosave_rows.h"
+
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <utility>
+
+#include "felt/store/byte_stream.h"
+#include "felt/store/crc32c.h"
+#include "felt/store/stroke_blob.h"
+
+namespace felt {
+namespace {
+
+constexpr std::size_t kMaxTextBytes = 1 << 16;
+constexpr std::size_t kMaxHeadBytes = std::size_t{1} << 30;
+constexpr std::size_t kMinLayerBytes = 13, kMinRunStrokeBytes = 12;
+constexpr std::uint8_t kRowVisible = 1, kRowLocked = 2;
+
+/// All of a drawing but strokes and layers, as a drawing of its own.
+Result<void> append_sheet(ByteWriter& out, const Drawing& drawing) {
+  Drawing sheet;  // without extras, which are rows of strokes: these stand elsewhere
+  sheet.page = drawing.page;
+  sheet.color = drawing.color;
+  sheet.palette = drawing.palette;
+  sheet.view = drawing.view;
+  sheet.materials = drawing.materials;
+  const Result<std::string> bytes = felt_bytes(sheet);
+  if (!bytes) return tl::unexpected(bytes.error());
+  out.text(*bytes);
+  return {};
+}
+
+/// The layers of a base, as an edit of the document that every drawing starts as.
+Result<void> read_layers(ByteReader& in, Document& document) {
+  const std::uint32_t count = in.u32();
+  if (!in.has(count, kMinLayerBytes) || count == 0) return invalid_data("the layers are cut off");
+  const Layer& first = document.layers().front();
+  Edit edit;
+  edit.layers.push_back({first.id, first.state(), std::nullopt, 0, 0});
+  for (std::uint32_t i = 0; i < count; ++i) {
+    LayerChange change{{in.u64()}, std::nullopt, LayerState{}, 0, i};
+    change.after->name = std::string(in.text(kMaxTextBytes));
+    const std::uint8_t flags = in.u8();
+    change.after->visible = (flags & kRowVisible) != 0;
+    change.after->locked = (flags & kRowLocked) != 0;
+    if (change.id == first.id) {
+      edit.layers.front().after = std::move(change.after);
+      edit.layers.front().after_index = i;
+    } else {
+      edit.layers.push_back(std::move(change));
+    }
+  }
+  if (!in.ok()) return invalid_data("the layers are cut off");
+  return document.apply(edit);
+}
+
+}  // namespace
+
+Result<void> remove_autosave_folder(const std::string& folder) {
+  // The database first: what is without one holds no drawing. The lock last.
+  for (const char* name : {kAutosaveDatabaseFile, kNewDatabaseFile, kCopiedDatabaseFile}) {
+    for (const char* end : {"", "-wal", "-shm", "-journal"}) {
+      const std::string path = folder + '/' + name + end;
+      // A database that stays keeps its journal: without it, it would be an older drawing.
+      if (::unlink(path.c_str()) != 0 && errno != ENOENT) {
+        return fail(ErrorCode::kIo, path + ": cannot be removed: " + std::strerror(errno));
+      }
+    }
+  }
+  ::unlink((folder + "/lock").c_str());
+  if (::rmdir(folder.c_str()) == 0 || errno == ENOENT) return {};
+  return fail(ErrorCode::kIo, folder + ": cannot be removed: " + std::strerror(errno));
+}
+
+std::int64_t row_crc(std::uint64_t a, std::uint64_t b, std::string_view bytes) noexcept {
+  std::array<char, 16> numbers{};
+  for (std::size_t i = 0; i < 8; ++i) {
+    numbers[i] = static_cast<char>(a >> (8 * i) & 0xff);
+    numbers[8 + i] = static_cast<char>(b >> (8 * i) & 0xff);
+  }
+  return crc32c(bytes, crc32c({numbers.data(), numbers.size()}));
+}
+
+Result<std::string> base_head_bytes(const Drawing& drawing) {
+  std::string bytes;
+  ByteWriter out(bytes);
+  const Document& document = drawing.document;
+  out.u64(document.new_id().value - 1);
+  out.u64(document.new_layer_id().value - 1);
+  out.u64(drawing.layer.value);
+  out.u32(static_cast<std::uint32_t>(document.layers().size()));
+  for (const Layer& layer : document.layers()) {
+    out.u64(layer.id.value);
+    out.text(std::string_view(layer.name).substr(0, kMaxTextBytes));
+    out.u8(static_cast<std::uint8_t>((layer.visible ? kRowVisible : 0) |
+                                     (layer.locked ? kRowLocked : 0)));
+  }
+  if (auto ok = append_sheet(out, drawing); !ok) return tl::unexpected(ok.error());
+  return bytes;
+}
+
+Result<Drawing> read_base_head(std::string_view bytes) {
+  ByteReader in(bytes);
+  const StrokeId last_stroke{in.u64()};
+  const LayerId last_layer{in.u64()}, in_use{in.u64()};
+  Document document;
+  if (auto ok = read_layers(in, document); !ok) return tl::unexpected(ok.error());
+  document.reserve_ids(last_stroke, last_layer);
+  Result<Drawing> drawing = parse_felt(in.text(kMaxHeadBytes));
+  if (!drawing) return drawing;
+  drawing->document = std::move(document);
+  drawing->layer = drawing->document.layer(in_use) ? in_use : LayerId{};
+  return drawing;
+}
+
+Result<std::string> base_run_bytes(const Document& document, const Layer& layer,
+                                   std::size_t& index) {
+  std::string strokes;
+  ByteWriter out(strokes);
+  std::uint32_t count = 0;
+  for (; index < layer.strokes.size() && strokes.size() < kBasePartBytes; ++index, ++count) {
+    std::string shape;
+    const StrokeId id = layer.strokes[index];
+    if (auto ok = append_stroke_blob(shape, *document.find(id)); !ok) {
+      return tl::unexpected(ok.error());
+    }
+    out.u64(id.value);
+    out.text(shape);
+  }
+  std::string bytes;
+  ByteWriter head(bytes);
+  head.u64(layer.id.value);
+  head.u32(count);
+  return bytes += strokes;
+}
+
+Result<BaseRun> read_base_run(std::string_view bytes) {
+  ByteReader in(bytes);
+  BaseRun run{{in.u64()}, {}};
+  const std::uint32_t count = in.u32();
+  if (!in.has(count, kMinRunStrokeBytes)) return invalid_data("the strokes are cut off");
+  run.strokes.reserve(count);
+  for (std::uint32_t i = 0; i < count; ++i) {
+    const StrokeId id{in.u64()};
+    Result<Stroke> stroke = read_stroke_blob(in.text(kMaxStrokeBlobBytes));
+    if (!stroke) return tl::unexpected(stroke.error());
+    run.strokes.emplace_back(id, std::make_shared<const Stroke>(*std::move(stroke)));
+  }
+  if (!in.ok() || in.left() > 0) return invalid_data("the strokes are cut off");
+  return run;
+}
+
+Result<std::string> info_bytes(const AutosaveInfo& info) {
+  std::string bytes;
+  ByteWriter out(bytes);
+  out.text(std::string_view(info.name).substr(0, kMaxTextBytes));
+  out.text(std::string_view(info.path).substr(0, kMaxTextBytes));
+  out.u8(info.modified ? 1 : 0);
+  out.u64(info.head.layer.value);
+  if (auto ok = append_sheet(out, info.head); !ok) return tl::unexpected(ok.error());
+  return bytes;
+}
+
+Result<AutosaveInfo> read_info(std::string_view bytes) {
+  ByteReader in(bytes);
+  AutosaveInfo info;
+  info.name = std::string(in.text(kMaxTextBytes));
+  info.path = std::string(in.text(kMaxTextBytes));
+  info.modified = in.u8() != 0;
+  const LayerId layer{in.u64()};
+  Result<Drawing> head = parse_felt(in.text(kMaxHeadBytes));
+  if (!head) return tl::unexpected(head.error());
+  info.head = *std::move(head);
+  info.head.layer = layer;
+  return info;
+}
+
+}  // namespace felt

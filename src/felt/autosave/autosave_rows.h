@@ -1,0 +1,71 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "felt/autosave/autosave_database.h"
+#include "felt/base/result.h"
+#include "felt/store/felt_file.h"
+
+namespace felt {
+
+// The rows of an autosave database, for writing and reading.
+
+/// "FltW", and the version of this format. Other versions are not read, because the file never
+/// leaves the machine.
+inline constexpr std::uint32_t kAutosaveApplicationId = 0x466c7457;
+inline constexpr std::uint32_t kAutosaveVersion = 1;
+
+/// The schema.
+inline constexpr std::array kAutosaveTables = {
+    // Parts of bases; id = generation << 32 | part.
+    "CREATE TABLE base(id INTEGER PRIMARY KEY, crc INTEGER NOT NULL, bytes BLOB NOT NULL)",
+    // Complete bases, the edits that they contain, and how many parts they have.
+    "CREATE TABLE generation(id INTEGER PRIMARY KEY, serial INTEGER NOT NULL, "
+    "parts INTEGER NOT NULL, crc INTEGER NOT NULL)",
+    "CREATE TABLE edit(serial INTEGER PRIMARY KEY, crc INTEGER NOT NULL, bytes BLOB NOT NULL)",
+    "CREATE TABLE about(id INTEGER PRIMARY KEY, crc INTEGER NOT NULL, bytes BLOB NOT NULL)",
+    "CREATE TABLE live(sequence INTEGER PRIMARY KEY, kind INTEGER NOT NULL, "
+    "length INTEGER NOT NULL, crc INTEGER NOT NULL, bytes BLOB NOT NULL)"};
+
+inline constexpr std::size_t kBasePartBytes = std::size_t{64}
+                                              << 10;  ///< usually; a damaged page costs eight
+inline constexpr std::size_t kMinTextBytes = 4;
+
+constexpr std::int64_t base_row(std::uint64_t generation, std::uint64_t part) noexcept {
+  return static_cast<std::int64_t>(generation << 32 | part);
+}
+
+/// Name of the database until its schema is complete.
+inline constexpr const char* kNewDatabaseFile = "store.new";
+/// Name of the copy that recovery reads.
+inline constexpr const char* kCopiedDatabaseFile = "copy.db";
+/// Deletes our files in such a folder, and the folder if nothing else is in it.
+Result<void> remove_autosave_folder(const std::string& folder);
+
+/// Checksum of a row: of its numbers, then of its bytes.
+std::int64_t row_crc(std::uint64_t a, std::uint64_t b, std::string_view bytes) noexcept;
+
+/// The first part of a base: everything but the strokes.
+Result<std::string> base_head_bytes(const Drawing& drawing);
+/// Returns the drawing without its strokes: all its layers, and the ids that were ever used.
+Result<Drawing> read_base_head(std::string_view bytes);
+
+/// Further parts: a run of strokes of one layer.
+struct BaseRun {
+  LayerId layer;
+  std::vector<std::pair<StrokeId, StrokePtr>> strokes;
+};
+/// Appends strokes from `index` on and advances it, until the part is full or the layer ends.
+Result<std::string> base_run_bytes(const Document& document, const Layer& layer,
+                                   std::size_t& index);
+Result<BaseRun> read_base_run(std::string_view bytes);
+
+Result<std::string> info_bytes(const AutosaveInfo& about);
+/// The head's document is empty.
+Result<AutosaveInfo> read_info(std::string_view bytes);
+
+}  // namespace felt

@@ -1,0 +1,316 @@
+#include "felt/autosave/autosave.h"
+
+#include <gtest/gtest.h>
+
+#include <thread>
+
+#include "felt/autosave/folder_lock.h"
+#include "felt/autosave/live_ink.h"
+#include "felt/autosave/testing/autosave_fixture.h"
+
+namespace felt {
+namespace {
+
+using testing::AutosaveFixture;
+using testing::TestFolder;
+
+TEST(Autosave, WhateverWasDrawnIsThereAtAnyStep) {
+  for (int steps = 1; steps < 320; steps += 1 + steps % 7) {
+    const TestFolder folder;
+    AutosaveFixture desk({.roots = {folder.path}});
+    desk.autosave->process();
+    for (int i = 0; i < steps; ++i) {
+      desk.step();
+      if (i % 5 == 2) desk.autosave->process();
+      if (i % 60 == 57 && i % 240 > 180) desk.apply(UndoEvent{});
+      if (i % 60 == 58 && i % 120 > 60) desk.apply(LayerEvent{LayerEvent::Do::kAdd, {}, "L"});
+    }
+    desk.autosave->process();
+    const Recovered recovered = desk.crashed();
+    EXPECT_TRUE(recovered.problems.empty()) << recovered.problems.front();
+    EXPECT_TRUE(recovered.drawing.document == desk.ended()) << steps << " steps";
+  }
+}
+
+/// Every tool but the pencil, at work on what is there when the process dies.
+TEST(Autosave, EveryToolsGestureIsThere) {
+  for (const char* tool : {"pull", "smooth", "width", "eraser", "lasso", "transform", "connect"}) {
+    for (const int steps : {20, 35, 52, 90}) {
+      const TestFolder folder;
+      AutosaveFixture desk({.roots = {folder.path}});
+      desk.draw(7, 12);
+      desk.apply(SelectStrokes{});
+      desk.apply(SelectTool{tool});
+      desk.apply(SetOption{"sheet.color", "#2040a0"});
+      for (int i = 0; i < steps; ++i) {
+        desk.step();
+        if (i % 5 == 2) desk.autosave->process();
+      }
+      desk.autosave->process();
+      const Recovered recovered = desk.crashed();
+      EXPECT_TRUE(recovered.drawing.document == desk.ended()) << tool << ' ' << steps;
+      EXPECT_EQ(recovered.drawing.color, (Rgba{0x20, 0x40, 0xa0, 255}));
+    }
+  }
+}
+
+/// The edit thread stops at every point of a gesture, and the hand draws on.
+TEST(Autosave, AHungEditThreadCostsNoInk) {
+  for (const char* tool : {"pencil", "pull", "eraser", "transform"}) {
+    for (int told = 40; told <= 125; told += 5) {
+      for (const int more : {1, 20, 64, 130}) {
+        const TestFolder folder;
+        AutosaveFixture desk({.roots = {folder.path}});
+        desk.draw(7, 12);
+        desk.apply(SelectStrokes{});
+        desk.apply(SelectTool{tool});
+        desk.steps(told);
+        desk.autosave->process();
+        desk.hangs = true;
+        for (int i = 0; i < more; ++i) {
+          desk.step();
+          if (i % 5 == 0) desk.autosave->process();
+        }
+        desk.autosave->process();
+        const Recovered recovered = desk.crashed();
+        for (int i = 0; i < more; ++i) {
+          PenSample late = AutosaveFixture::sample(told + i);
+          late.time_ns += AutosaveFixture::kOffsetNs;
+          ASSERT_TRUE(desk.session->sample(late));
+        }
+        EXPECT_TRUE(recovered.drawing.document == desk.ended())
+            << tool << ": told " << told << ", then " << more;
+      }
+    }
+  }
+}
+
+/// What the session was not told of a pen that leans is kept with its lean; of one that does not,
+/// as it ever was.
+TEST(LiveInk, KeepsHowThePenLeans) {
+  for (const std::optional<double> lean : {std::optional<double>(), std::optional(32.5)}) {
+    LiveInk live;
+    live.clear();
+    std::vector<PenSample> told;
+    for (int i = 0; i < 20; ++i) {
+      const double z = i < 5 ? 3.0 : -0.3;
+      told.push_back({i * 1'000'000, {0.1 * i, 5.0, z}, {}, {}, 0});
+      if (i > 8) told.back().lean_deg = lean;
+      live.add_loop_sample(told.back());
+    }
+    LiveStretch stretch;
+    for (const LiveChunk& chunk : live.take_changes().chunks) {
+      if (chunk.kind != LiveKind::kContext) {
+        EXPECT_EQ(chunk.kind, lean ? LiveKind::kLeaning : LiveKind::kSamples);
+      }
+      ASSERT_TRUE(read_live_chunk(chunk.kind, chunk.bytes, stretch));
+      LiveStretch damaged;
+      EXPECT_FALSE(read_live_chunk(chunk.kind, chunk.bytes + "x", damaged));
+    }
+    EXPECT_EQ(stretch.overhang, told);
+  }
+}
+
+/// Another tool is chosen in the middle of a line, which ends it: what the pen does until it is
+/// lifted is no gesture, here as there.
+TEST(Autosave, TheRestOfALineIsNoOtherGesture) {
+  for (const char* tool : {"eraser", "pull", "pencil"}) {
+    for (const int told : {22, 30, 49, 52, 60}) {
+      for (const bool hangs : {false, true}) {
+        const TestFolder folder;
+        AutosaveFixture desk({.roots = {folder.path}});
+        desk.draw(7, 12);
+        desk.apply(SelectTool{"smooth"});
+        desk.steps(20);
+        desk.apply(SelectTool{tool});
+        desk.steps(told - 20);
+        desk.autosave->process();
+        desk.hangs = hangs;
+        desk.steps(70);
+        desk.autosave->process();
+        const Recovered recovered = desk.crashed();
+        for (int i = 0; hangs && i < 70; ++i) {
+          PenSample late = AutosaveFixture::sample(told + i);
+          late.time_ns += AutosaveFixture::kOffsetNs;
+          ASSERT_TRUE(desk.session->sample(late));
+        }
+        EXPECT_TRUE(recovered.drawing.document == desk.ended()) << tool << ' ' << told << hangs;
+      }
+    }
+  }
+}
+
+/// ... and it wakes again: what it tells then is what the loop had told.
+TEST(Autosave, WhatIsToldLateIsNoInkTwice) {
+  for (int told = 44; told <= 120; told += 4) {
+    const TestFolder folder;
+    AutosaveFixture desk({.roots = {folder.path}});
+    desk.steps(told);
+    desk.hangs = true;
+    for (int i = 0; i < 90; ++i) {
+      desk.step();
+      if (i % 5 == 0) desk.autosave->process();
+    }
+    desk.hangs = false;
+    for (int i = 0; i < 90; ++i) {
+      PenSample late = AutosaveFixture::sample(told + i);
+      late.time_ns += AutosaveFixture::kOffsetNs;
+      ASSERT_TRUE(desk.session->sample(late));
+      if (i % 17 == 3) desk.autosave->process();
+    }
+    desk.steps(13);
+    desk.autosave->process();
+    EXPECT_TRUE(desk.crashed().drawing.document == desk.ended()) << told;
+  }
+}
+
+TEST(Autosave, ANewBaseTakesTheOldOnesPlaceAndLosesNothing) {
+  const TestFolder folder;
+  AutosaveFixture desk({.roots = {folder.path}, .max_log_bytes = 6'000});
+  desk.draw(1, 3000);
+  for (std::uint64_t i = 2; i < 60; ++i) {
+    desk.draw(i, 2);
+    desk.autosave->process();
+    if (i % 9 == 0) {
+      const Recovered recovered = desk.crashed();
+      EXPECT_TRUE(recovered.problems.empty());
+      EXPECT_TRUE(recovered.drawing.document == desk.session->document()) << i;
+      EXPECT_LT(recovered.edits, 30u);
+    }
+  }
+  EXPECT_EQ(desk.ring->dropped(), 0u);
+}
+
+TEST(Autosave, WhatIsSavedLeavesNothingAndWhatIsNotStays) {
+  const TestFolder folder;
+  {
+    AutosaveFixture desk({.roots = {folder.path}});
+    desk.draw(1);
+    desk.autosave->process();
+    EXPECT_TRUE(find_abandoned_autosaves({folder.path}).empty()) << "its owner lives";
+    desk.autosave->post({.name = "a.felt", .path = "/a.felt"});
+    desk.autosave->post({.modified = false});
+  }
+  EXPECT_TRUE(std::filesystem::is_empty(folder.path));
+  {
+    AutosaveFixture desk({.roots = {folder.path}});
+    desk.draw(1, 3);
+    desk.autosave->post({.name = "b.felt", .path = "/b.felt"});
+  }
+  std::vector<AbandonedAutosave> left = find_abandoned_autosaves({folder.path});
+  ASSERT_EQ(left.size(), 1u);
+  const Recovered recovered = recover_autosave(left[0].folder).value();
+  EXPECT_TRUE(recovered.has_changes);
+  EXPECT_EQ(recovered.drawing.document.stroke_count(), 3u);
+  EXPECT_EQ(recovered.name, "b.felt");
+  EXPECT_EQ(recovered.path, "/b.felt");
+  EXPECT_TRUE(find_abandoned_autosaves({folder.path}).empty()) << "we have it";
+  ASSERT_TRUE(std::move(left[0]).remove());
+  EXPECT_TRUE(std::filesystem::is_empty(folder.path));
+}
+
+TEST(Autosave, AnotherDrawingBeginsAnotherStore) {
+  const TestFolder folder;
+  AutosaveFixture desk({.roots = {folder.path}});
+  desk.draw(1, 5);
+  desk.autosave->process();
+  const std::string first = desk.autosave->status().folder;
+  desk.listener->session_began(*desk.session, desk.drawing(), "next", "", false);
+  desk.draw(2);
+  desk.autosave->process();
+  EXPECT_NE(desk.autosave->status().folder, first);
+  EXPECT_FALSE(std::filesystem::exists(first));
+  EXPECT_TRUE(desk.crashed().drawing.document == desk.session->document());
+}
+
+TEST(Autosave, APlaceThatFailsIsLeftForTheNext) {
+  const TestFolder folder;
+  const std::string no_folder = folder.at("file");
+  std::fclose(std::fopen(no_folder.c_str(), "w"));
+  std::vector<AutosaveStatus> told;
+  AutosaveOptions options{.roots = {no_folder, folder.at("second")}};
+  options.on_status = [&told](const AutosaveStatus& status) { told.push_back(status); };
+  options.retry_first = std::chrono::milliseconds(0);
+  AutosaveFixture desk(options);
+  desk.draw(1);
+  desk.autosave->process();
+  ASSERT_EQ(told.size(), 1u);
+  EXPECT_EQ(told[0].state, AutosaveStatus::State::kElsewhere);
+  EXPECT_NE(told[0].why.find(no_folder), std::string::npos) << told[0].why;
+  desk.draw(2);
+  desk.autosave->process();
+  EXPECT_TRUE(desk.crashed().drawing.document == desk.session->document());
+  EXPECT_EQ(told.size(), 1u);
+  // The first place is mended.
+  std::filesystem::remove(no_folder);
+  desk.draw(3);
+  desk.autosave->process();
+  ASSERT_EQ(told.size(), 2u);
+  EXPECT_EQ(told[1].state, AutosaveStatus::State::kWorking);
+  EXPECT_TRUE(desk.crashed().drawing.document == desk.session->document());
+  EXPECT_TRUE(std::filesystem::is_empty(folder.at("second")));
+}
+
+TEST(Autosave, WhereNoPlaceWorksItTriesAgain) {
+  const TestFolder folder;
+  const std::string no_folder = folder.at("file");
+  std::fclose(std::fopen(no_folder.c_str(), "w"));
+  AutosaveOptions options{.roots = {no_folder}};
+  options.retry = std::chrono::milliseconds(0);
+  AutosaveFixture desk(options);
+  desk.draw(1);
+  desk.autosave->process();
+  EXPECT_EQ(desk.autosave->status().state, AutosaveStatus::State::kFailing);
+  desk.draw(2);
+  desk.autosave->process();
+  std::filesystem::remove(no_folder);
+  desk.steps(30);
+  desk.autosave->process();
+  EXPECT_EQ(desk.autosave->status().state, AutosaveStatus::State::kWorking);
+  EXPECT_TRUE(desk.crashed().drawing.document == desk.ended());
+}
+
+TEST(Autosave, AThreadCommitsByItself) {
+  const TestFolder folder;
+  Document document;
+  {
+    AutosaveFixture desk({.roots = {folder.at("unused")}});
+    Autosave autosave({.roots = {folder.at("used")}});
+    autosave.session_began(*desk.session, desk.drawing(), "n", "", true);
+    desk.listener = &autosave;
+    desk.draw(4, 2);
+    autosave.flush();
+    document = desk.session->document();
+    const Result<Recovered> recovered = recover_autosave(autosave.status().folder);
+    ASSERT_TRUE(recovered);
+    EXPECT_TRUE(recovered->drawing.document == document);
+    desk.listener = nullptr;
+  }
+  EXPECT_EQ(find_abandoned_autosaves({folder.at("used")}).size(), 1u);
+}
+
+TEST(FolderLock, BelongsToOneAtATime) {
+  const TestFolder folder;
+  std::optional<FolderLock> lock = FolderLock::take(folder.path).value();
+  EXPECT_FALSE(FolderLock::take(folder.path));
+  lock.reset();
+  EXPECT_TRUE(FolderLock::take(folder.path));
+  EXPECT_FALSE(FolderLock::take(folder.at("nowhere")));
+  EXPECT_EQ(FolderLock::take(folder.at("nowhere")).error().code, ErrorCode::kNotFound);
+}
+
+TEST(FolderLock, PrivateFoldersArePrivate) {
+  const TestFolder folder;
+  ASSERT_TRUE(make_private_folder(folder.at("a/b/c")));
+  using std::filesystem::perms;
+  EXPECT_EQ(std::filesystem::status(folder.at("a/b/c")).permissions(), perms::owner_all);
+  std::filesystem::permissions(folder.at("a/b/c"), perms::all);
+  ASSERT_TRUE(make_private_folder(folder.at("a/b/c")));
+  EXPECT_EQ(std::filesystem::status(folder.at("a/b/c")).permissions(), perms::owner_all);
+  std::fclose(std::fopen(folder.at("file").c_str(), "w"));
+  EXPECT_FALSE(make_private_folder(folder.at("file")));
+  EXPECT_FALSE(make_private_folder(folder.at("file/below")));
+}
+
+}  // namespace
+}  // namespace felt

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "felt/stroke/stroke.h"
+
+namespace felt {
+
+/// A colour and its name, which may be empty.
+struct NamedColor {
+  Rgba color;
+  std::string name;
+  friend bool operator==(const NamedColor&, const NamedColor&) = default;
+};
+
+/// Colours to choose from. Files hold a palette within PaletteLimits.
+struct Palette {
+  std::string name;         ///< "" if it has none
+  std::size_t columns = 0;  ///< to show it in; 0 for any number
+  std::vector<NamedColor> colors;
+  friend bool operator==(const Palette&, const Palette&) = default;
+};
+
+/// The largest palette that a file may hold. Readers fail with the line of what exceeds it.
+struct PaletteLimits {
+  static constexpr std::size_t kMaxBytes = std::size_t{1} << 20;  ///< of a .gpl file
+  static constexpr std::size_t kMaxColors = 10'000;
+  static constexpr std::size_t kMaxNameBytes = 200;
+  static constexpr std::size_t kMaxColumns = 64;
+};
+
+}  // namespace felt

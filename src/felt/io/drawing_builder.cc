@@ -1,0 +1,89 @@
+#include "felt/io/drawing_builder.h"
+
+#include <algorithm>
+#include <charconv>
+#include <set>
+
+#include "felt/base/check.h"
+#include "felt/base/utf8.h"
+#include "felt/io/limits.h"
+
+namespace felt {
+namespace {
+
+/// The largest id that a name may ask for is below this: far below the largest that a file can hold
+/// (2^53), so that new strokes get ids that can be saved.
+constexpr std::uint64_t kMaxId = std::uint64_t{1} << 40;
+
+/// 12 of "s12"; 0 of anything else.
+std::uint64_t id_of_name(std::string_view name) noexcept {
+  if (name.size() < 2 || name[0] != 's' || name[1] == '0') return 0;
+  std::uint64_t id = 0;
+  const char* end = name.data() + name.size();
+  const auto [rest, error] = std::from_chars(name.data() + 1, end, id);
+  return error == std::errc() && rest == end && id < kMaxId ? id : 0;
+}
+
+bool is_layer_name(std::string_view name) {
+  return !name.empty() && name.size() <= limits::kMaxNameBytes &&
+         name.find('\0') == std::string_view::npos && is_utf8(name);
+}
+
+void make_valid(SheetPage& page) {
+  const auto fits = [](double mm) { return mm >= SheetPage::kLeastMm && mm <= SheetPage::kMostMm; };
+  if (!fits(page.width_mm) || !fits(page.height_mm)) {
+    page.width_mm = SheetPage{}.width_mm;
+    page.height_mm = SheetPage{}.height_mm;
+  }
+  if (page.surface.size() > limits::kMaxNameBytes || !is_utf8(page.surface)) page.surface = "";
+}
+
+}  // namespace
+
+std::size_t DrawingBuilder::add_layer(LayerState state) {
+  if (!is_layer_name(state.name)) state.name = "Layer " + std::to_string(layers_.size() + 1);
+  layers_.push_back({std::move(state), {}});
+  return layers_.size() - 1;
+}
+
+void DrawingBuilder::add(std::size_t layer, Stroke stroke, std::string_view name) {
+  FELT_CHECK(layer < layers_.size());
+  layers_[layer].strokes.push_back(
+      {id_of_name(name), std::make_shared<const Stroke>(std::move(stroke))});
+}
+
+void DrawingBuilder::add(std::size_t layer, StrokePtr stroke, StrokeId id) {
+  FELT_CHECK(layer < layers_.size());
+  layers_[layer].strokes.push_back({id.value < kMaxId ? id.value : 0, std::move(stroke)});
+}
+
+Edit DrawingBuilder::edit() const {
+  std::uint64_t last_id = 0;
+  for (const NewLayer& layer : layers_) {
+    for (const Entry& entry : layer.strokes) last_id = std::max(last_id, entry.id);
+  }
+  Edit edit;
+  std::set<std::uint64_t> taken;
+  const Layer& first = drawing_.document.layers().front();
+  for (std::size_t i = 0; i < layers_.size(); ++i) {
+    const LayerId layer{i + 1};
+    const auto before = layer == first.id ? std::optional(first.state()) : std::nullopt;
+    edit.layers.push_back({layer, before, layers_[i].state, 0, i});
+    std::size_t index = 0;
+    for (const Entry& entry : layers_[i].strokes) {
+      const bool gets_it = entry.id > 0 && taken.insert(entry.id).second;
+      const StrokeId id{gets_it ? entry.id : ++last_id};
+      edit.changes.push_back({id, nullptr, entry.stroke, {}, StrokePlace{layer, index++}});
+    }
+  }
+  return edit;
+}
+
+Drawing DrawingBuilder::build() && {
+  if (layers_.empty()) add_layer({"Ink"});
+  FELT_CHECK(drawing_.document.apply(edit()).has_value());
+  make_valid(drawing_.page);
+  return std::move(drawing_);
+}
+
+}  // namespace felt
