@@ -1,5 +1,5 @@
 # FELT_QUICK_BUILD: what nearly every file includes is compiled once a kind of target, several sources
-# of a library or a program compile as one (FELT_UNITY_SOURCES), and test code (not what it tests) is
+# of a library, a program or a test compile as one (FELT_UNITY_SOURCES), and test code (not what it tests) is
 # optimised less and carries no debug information. Without it every file is compiled alone, as clang-tidy needs it,
 # and whatever is forgotten to be included shows.
 set(FELT_UNITY_SOURCES 8 CACHE STRING "Sources that compile as one with FELT_QUICK_BUILD")
@@ -79,6 +79,7 @@ function(felt_quick_test target is_desktop)
     return()
   endif()
   target_compile_options(${target} PRIVATE ${felt_quick_test_options})
+  felt_unity(${target})
   if(is_desktop)
     felt_quick_headers(felt_quick_desktop_test EXECUTABLE
       HEADERS ${felt_std_headers} ${felt_test_headers} ${felt_qt_headers}

@@ -13,7 +13,7 @@
 #include "felt/driver/machine_checks.h"
 #include "felt/driver/testing/fake_system.h"
 
-namespace felt::cli {
+namespace felt::cli::doctor_page_test {
 namespace {
 
 constexpr const char* kPage = "docs/devices/doctor.md";
@@ -188,4 +188,4 @@ TEST(DoctorPageTest, NothingInstalledIsNoProblem) {
 }
 
 }  // namespace
-}  // namespace felt::cli
+}  // namespace felt::cli::doctor_page_test

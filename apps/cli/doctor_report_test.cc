@@ -9,7 +9,7 @@
 #include "system_fix.h"
 #include "tests/support/scratch_path.h"
 
-namespace felt::cli {
+namespace felt::cli::doctor_report_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -196,4 +196,4 @@ TEST(SystemFixTest, WritesBelowAPrefixTwiceTheSame) {
 }
 
 }  // namespace
-}  // namespace felt::cli
+}  // namespace felt::cli::doctor_report_test

@@ -7,7 +7,7 @@
 #include "felt/driver/testing/fake_system.h"
 #include "packed.h"
 
-namespace felt::cli {
+namespace felt::cli::driver_look_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -131,4 +131,4 @@ TEST(PackedTest, WhatIsCutReadsAsEmptyAndSaysSo) {
 }
 
 }  // namespace
-}  // namespace felt::cli
+}  // namespace felt::cli::driver_look_test

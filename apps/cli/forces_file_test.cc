@@ -8,7 +8,7 @@
 
 #include "tests/support/scratch_path.h"
 
-namespace felt::cli {
+namespace felt::cli::forces_file_test {
 namespace {
 
 std::string text_of(const std::string& path) {
@@ -34,4 +34,4 @@ TEST(ForcesFile, TheOldFileStaysUntilTheNewOneIsComplete) {
 }
 
 }  // namespace
-}  // namespace felt::cli
+}  // namespace felt::cli::forces_file_test

@@ -8,7 +8,7 @@
 #include <stdexcept>
 #include <vector>
 
-namespace felt::cli {
+namespace felt::cli::ordered_pipeline_test {
 namespace {
 
 struct Item {
@@ -91,4 +91,4 @@ TEST(OrderedPipeline, HoldsFewLargeItemsAtATime) {
 }
 
 }  // namespace
-}  // namespace felt::cli
+}  // namespace felt::cli::ordered_pipeline_test

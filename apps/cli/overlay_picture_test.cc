@@ -9,7 +9,7 @@
 #include "felt/stroke/testing/random_stroke.h"
 #include "felt/tools/tool.h"
 
-namespace felt::cli {
+namespace felt::cli::overlay_picture_test {
 namespace {
 
 using Role = Overlay::Role;
@@ -156,4 +156,4 @@ TEST(OverlayPicture, APreviewIsWhatIsSeen) {
 }
 
 }  // namespace
-}  // namespace felt::cli
+}  // namespace felt::cli::overlay_picture_test

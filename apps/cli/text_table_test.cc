@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace felt::cli {
+namespace felt::cli::text_table_test {
 namespace {
 
 TEST(TextTable, ColumnsLineUpAndNumbersStandRight) {
@@ -40,4 +40,4 @@ TEST(Wrapped, BreaksAtBlanksOnly) {
 }
 
 }  // namespace
-}  // namespace felt::cli
+}  // namespace felt::cli::text_table_test

@@ -20,7 +20,7 @@
 #include "tests/desktop/injected_pen.h"
 #include "tests/desktop/recording_check.h"
 
-namespace felt::desktop {
+namespace felt::desktop::tablet_test {
 namespace {
 
 constexpr int kMostMs = 20'000;  // for anything to happen on a machine that is busy
@@ -184,4 +184,4 @@ TEST_F(DesktopTablet, AThousandEventsAreAThousandPlaces) {
 }
 
 }  // namespace
-}  // namespace felt::desktop
+}  // namespace felt::desktop::tablet_test

@@ -15,7 +15,7 @@
 #include "tests/desktop/recording_check.h"
 #include "tests/desktop/x_server.h"
 
-namespace felt::desktop {
+namespace felt::desktop::x_server_test {
 namespace {
 
 constexpr int kSkipped = 77;
@@ -142,10 +142,10 @@ int run(const QString& desktop, const QString& feltline) {
 }
 
 }  // namespace
-}  // namespace felt::desktop
+}  // namespace felt::desktop::x_server_test
 
 int main(int argc, char** argv) {
   const QCoreApplication app(argc, argv);
-  if (argc != 3) return felt::desktop::failed("needs the paths of feltline-desktop and feltline");
-  return felt::desktop::run(QString::fromLocal8Bit(argv[1]), QString::fromLocal8Bit(argv[2]));
+  if (argc != 3) return felt::desktop::x_server_test::failed("needs the paths of feltline-desktop and feltline");
+  return felt::desktop::x_server_test::run(QString::fromLocal8Bit(argv[1]), QString::fromLocal8Bit(argv[2]));
 }

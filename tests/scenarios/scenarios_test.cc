@@ -2,7 +2,7 @@
 
 #include "tests/scenarios/scenario.h"
 
-namespace felt {
+namespace felt::scenarios_test {
 namespace {
 
 std::vector<Scenario> scenarios() {
@@ -85,4 +85,4 @@ TEST(Scenarios, R51_ForcesDoNotMatterToAPen) {
 }
 
 }  // namespace
-}  // namespace felt
+}  // namespace felt::scenarios_test

@@ -14,7 +14,7 @@
 #include "felt/stroke/fit/width_map.h"
 #include "felt/tools/pressing.h"
 
-namespace felt {
+namespace felt::steady_push_test {
 namespace {
 
 constexpr Point kMiddle{60.0, 50.0};
@@ -120,4 +120,4 @@ TEST(SlowLoop, R30_R56_APullIsHeldByTheWholeLawAt250Hz) {
 }
 
 }  // namespace
-}  // namespace felt
+}  // namespace felt::steady_push_test

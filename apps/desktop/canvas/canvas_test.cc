@@ -15,7 +15,7 @@
 #include "desktop/engine/settings.h"
 #include "felt/material/materials.h"
 
-namespace felt::desktop {
+namespace felt::desktop::canvas_test {
 namespace {
 
 /// How far two pictures are apart: the largest difference of a channel, and the pixels that differ
@@ -523,4 +523,4 @@ TEST(Canvas, AnotherSizeIsShownAtThePointer) {
 }
 
 }  // namespace
-}  // namespace felt::desktop
+}  // namespace felt::desktop::canvas_test

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <random>
 
-namespace felt::desktop {
+namespace felt::desktop::canvas_view_test {
 namespace {
 
 class ViewDice {
@@ -142,4 +142,4 @@ TEST(CanvasView, VisibleHoldsEveryCornerAndTakesNoNonsense) {
 }
 
 }  // namespace
-}  // namespace felt::desktop
+}  // namespace felt::desktop::canvas_view_test

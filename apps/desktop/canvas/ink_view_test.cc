@@ -13,7 +13,7 @@
 #include "felt/document/testing/random_document.h"
 #include "felt/render/raster.h"
 
-namespace felt::desktop {
+namespace felt::desktop::ink_view_test {
 namespace {
 
 constexpr QSize kSize(300, 220);
@@ -340,4 +340,4 @@ TEST(InkView, EndsInTheMiddle) {
 }
 
 }  // namespace
-}  // namespace felt::desktop
+}  // namespace felt::desktop::ink_view_test

@@ -7,7 +7,7 @@
 
 #include "felt/tools/overlay_look.h"
 
-namespace felt::desktop {
+namespace felt::desktop::marks_test {
 namespace {
 
 CanvasView at_one_px_per_mm() {
@@ -141,4 +141,4 @@ TEST(Marks, KeepToTheirBoxes) {
 }
 
 }  // namespace
-}  // namespace felt::desktop
+}  // namespace felt::desktop::marks_test

@@ -8,7 +8,7 @@
 #include "desktop/canvas/testing/canvas_sitting.h"
 #include "desktop/engine/settings.h"
 
-namespace felt::desktop {
+namespace felt::desktop::view_actions_test {
 namespace {
 
 class ViewActions : public ::testing::Test {
@@ -108,4 +108,4 @@ TEST_F(ViewActions, SwitchesAreSettings) {
 }
 
 }  // namespace
-}  // namespace felt::desktop
+}  // namespace felt::desktop::view_actions_test

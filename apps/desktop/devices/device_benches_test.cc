@@ -12,7 +12,7 @@
 #include "felt/base/constants.h"
 #include "tests/devices/drivers/driver_bench.h"
 
-namespace felt::desktop {
+namespace felt::desktop::device_benches_test {
 namespace {
 
 /// The bench's device as one that the window's driver opens; its ticks are the studio's.
@@ -202,4 +202,4 @@ INSTANTIATE_TEST_SUITE_P(Drivers, Benches, ::testing::ValuesIn(driver_bench_name
                          name_of_param);
 
 }  // namespace
-}  // namespace felt::desktop
+}  // namespace felt::desktop::device_benches_test

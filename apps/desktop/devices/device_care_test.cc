@@ -22,7 +22,7 @@
 #include "felt/base/constants.h"
 #include "felt/driver/testing/scripted_driver.h"
 
-namespace felt::desktop {
+namespace felt::desktop::device_care_test {
 namespace {
 
 const QString kArm = QStringLiteral("scripted:1");
@@ -516,4 +516,4 @@ TEST(DevicePage, EachHandHasItsPlane) {
 }
 
 }  // namespace
-}  // namespace felt::desktop
+}  // namespace felt::desktop::device_care_test

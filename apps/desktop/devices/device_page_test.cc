@@ -19,7 +19,7 @@
 #include "desktop/feel/feel_panel.h"
 #include "felt/driver/testing/scripted_driver.h"
 
-namespace felt::desktop {
+namespace felt::desktop::device_page_test {
 namespace {
 
 /// A person's device with a frame of its own, which any studio can use at once.
@@ -421,4 +421,4 @@ TEST(DevicePage, TheTestPadLeavesTheDrawingAlone) {
 }
 
 }  // namespace
-}  // namespace felt::desktop
+}  // namespace felt::desktop::device_page_test

@@ -11,7 +11,7 @@
 #include "desktop/engine/settings.h"
 #include "felt/base/constants.h"
 
-namespace felt::desktop {
+namespace felt::desktop::cue_player_test {
 namespace {
 
 struct Played {
@@ -279,4 +279,4 @@ TEST(CueThread, PlaysOnAThreadOfItsOwn) {
 }
 
 }  // namespace
-}  // namespace felt::desktop
+}  // namespace felt::desktop::cue_player_test

@@ -7,7 +7,7 @@
 #include <condition_variable>
 #include <mutex>
 
-namespace felt::desktop {
+namespace felt::desktop::driver_watch_test {
 namespace {
 
 /// A library that does not come back from a call until it is let go.
@@ -91,4 +91,4 @@ TEST(DriverWatch, EndsAlthoughALibraryHangs) {
 }
 
 }  // namespace
-}  // namespace felt::desktop
+}  // namespace felt::desktop::driver_watch_test

@@ -6,7 +6,7 @@
 #include <QTest>
 #include <QToolButton>
 
-namespace felt::desktop {
+namespace felt::desktop::message_bar_test {
 namespace {
 
 struct Bar : MessageBar {
@@ -49,4 +49,4 @@ TEST(MessageBar, TheCrossAndEscapeCloseItAndItTakesNoFocus) {
 }
 
 }  // namespace
-}  // namespace felt::desktop
+}  // namespace felt::desktop::message_bar_test

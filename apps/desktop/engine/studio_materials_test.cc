@@ -11,7 +11,7 @@
 #include "felt/stroke/testing/random_stroke.h"
 #include "felt/tools/tool.h"
 
-namespace felt::desktop {
+namespace felt::desktop::studio_materials_test {
 namespace {
 
 using Texts = std::vector<std::string>;
@@ -227,4 +227,4 @@ TEST(StudioMaterials, ADrawingWithOtherFiguresThanAPersonsOwnSaysSo) {
 }
 
 }  // namespace
-}  // namespace felt::desktop
+}  // namespace felt::desktop::studio_materials_test

@@ -28,7 +28,7 @@
 #include "felt/io/ndjson/ndjson_writer.h"
 #include "felt/session/recorder.h"
 
-namespace felt::desktop {
+namespace felt::desktop::studio_test {
 namespace {
 
 /// A studio on a virtual clock that keeps all its session receives.
@@ -663,4 +663,4 @@ TEST(KeptOptions, AnotherStartBeginsWithThem) {
 }
 
 }  // namespace
-}  // namespace felt::desktop
+}  // namespace felt::desktop::studio_test

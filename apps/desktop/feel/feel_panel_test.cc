@@ -14,7 +14,7 @@
 #include "desktop/feel/feel_actions.h"
 #include "desktop/feel/settings_keys.h"
 
-namespace felt::desktop {
+namespace felt::desktop::feel_panel_test {
 namespace {
 
 StudioOptions by_hand(const QString& device) {
@@ -226,4 +226,4 @@ TEST(DoubleEscape, LeavingMenusIsNotMeantForTheForces) {
 }
 
 }  // namespace
-}  // namespace felt::desktop
+}  // namespace felt::desktop::feel_panel_test

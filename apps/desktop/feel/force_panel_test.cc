@@ -12,7 +12,7 @@
 #include "desktop/feel/safety_words.h"
 #include "felt/base/constants.h"
 
-namespace felt::desktop {
+namespace felt::desktop::force_panel_test {
 namespace {
 
 TickReport tick_at(std::int64_t time_ns, double plane_n, double friction_n = 0.0) {
@@ -211,4 +211,4 @@ TEST(ForcePanel, WithoutMotorsItSaysSoAndPlotsWhatWouldBeAsked) {
 }
 
 }  // namespace
-}  // namespace felt::desktop
+}  // namespace felt::desktop::force_panel_test

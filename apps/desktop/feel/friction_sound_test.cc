@@ -13,7 +13,7 @@
 #include "felt/base/constants.h"
 #include "felt/material/relief.h"
 
-namespace felt::desktop {
+namespace felt::desktop::friction_sound_test {
 namespace {
 
 StudioOptions still() {
@@ -167,4 +167,4 @@ TEST(FrictionSound, IsOffAtFirstAndWorksWithoutASoundDevice) {
 }
 
 }  // namespace
-}  // namespace felt::desktop
+}  // namespace felt::desktop::friction_sound_test

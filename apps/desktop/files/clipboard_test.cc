@@ -10,7 +10,7 @@
 #include "desktop/files/testing/test_desk.h"
 #include "felt/io/testing/test_drawings.h"
 
-namespace felt::desktop {
+namespace felt::desktop::clipboard_test {
 namespace {
 
 using felt::testing::strokes_in;
@@ -159,4 +159,4 @@ TEST(Clipboard, TextsOfMaterialsThatNobodyVouchesFor) {
 }
 
 }  // namespace
-}  // namespace felt::desktop
+}  // namespace felt::desktop::clipboard_test

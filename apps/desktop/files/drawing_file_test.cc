@@ -12,7 +12,7 @@
 #include "felt/io/ndjson/ndjson_writer.h"
 #include "felt/io/testing/test_drawings.h"
 
-namespace felt::desktop {
+namespace felt::desktop::drawing_file_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -93,4 +93,4 @@ TEST(DrawingFile, SuffixesComeOnce) {
 }
 
 }  // namespace
-}  // namespace felt::desktop
+}  // namespace felt::desktop::drawing_file_test

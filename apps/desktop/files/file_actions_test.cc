@@ -20,7 +20,7 @@
 #include "felt/store/felt_file.h"
 #include "felt/store/felt_recording.h"
 
-namespace felt::desktop {
+namespace felt::desktop::file_actions_test {
 namespace {
 
 TEST(FileActions, WhatIsSavedOpensAsItWas) {
@@ -522,4 +522,4 @@ TEST(FileActions, RecentFilesAreRememberedWhileTheyAreThere) {
 }
 
 }  // namespace
-}  // namespace felt::desktop
+}  // namespace felt::desktop::file_actions_test

@@ -7,7 +7,7 @@
 #include <QUuid>
 #include <thread>
 
-namespace felt::desktop {
+namespace felt::desktop::instance_test {
 namespace {
 
 QString fresh_key() {
@@ -54,4 +54,4 @@ TEST(Instance, OthersAreLeftAlone) {
 }
 
 }  // namespace
-}  // namespace felt::desktop
+}  // namespace felt::desktop::instance_test

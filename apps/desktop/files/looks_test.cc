@@ -11,7 +11,7 @@
 #include "desktop/files/recovery_dialog.h"
 #include "desktop/files/testing/test_desk.h"
 
-namespace felt::desktop {
+namespace felt::desktop::looks_test {
 namespace {
 
 QPalette dark() {
@@ -91,4 +91,4 @@ TEST(Looks, EveryControlOfEveryDialogHasAName) {
 }
 
 }  // namespace
-}  // namespace felt::desktop
+}  // namespace felt::desktop::looks_test

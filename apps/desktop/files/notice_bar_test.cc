@@ -10,7 +10,7 @@
 #include "desktop/files/format_texts.h"
 #include "felt/formats/format_traits.h"
 
-namespace felt::desktop {
+namespace felt::desktop::notice_bar_test {
 namespace {
 
 ImportReport report_of_two() {
@@ -79,4 +79,4 @@ TEST(NoticeBar, AReportGoesWithItsDrawing) {
 }
 
 }  // namespace
-}  // namespace felt::desktop
+}  // namespace felt::desktop::notice_bar_test

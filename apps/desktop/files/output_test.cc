@@ -21,7 +21,7 @@
 #include "felt/document/visible_strokes.h"
 #include "felt/formats/drawing_grain.h"
 
-namespace felt::desktop {
+namespace felt::desktop::output_test {
 namespace {
 
 TEST(Export, EveryFormatIsWritten) {
@@ -159,4 +159,4 @@ TEST(Export, GrainIsThatOfTheSheet) {
 }
 
 }  // namespace
-}  // namespace felt::desktop
+}  // namespace felt::desktop::output_test

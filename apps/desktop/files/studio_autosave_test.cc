@@ -15,7 +15,7 @@
 #include "desktop/files/recovery_offer.h"
 #include "desktop/files/testing/test_desk.h"
 
-namespace felt::desktop {
+namespace felt::desktop::studio_autosave_test {
 namespace {
 
 constexpr std::int64_t kStepNs = 10'000'000;
@@ -262,4 +262,4 @@ TEST(StudioAutosave, RecoveringKeepsTheStoreUntilItIsSaved) {
 }
 
 }  // namespace
-}  // namespace felt::desktop
+}  // namespace felt::desktop::studio_autosave_test

@@ -7,7 +7,7 @@
 
 #include "desktop/help/examples.h"
 
-namespace felt::desktop {
+namespace felt::desktop::tour_window_test {
 namespace {
 
 constexpr std::int64_t kFrameNs = 16'000'000;
@@ -81,4 +81,4 @@ TEST(TourWindow, TryItYourselfKeepsWhatTheTourHasDrawn) {
 }
 
 }  // namespace
-}  // namespace felt::desktop
+}  // namespace felt::desktop::tour_window_test

@@ -11,7 +11,7 @@
 #include "desktop/materials/stability_words.h"
 #include "felt/devices/simulated/stylus_presets.h"
 
-namespace felt::desktop {
+namespace felt::desktop::felt_probe_test {
 namespace {
 
 FeltWish wish_of(const char* sheet, const char* device = "touch") {
@@ -125,4 +125,4 @@ TEST(Stability, AMouseIsSaidToHaveNoMotors) {
 }
 
 }  // namespace
-}  // namespace felt::desktop
+}  // namespace felt::desktop::felt_probe_test

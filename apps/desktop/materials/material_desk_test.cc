@@ -20,7 +20,7 @@
 #include "felt/material/relief.h"
 #include "felt/session/session_medium.h"
 
-namespace felt::desktop {
+namespace felt::desktop::material_desk_test {
 namespace {
 
 struct Bench {
@@ -487,4 +487,4 @@ TEST(MaterialDesk, WhatWasToldReplaysAlike) {
 }
 
 }  // namespace
-}  // namespace felt::desktop
+}  // namespace felt::desktop::material_desk_test

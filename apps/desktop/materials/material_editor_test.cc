@@ -15,7 +15,7 @@
 #include "desktop/materials/testing/clean_materials.h"
 #include "desktop/testing/accessible_names.h"
 
-namespace felt::desktop {
+namespace felt::desktop::material_editor_test {
 namespace {
 
 struct Shown {
@@ -238,4 +238,4 @@ TEST(MaterialEditor, EveryControlHasAName) {
 }
 
 }  // namespace
-}  // namespace felt::desktop
+}  // namespace felt::desktop::material_editor_test

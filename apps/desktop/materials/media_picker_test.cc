@@ -14,7 +14,7 @@
 #include "felt/session/session_medium.h"
 #include "felt/stroke/testing/random_stroke.h"
 
-namespace felt::desktop {
+namespace felt::desktop::media_picker_test {
 namespace {
 
 struct Desk {
@@ -175,4 +175,4 @@ TEST(MediaPicker, AClickIsForTheSelectedLinesTooAndSaysTheColour) {
 }
 
 }  // namespace
-}  // namespace felt::desktop
+}  // namespace felt::desktop::media_picker_test

@@ -12,7 +12,7 @@
 #include "desktop/materials/settings_keys.h"
 #include "felt/material/material_library.h"
 
-namespace felt::desktop {
+namespace felt::desktop::own_materials_test {
 namespace {
 
 SurfaceMaterial slate() {
@@ -288,4 +288,4 @@ TEST(MaterialNames, ANameBecomesAnId) {
 }
 
 }  // namespace
-}  // namespace felt::desktop
+}  // namespace felt::desktop::own_materials_test

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace felt::desktop {
+namespace felt::desktop::pair_table_test {
 namespace {
 
 struct Told {
@@ -80,4 +80,4 @@ TEST(PairTable, ANumberHasThreeDigits) {
 }
 
 }  // namespace
-}  // namespace felt::desktop
+}  // namespace felt::desktop::pair_table_test

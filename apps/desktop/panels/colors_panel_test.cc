@@ -18,7 +18,7 @@
 #include "felt/document/visible_strokes.h"
 #include "felt/stroke/color_text.h"
 
-namespace felt::desktop {
+namespace felt::desktop::colors_panel_test {
 namespace {
 
 using testing::still;
@@ -278,4 +278,4 @@ TEST(ColorsPanel, ASwatchIsForTheSelectedLinesToo) {
 }
 
 }  // namespace
-}  // namespace felt::desktop
+}  // namespace felt::desktop::colors_panel_test

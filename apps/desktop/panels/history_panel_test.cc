@@ -8,7 +8,7 @@
 
 #include "desktop/panels/testing/panels_fixture.h"
 
-namespace felt::desktop {
+namespace felt::desktop::history_panel_test {
 namespace {
 
 using testing::draw_lines;
@@ -150,4 +150,4 @@ TEST(HistoryPanel, ThousandsOfStepsAreNeverReadAgain) {
 }
 
 }  // namespace
-}  // namespace felt::desktop
+}  // namespace felt::desktop::history_panel_test

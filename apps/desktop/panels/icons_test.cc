@@ -8,7 +8,7 @@
 #include "desktop/engine/studio.h"
 #include "desktop/panels/tool_icons.h"
 
-namespace felt::desktop {
+namespace felt::desktop::icons_test {
 namespace {
 
 /// Pixels that are not see-through.
@@ -70,4 +70,4 @@ TEST(Icons, AreOtherwiseWhereDisabledOrSelected) {
 }
 
 }  // namespace
-}  // namespace felt::desktop
+}  // namespace felt::desktop::icons_test

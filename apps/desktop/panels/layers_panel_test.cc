@@ -10,7 +10,7 @@
 #include "desktop/panels/layer_delegate.h"
 #include "desktop/panels/testing/panels_fixture.h"
 
-namespace felt::desktop {
+namespace felt::desktop::layers_panel_test {
 namespace {
 
 using Do = LayerEvent::Do;
@@ -207,4 +207,4 @@ TEST(LayersPanel, TheHighlightStaysOnTheLayerThatIsDrawnOn) {
 }
 
 }  // namespace
-}  // namespace felt::desktop
+}  // namespace felt::desktop::layers_panel_test

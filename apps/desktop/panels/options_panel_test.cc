@@ -15,7 +15,7 @@
 #include "desktop/engine/tool_texts.h"
 #include "desktop/panels/testing/panels_fixture.h"
 
-namespace felt::desktop {
+namespace felt::desktop::options_panel_test {
 namespace {
 
 using testing::still;
@@ -259,4 +259,4 @@ TEST(OptionsPanel, IsAsWideForEveryToolAndFoldsWhatIsSeldomNeeded) {
 }
 
 }  // namespace
-}  // namespace felt::desktop
+}  // namespace felt::desktop::options_panel_test

@@ -12,7 +12,7 @@
 #include "desktop/panels/testing/panels_fixture.h"
 #include "desktop/panels/tool_size.h"
 
-namespace felt::desktop {
+namespace felt::desktop::tool_bar_test {
 namespace {
 
 using testing::still;
@@ -237,4 +237,4 @@ TEST(EditActions, SelectDeleteAndDuplicateByKeys) {
 }
 
 }  // namespace
-}  // namespace felt::desktop
+}  // namespace felt::desktop::tool_bar_test

@@ -8,7 +8,7 @@
 #include "desktop/pens/pressure_curve.h"
 #include "felt/base/constants.h"
 
-namespace felt::desktop {
+namespace felt::desktop::pen_curve_test {
 namespace {
 
 // Wherever the handles are: from 0 to 1, and never falling.
@@ -90,4 +90,4 @@ TEST(DeviceClock, BeginsAnewWhereStampsJump) {
 }
 
 }  // namespace
-}  // namespace felt::desktop
+}  // namespace felt::desktop::pen_curve_test

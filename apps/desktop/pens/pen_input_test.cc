@@ -21,7 +21,7 @@
 #include "felt/io/ndjson/ndjson_writer.h"
 #include "felt/tools/tool.h"
 
-namespace felt::desktop {
+namespace felt::desktop::pen_input_test {
 namespace {
 
 const QPointingDevice& pen_device(QPointingDevice::PointerType end) {
@@ -617,4 +617,4 @@ TEST_F(PenInputTest, APointerThatRestsWhereTheWindowOpensIsShownWhereItIs) {
 }
 
 }  // namespace
-}  // namespace felt::desktop
+}  // namespace felt::desktop::pen_input_test

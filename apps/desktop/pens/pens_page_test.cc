@@ -13,7 +13,7 @@
 #include "desktop/engine/settings.h"
 #include "desktop/pens/settings_keys.h"
 
-namespace felt::desktop {
+namespace felt::desktop::pens_page_test {
 namespace {
 
 /// Every control that can be reached says what it is.
@@ -118,4 +118,4 @@ TEST(PensPage, TheTestAreaShowsWhatTheMouseDoes) {
 }
 
 }  // namespace
-}  // namespace felt::desktop
+}  // namespace felt::desktop::pens_page_test

@@ -30,7 +30,7 @@
 #include "desktop/window/tool_keys.h"
 #include "desktop/window/windows.h"
 
-namespace felt::desktop {
+namespace felt::desktop::main_window_test {
 namespace {
 
 using ::testing::IsEmpty;
@@ -424,4 +424,4 @@ TEST(MainWindow, APasteIsWhatIsSelected) {
 }
 
 }  // namespace
-}  // namespace felt::desktop
+}  // namespace felt::desktop::main_window_test

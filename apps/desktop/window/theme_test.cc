@@ -12,7 +12,7 @@
 #include "desktop/window/color_well.h"
 #include "desktop/window/settings_keys.h"
 
-namespace felt::desktop {
+namespace felt::desktop::theme_test {
 namespace {
 
 /// WCAG 2.1, relative luminance.
@@ -85,4 +85,4 @@ TEST(Theme, TheSettingCountsAtOnce) {
 }
 
 }  // namespace
-}  // namespace felt::desktop
+}  // namespace felt::desktop::theme_test

@@ -10,7 +10,7 @@
 #include "felt/document/edit_builder.h"
 #include "felt/stroke/testing/random_stroke.h"
 
-namespace felt {
+namespace felt::autosave_database_test {
 namespace {
 
 std::string folder_for_test() {
@@ -100,4 +100,4 @@ TEST(AutosaveDatabase, DamageCostsWhatWasDamaged) {
 }
 
 }  // namespace
-}  // namespace felt
+}  // namespace felt::autosave_database_test

@@ -8,7 +8,7 @@
 #include "felt/autosave/testing/autosave_fixture.h"
 #include "felt/store/testing/faulty_vfs.h"
 
-namespace felt {
+namespace felt::autosave_fault_test {
 namespace {
 
 using testing::AutosaveFixture;
@@ -193,4 +193,4 @@ TEST_F(AutosaveFault, AFullDiskIsSaidAndFoundMended) {
 }
 
 }  // namespace
-}  // namespace felt
+}  // namespace felt::autosave_fault_test

@@ -8,7 +8,7 @@
 #include "felt/autosave/live_ink.h"
 #include "felt/autosave/testing/autosave_fixture.h"
 
-namespace felt {
+namespace felt::autosave_test {
 namespace {
 
 using testing::AutosaveFixture;
@@ -313,4 +313,4 @@ TEST(FolderLock, PrivateFoldersArePrivate) {
 }
 
 }  // namespace
-}  // namespace felt
+}  // namespace felt::autosave_test

@@ -6,7 +6,7 @@
 
 #include "felt/document/testing/random_document.h"
 
-namespace felt {
+namespace felt::edit_blob_test {
 namespace {
 
 TEST(EditBlob, ARowOfEditsGivesTheSameDocument) {
@@ -55,4 +55,4 @@ TEST(EditBlob, DamageIsAnErrorOrAnEdit) {
 }
 
 }  // namespace
-}  // namespace felt
+}  // namespace felt::edit_blob_test

@@ -16,7 +16,7 @@
 #include "felt/store/felt_file.h"
 #include "felt/tools/tool.h"
 
-namespace felt {
+namespace felt::felt_recording_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -272,4 +272,4 @@ TEST(FeltRecording, WhatIsOutOfOrderOrDamagedIsAnError) {
 }
 
 }  // namespace
-}  // namespace felt
+}  // namespace felt::felt_recording_test

@@ -18,7 +18,7 @@
 #include "felt/base/file_steps.h"
 #include "felt/base/read_file.h"
 
-namespace felt {
+namespace felt::atomic_file_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -248,4 +248,4 @@ TEST_F(AtomicFileTest, WhatMayNotBeWrittenIsSaidAndLeftAlone) {
 }
 
 }  // namespace
-}  // namespace felt
+}  // namespace felt::atomic_file_test

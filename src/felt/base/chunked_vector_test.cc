@@ -4,7 +4,7 @@
 
 #include <vector>
 
-namespace felt {
+namespace felt::chunked_vector_test {
 namespace {
 
 TEST(ChunkedVector, HoldsWhatWasAppendedAcrossChunks) {
@@ -46,4 +46,4 @@ TEST(ChunkedVector, CopiesAndTruncates) {
 }
 
 }  // namespace
-}  // namespace felt
+}  // namespace felt::chunked_vector_test

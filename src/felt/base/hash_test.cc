@@ -4,7 +4,7 @@
 
 #include <string_view>
 
-namespace felt {
+namespace felt::hash_test {
 namespace {
 
 std::uint64_t hash_text(std::string_view text) {
@@ -21,4 +21,4 @@ TEST(Fnv1a, GivesThePublishedValues) {
 }
 
 }  // namespace
-}  // namespace felt
+}  // namespace felt::hash_test

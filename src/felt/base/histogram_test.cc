@@ -7,7 +7,7 @@
 #include <cmath>
 #include <vector>
 
-namespace felt {
+namespace felt::histogram_test {
 namespace {
 
 TEST(Histogram, EmptyHasZeros) {
@@ -46,4 +46,4 @@ RC_GTEST_PROP(HistogramProperty, QuantileIsWithinABucketOfTheTrueOne, ()) {
 }
 
 }  // namespace
-}  // namespace felt
+}  // namespace felt::histogram_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace felt {
+namespace felt::printable_test {
 namespace {
 
 TEST(Printable, KeepsTextOfAnyLanguage) {
@@ -30,4 +30,4 @@ TEST(Printable, EscapesBytesThatAreNotUtf8) {
 }
 
 }  // namespace
-}  // namespace felt
+}  // namespace felt::printable_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace felt {
+namespace felt::result_test {
 namespace {
 
 Result<int> half_of_even(int n) {
@@ -19,4 +19,4 @@ TEST(Result, CarriesTheValueOrTheReason) {
 }
 
 }  // namespace
-}  // namespace felt
+}  // namespace felt::result_test

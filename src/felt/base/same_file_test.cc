@@ -7,7 +7,7 @@
 
 #include "tests/support/scratch_path.h"
 
-namespace felt {
+namespace felt::same_file_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -46,4 +46,4 @@ TEST_F(SameFile, DevicesTakeFromSeveral) {
 }
 
 }  // namespace
-}  // namespace felt
+}  // namespace felt::same_file_test

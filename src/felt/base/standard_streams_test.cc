@@ -5,7 +5,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-namespace felt {
+namespace felt::standard_streams_test {
 namespace {
 
 /// Runs `check` in a process whose standard streams are closed; its exit code.
@@ -42,4 +42,4 @@ TEST(StandardStreams, OpenStreamsStay) {
 }
 
 }  // namespace
-}  // namespace felt
+}  // namespace felt::standard_streams_test

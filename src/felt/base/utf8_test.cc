@@ -4,7 +4,7 @@
 
 #include <string>
 
-namespace felt {
+namespace felt::utf8_test {
 namespace {
 
 /// The textbook encoder, the other way round.
@@ -43,4 +43,4 @@ TEST(Utf8, NoOtherFormIsTaken) {
 }
 
 }  // namespace
-}  // namespace felt
+}  // namespace felt::utf8_test

@@ -9,7 +9,7 @@
 #include "felt/document/edit_builder.h"
 #include "felt/document/testing/random_document.h"
 
-namespace felt {
+namespace felt::document_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -210,4 +210,4 @@ TEST(Document, ReservedIdsNameNothingNew) {
 }
 
 }  // namespace
-}  // namespace felt
+}  // namespace felt::document_test

@@ -5,7 +5,7 @@
 #include "felt/document/edit_builder.h"
 #include "felt/document/testing/random_document.h"
 
-namespace felt {
+namespace felt::history_test {
 namespace {
 
 Edit draw(const Document& d, const char* label = "Draw") {
@@ -208,4 +208,4 @@ TEST(History, ThePositionIsThatOfTheDocumentWhateverWasUndone) {
 }
 
 }  // namespace
-}  // namespace felt
+}  // namespace felt::history_test

@@ -11,7 +11,7 @@
 #include "felt/base/constants.h"
 #include "felt/stroke/testing/random_stroke.h"
 
-namespace felt {
+namespace felt::segment_forest_test {
 namespace {
 
 using testing::RandomStroke;
@@ -278,4 +278,4 @@ TEST(SegmentForest, WhatAnEditSortsIsAFewLeavesHoweverLargeTheSheet) {
 }
 
 }  // namespace
-}  // namespace felt
+}  // namespace felt::segment_forest_test

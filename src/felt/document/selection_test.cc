@@ -4,7 +4,7 @@
 
 #include "felt/document/testing/random_document.h"
 
-namespace felt {
+namespace felt::selection_test {
 namespace {
 
 std::size_t points_of(const Document& document, StrokeId id) {
@@ -122,4 +122,4 @@ TEST(Selection, AllMeansWhatMayBeEdited) {
 }
 
 }  // namespace
-}  // namespace felt
+}  // namespace felt::selection_test

@@ -8,7 +8,7 @@
 #include "felt/document/testing/random_document.h"
 #include "felt/stroke/testing/random_stroke.h"
 
-namespace felt {
+namespace felt::stroke_divisions_test {
 namespace {
 
 StrokePtr some_stroke(double x) {
@@ -83,4 +83,4 @@ TEST(StrokeDivisions, TheOrderOfTheCallsDoesNotMatter) {
 }
 
 }  // namespace
-}  // namespace felt
+}  // namespace felt::stroke_divisions_test

@@ -10,7 +10,7 @@
 #include "felt/document/edit_builder.h"
 #include "felt/document/testing/random_document.h"
 
-namespace felt {
+namespace felt::stroke_index_test {
 namespace {
 
 std::optional<TipHit> by_hand(const Document& d, Point q, double radius,
@@ -351,4 +351,4 @@ TEST(StrokeIndex, FindsAllInkAfterAnyEdits) {
 }
 
 }  // namespace
-}  // namespace felt
+}  // namespace felt::stroke_index_test

@@ -14,7 +14,7 @@
 #include <string_view>
 #include <vector>
 
-namespace felt {
+namespace felt::byte_stream_test {
 namespace {
 
 constexpr std::int64_t kSoonNs = 5'000'000;
@@ -218,4 +218,4 @@ TEST(SerialStream, WhatIsNoPortSaysSo) {
 }
 
 }  // namespace
-}  // namespace felt
+}  // namespace felt::byte_stream_test

@@ -6,7 +6,7 @@
 
 #include "felt/haptics/safety/safety_limits.h"
 
-namespace felt {
+namespace felt::device_models_test {
 namespace {
 
 TEST(DeviceModels, AreFoundByTheirIds) {
@@ -52,4 +52,4 @@ TEST(DeviceModels, TheUnknownOneIsTheLeastOfAll) {
 }
 
 }  // namespace
-}  // namespace felt
+}  // namespace felt::device_models_test

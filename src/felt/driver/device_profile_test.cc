@@ -12,7 +12,7 @@
 
 #include "felt/haptics/safety/safety_limits.h"
 
-namespace felt {
+namespace felt::device_profile_test {
 namespace {
 
 using ::testing::EndsWith;
@@ -297,4 +297,4 @@ TEST(DeviceProfile, TheFolderIsBelowTheConfigurationsFolder) {
 }
 
 }  // namespace
-}  // namespace felt
+}  // namespace felt::device_profile_test

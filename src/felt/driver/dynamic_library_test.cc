@@ -12,7 +12,7 @@
 #include <fstream>
 #include <utility>
 
-namespace felt {
+namespace felt::dynamic_library_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -96,4 +96,4 @@ TEST(SymbolLoader, FindsFunctionsOfTheirTypesAndNamesAllThatAreMissing) {
 }
 
 }  // namespace
-}  // namespace felt
+}  // namespace felt::dynamic_library_test

@@ -13,7 +13,7 @@
 
 #include "felt/driver/hidraw_port.h"
 
-namespace felt {
+namespace felt::evdev_port_test {
 namespace {
 
 static_assert(evdev::kSyn == EV_SYN && evdev::kKey == EV_KEY && evdev::kAbs == EV_ABS);
@@ -146,4 +146,4 @@ TEST(HidrawPort, ReadsAndWritesReports) {
 }
 
 }  // namespace
-}  // namespace felt
+}  // namespace felt::evdev_port_test

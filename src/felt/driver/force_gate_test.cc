@@ -13,7 +13,7 @@
 #include "felt/driver/device_models.h"
 #include "felt/haptics/safety/safety_limits.h"
 
-namespace felt {
+namespace felt::force_gate_test {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -220,4 +220,4 @@ TEST(ForceGate, AClockThatStandsStillOrRunsBackwardsAddsNoForceAndTheNextTickDoe
 }
 
 }  // namespace
-}  // namespace felt
+}  // namespace felt::force_gate_test

@@ -4,7 +4,7 @@
 
 #include "felt/driver/testing/fake_system.h"
 
-namespace felt {
+namespace felt::input_nodes_test {
 namespace {
 
 TEST(SysfsBits, HighestWordComesFirst) {
@@ -72,4 +72,4 @@ TEST(ShownName, IsPrintableAndBounded) {
 }
 
 }  // namespace
-}  // namespace felt
+}  // namespace felt::input_nodes_test

@@ -5,7 +5,7 @@
 
 #include "felt/driver/testing/fake_system.h"
 
-namespace felt {
+namespace felt::machine_checks_test {
 namespace {
 
 using ::testing::ElementsAre;
@@ -116,4 +116,4 @@ TEST(MachineChecksTest, KernelVersions) {
 }
 
 }  // namespace
-}  // namespace felt
+}  // namespace felt::machine_checks_test

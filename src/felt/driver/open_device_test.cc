@@ -12,7 +12,7 @@
 #include "felt/driver/testing/scripted_driver.h"
 #include "felt/rt/testing/scripted_device.h"
 
-namespace felt {
+namespace felt::open_device_test {
 namespace {
 
 // A table that leans by 30 degrees, mirrored as a sheet is before a right-handed device.
@@ -203,4 +203,4 @@ TEST(OpenDevice, TheSameFrameLeavesAllAsItIs) {
 }
 
 }  // namespace
-}  // namespace felt
+}  // namespace felt::open_device_test

@@ -11,7 +11,7 @@
 #include "felt/haptics/safety/safety_limits.h"
 #include "felt/rt/testing/scripted_device.h"
 
-namespace felt {
+namespace felt::page_fit_test {
 namespace {
 
 constexpr Rect kPage{0, 0, 297, 210};
@@ -165,4 +165,4 @@ TEST(ScaledSheet, AScaleOutOfBoundsIsNoMap) {
 }
 
 }  // namespace
-}  // namespace felt
+}  // namespace felt::page_fit_test

@@ -7,7 +7,7 @@
 #include <random>
 #include <vector>
 
-namespace felt {
+namespace felt::plane_calibration_test {
 namespace {
 
 // A turn about some axis by some angle, mirrored or not, and a shift: any rigid map.
@@ -181,4 +181,4 @@ TEST(PlaneCalibration, TheWorkspaceHoldsAllThatTheDeviceReaches) {
 }
 
 }  // namespace
-}  // namespace felt
+}  // namespace felt::plane_calibration_test

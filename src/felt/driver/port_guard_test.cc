@@ -22,7 +22,7 @@
 
 #include "felt/base/constants.h"
 
-namespace felt {
+namespace felt::port_guard_test {
 namespace {
 
 constexpr std::int64_t kNeverNs = 3'600'000 * kMs;
@@ -226,4 +226,4 @@ TEST(PortGuard, BeatsNeverWait) {
 }
 
 }  // namespace
-}  // namespace felt
+}  // namespace felt::port_guard_test

@@ -15,7 +15,7 @@
 #include "felt/io/testing/test_drawings.h"
 #include "felt/io/unpack.h"
 
-namespace felt {
+namespace felt::drawing_door_test {
 namespace {
 
 using felt::testing::by_value;
@@ -156,4 +156,4 @@ TEST_F(Door, AnSvgzIsReallyCompressed) {
 }
 
 }  // namespace
-}  // namespace felt
+}  // namespace felt::drawing_door_test

@@ -13,7 +13,7 @@
 #include "felt/material/relief.h"
 #include "felt/stroke/testing/random_stroke.h"
 
-namespace felt {
+namespace felt::drawing_materials_test {
 namespace {
 
 using ::testing::ElementsAre;
@@ -137,4 +137,4 @@ TEST(DrawingMaterials, TheSheetIsNamedWithoutAPage) {
 }
 
 }  // namespace
-}  // namespace felt
+}  // namespace felt::drawing_materials_test

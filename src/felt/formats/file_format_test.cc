@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace felt {
+namespace felt::file_format_test {
 namespace {
 
 using namespace std::string_literals;
@@ -74,4 +74,4 @@ TEST(FileFormat, LinesOfJsonTellWhatTheyHold) {
 }
 
 }  // namespace
-}  // namespace felt
+}  // namespace felt::file_format_test

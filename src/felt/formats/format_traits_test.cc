@@ -9,7 +9,7 @@
 #include "felt/formats/drawing_reader.h"
 #include "felt/formats/drawing_writer.h"
 
-namespace felt {
+namespace felt::format_traits_test {
 namespace {
 
 TEST(FormatTraits, EveryRowIsWholeAndNoEndingComesTwice) {
@@ -63,4 +63,4 @@ TEST(FormatTraits, TheDocumentationShowsThisTable) {
 }
 
 }  // namespace
-}  // namespace felt
+}  // namespace felt::format_traits_test

@@ -11,7 +11,7 @@
 #include "felt/io/testing/test_drawings.h"
 #include "felt/stroke/testing/test_ink.h"
 
-namespace felt {
+namespace felt::line_drawing_test {
 namespace {
 
 Drawing inked(int count) {
@@ -90,4 +90,4 @@ TEST(LineDrawing, WhatRoundingDoesNotExplainIsStillRefused) {
 }
 
 }  // namespace
-}  // namespace felt
+}  // namespace felt::line_drawing_test

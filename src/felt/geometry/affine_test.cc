@@ -7,7 +7,7 @@
 #include <limits>
 #include <numbers>
 
-namespace felt {
+namespace felt::affine_test {
 namespace {
 
 double any_number() {
@@ -63,4 +63,4 @@ TEST(Affine, SingularAndBrokenMapsHaveNoInverse) {
 }
 
 }  // namespace
-}  // namespace felt
+}  // namespace felt::affine_test

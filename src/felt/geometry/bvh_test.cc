@@ -14,7 +14,7 @@
 #include "felt/base/constants.h"
 #include "felt/geometry/testing/nearest_cases.h"
 
-namespace felt {
+namespace felt::bvh_test {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -227,4 +227,4 @@ TEST(Bvh, AdvisesToRebuildOnceBoxesHaveGrown) {
 }
 
 }  // namespace
-}  // namespace felt
+}  // namespace felt::bvh_test

@@ -11,7 +11,7 @@
 #include "felt/geometry/polyline.h"
 #include "felt/geometry/testing/nearest_cases.h"
 
-namespace felt {
+namespace felt::cubic_test {
 namespace {
 
 // A cubic of any of the kinds, from one random number that RapidCheck prints when a case fails.
@@ -178,4 +178,4 @@ TEST(Cubic, ParameterAtLengthIsClamped) {
 }
 
 }  // namespace
-}  // namespace felt
+}  // namespace felt::cubic_test

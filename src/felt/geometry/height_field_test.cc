@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-namespace felt {
+namespace felt::height_field_test {
 namespace {
 
 TEST(HeightField, R47_TilesWithoutASeamAndIsSmooth) {
@@ -155,4 +155,4 @@ TEST(HeightField, BadInputIsFlat) {
 }
 
 }  // namespace
-}  // namespace felt
+}  // namespace felt::height_field_test

@@ -9,7 +9,7 @@
 
 #include "felt/base/constants.h"
 
-namespace felt {
+namespace felt::height_picture_test {
 namespace {
 
 HeightPicture picture_of(int width, int height, const std::function<double(double, double)>& at) {
@@ -98,4 +98,4 @@ TEST(HeightPicture, SaysWhatIsWrong) {
 }
 
 }  // namespace
-}  // namespace felt
+}  // namespace felt::height_picture_test

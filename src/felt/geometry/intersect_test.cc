@@ -10,7 +10,7 @@
 
 #include "felt/geometry/testing/nearest_cases.h"
 
-namespace felt {
+namespace felt::intersect_test {
 namespace {
 
 constexpr int kSteps = 1500;
@@ -258,4 +258,4 @@ TEST(Intersect, AClosedLoopMeetsItselfAtItsEnds) {
 }
 
 }  // namespace
-}  // namespace felt
+}  // namespace felt::intersect_test

@@ -7,7 +7,7 @@
 
 #include "felt/base/constants.h"
 
-namespace felt {
+namespace felt::lean_test {
 namespace {
 
 constexpr double kEndless = std::numeric_limits<double>::infinity();
@@ -67,4 +67,4 @@ TEST(Lean, IsHeldToWhatAPenCanDo) {
 }
 
 }  // namespace
-}  // namespace felt
+}  // namespace felt::lean_test

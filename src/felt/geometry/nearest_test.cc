@@ -10,7 +10,7 @@
 #include "felt/base/constants.h"
 #include "felt/geometry/testing/nearest_cases.h"
 
-namespace felt {
+namespace felt::nearest_test {
 namespace {
 
 // bench_nearest --check runs the same comparison over 10^6 cases.
@@ -112,4 +112,4 @@ TEST(Nearest, TheLimitItselfIsNearEnough) {
 }
 
 }  // namespace
-}  // namespace felt
+}  // namespace felt::nearest_test

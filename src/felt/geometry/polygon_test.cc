@@ -7,7 +7,7 @@
 #include <cmath>
 #include <vector>
 
-namespace felt {
+namespace felt::polygon_test {
 namespace {
 
 const std::vector<Point> kSquare{{0, 0}, {4, 0}, {4, 4}, {0, 4}};
@@ -96,4 +96,4 @@ TEST(Polygon, SimplifyDropsCollinearPointsAndCountsTheKept) {
 }
 
 }  // namespace
-}  // namespace felt
+}  // namespace felt::polygon_test

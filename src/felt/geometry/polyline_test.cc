@@ -7,7 +7,7 @@
 #include <limits>
 #include <vector>
 
-namespace felt {
+namespace felt::polyline_test {
 namespace {
 
 Point any_point() {
@@ -76,4 +76,4 @@ TEST(Polyline, DegenerateInputHasItsDocumentedAnswer) {
 }
 
 }  // namespace
-}  // namespace felt
+}  // namespace felt::polyline_test

@@ -9,7 +9,7 @@
 #include <limits>
 #include <vector>
 
-namespace felt {
+namespace felt::roots_test {
 namespace {
 
 using ::testing::DoubleNear;
@@ -91,4 +91,4 @@ TEST(Roots, HugeCoefficientsDoNotOverflow) {
 }
 
 }  // namespace
-}  // namespace felt
+}  // namespace felt::roots_test

@@ -13,7 +13,7 @@
 #include "felt/base/constants.h"
 #include "felt/material/relief.h"
 
-namespace felt {
+namespace felt::cue_law_test {
 namespace {
 
 CueFeel pencil_on_paper() {
@@ -406,4 +406,4 @@ TEST(CueLaw, FeelsTheSameAtAnyRate) {
 }
 
 }  // namespace
-}  // namespace felt
+}  // namespace felt::cue_law_test

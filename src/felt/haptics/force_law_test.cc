@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-namespace felt {
+namespace felt::force_law_test {
 namespace {
 
 TEST(ForceLaw, R29_BetweenAFifthAndOneNewtonStrictlyIncreasingAndNeverSteep) {
@@ -69,4 +69,4 @@ TEST(ForceLaw, AWeakerDeviceGetsTheSameShape) {
 }
 
 }  // namespace
-}  // namespace felt
+}  // namespace felt::force_law_test

@@ -12,7 +12,7 @@
 #include "felt/haptics/bricks/well.h"
 #include "felt/haptics/testing/feel_rig.h"
 
-namespace felt {
+namespace felt::force_model_test {
 namespace {
 
 static_assert(ForceFunctor<Plane> && ForceFunctor<Friction> && ForceFunctor<Texture>);
@@ -124,4 +124,4 @@ TEST(Damping, BrakesWhereItShould) {
 }
 
 }  // namespace
-}  // namespace felt
+}  // namespace felt::force_model_test

@@ -6,7 +6,7 @@
 
 #include "felt/stroke/testing/random_stroke.h"
 
-namespace felt {
+namespace felt::drawing_builder_test {
 namespace {
 
 std::vector<std::uint64_t> ids_of(const Drawing& drawing) {
@@ -76,4 +76,4 @@ TEST(DrawingBuilder, StrokesOfAnotherDocumentAreShared) {
 }
 
 }  // namespace
-}  // namespace felt
+}  // namespace felt::drawing_builder_test

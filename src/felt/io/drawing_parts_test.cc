@@ -13,7 +13,7 @@
 #include "felt/io/xopp/xopp_writer.h"
 #include "felt/stroke/testing/random_stroke.h"
 
-namespace felt {
+namespace felt::drawing_parts_test {
 namespace {
 
 Drawing drawing_of(std::size_t strokes) {
@@ -105,4 +105,4 @@ TEST(DrawingParts, RangesHaveEachStrokeOnce) {
 }
 
 }  // namespace
-}  // namespace felt
+}  // namespace felt::drawing_parts_test

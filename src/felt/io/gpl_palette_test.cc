@@ -4,7 +4,7 @@
 
 #include <random>
 
-namespace felt {
+namespace felt::gpl_palette_test {
 namespace {
 
 std::string error_of(const std::string& text) {
@@ -116,4 +116,4 @@ TEST(Palette, AnyBytesAreReadOrRefusedAndWhatIsReadIsWrittenAgain) {
 }
 
 }  // namespace
-}  // namespace felt
+}  // namespace felt::gpl_palette_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace felt {
+namespace felt::import_test {
 namespace {
 
 TEST(ImportReport, TheSameIsCountedAndTheFirstPlaceKept) {
@@ -49,4 +49,4 @@ TEST(ImportReport, ANameIsNotCutWithinACharacter) {
 }
 
 }  // namespace
-}  // namespace felt
+}  // namespace felt::import_test

@@ -9,7 +9,7 @@
 #include "felt/stroke/fit/width_map.h"
 #include "felt/stroke/outline/outline.h"
 
-namespace felt {
+namespace felt::ink_of_points_test {
 namespace {
 
 Stroke line_of(const std::vector<WidePoint>& points) {
@@ -144,4 +144,4 @@ TEST(InkOfPoints, WorkIsBoundedWhateverTheLengths) {
 }
 
 }  // namespace
-}  // namespace felt
+}  // namespace felt::ink_of_points_test

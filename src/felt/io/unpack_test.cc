@@ -6,7 +6,7 @@
 #include <random>
 #include <utility>
 
-namespace felt {
+namespace felt::unpack_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -110,4 +110,4 @@ TEST(Unpack, FilesInZips) {
 }
 
 }  // namespace
-}  // namespace felt
+}  // namespace felt::unpack_test

@@ -9,7 +9,7 @@
 #include "felt/material/material_file.h"
 #include "felt/material/number_text.h"
 
-namespace felt {
+namespace felt::material_document_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -69,4 +69,4 @@ TEST(MaterialDocument, HasExamplesThatAreMaterials) {
 }
 
 }  // namespace
-}  // namespace felt
+}  // namespace felt::material_document_test

@@ -12,7 +12,7 @@
 #include "felt/material/material_fields.h"
 #include "felt/material/own_relief.h"
 
-namespace felt {
+namespace felt::material_file_test {
 namespace {
 
 using ::testing::ElementsAre;
@@ -428,4 +428,4 @@ TEST(Materials, NamesWhatTheBuiltInOnesDoNotHave) {
 }
 
 }  // namespace
-}  // namespace felt
+}  // namespace felt::material_file_test

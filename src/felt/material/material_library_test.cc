@@ -13,7 +13,7 @@
 
 #include "felt/base/read_file.h"
 
-namespace felt {
+namespace felt::material_library_test {
 namespace {
 
 using ::testing::ElementsAre;
@@ -242,4 +242,4 @@ TEST(MaterialLibrary, LooksWhereTheStandardSays) {
 }
 
 }  // namespace
-}  // namespace felt
+}  // namespace felt::material_library_test

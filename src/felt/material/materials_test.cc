@@ -7,7 +7,7 @@
 #include <set>
 #include <string>
 
-namespace felt {
+namespace felt::materials_test {
 namespace {
 
 TEST(Materials, EachHasAnIdOfItsOwnAndALabel) {
@@ -92,4 +92,4 @@ TEST(Materials, AFirmPushFlattensTheReliefByTheWearAndNoFarther) {
 }
 
 }  // namespace
-}  // namespace felt
+}  // namespace felt::materials_test

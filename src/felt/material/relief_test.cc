@@ -9,7 +9,7 @@
 
 #include "felt/material/materials.h"
 
-namespace felt {
+namespace felt::relief_test {
 namespace {
 
 TEST(Relief, R47_OneSurfaceHasOneReliefForAll) {
@@ -66,4 +66,4 @@ TEST(Relief, APersonsOwnPictureTakesTheSizeThatTheSheetSays) {
 }
 
 }  // namespace
-}  // namespace felt
+}  // namespace felt::relief_test

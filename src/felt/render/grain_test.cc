@@ -15,7 +15,7 @@
 #include "felt/render/raster.h"
 #include "felt/stroke/testing/random_stroke.h"
 
-namespace felt {
+namespace felt::grain_test {
 namespace {
 
 Result<Image> picture_of(const Stroke& stroke, const PageOptions& options) {
@@ -299,4 +299,4 @@ TEST(PressureMap, HasNoHoles) {
 }
 
 }  // namespace
-}  // namespace felt
+}  // namespace felt::grain_test

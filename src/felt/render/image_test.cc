@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace felt {
+namespace felt::image_test {
 namespace {
 
 TEST(Image, StartsTransparentAndIsLimited) {
@@ -32,4 +32,4 @@ TEST(Image, ByteOrderIsTheTargets) {
 }
 
 }  // namespace
-}  // namespace felt
+}  // namespace felt::image_test

@@ -8,7 +8,7 @@
 #include "felt/document/testing/random_document.h"
 #include "felt/stroke/testing/random_stroke.h"
 
-namespace felt {
+namespace felt::ink_scene_test {
 namespace {
 
 /// What a part of the sheet shows, by looking at every stroke.
@@ -153,4 +153,4 @@ TEST(StrokeOrder, KeepsPlacesAsAListDoes) {
 }
 
 }  // namespace
-}  // namespace felt
+}  // namespace felt::ink_scene_test

@@ -6,7 +6,7 @@
 
 #include "felt/stroke/testing/random_stroke.h"
 
-namespace felt {
+namespace felt::page_test {
 namespace {
 
 std::vector<StrokePtr> one_line() {
@@ -63,4 +63,4 @@ TEST(Page, TheSameSketchGivesTheSamePixels) {
 }
 
 }  // namespace
-}  // namespace felt
+}  // namespace felt::page_test

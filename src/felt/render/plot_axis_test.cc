@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-namespace felt {
+namespace felt::plot_axis_test {
 namespace {
 
 TEST(PlotTicks, AreRoundNumbersInTheRange) {
@@ -46,4 +46,4 @@ TEST(PlotTicks, NoneWhereThereIsNoRange) {
 }
 
 }  // namespace
-}  // namespace felt
+}  // namespace felt::plot_axis_test

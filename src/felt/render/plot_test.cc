@@ -8,7 +8,7 @@
 
 #include "felt/render/plot_canvas.h"
 
-namespace felt {
+namespace felt::plot_test {
 namespace {
 
 constexpr Rgba kBlue{0, 0, 255, 255};
@@ -157,4 +157,4 @@ TEST(PlotCanvas, TextIsAsLongAsItSaysAndStaysInItsPlace) {
 }
 
 }  // namespace
-}  // namespace felt
+}  // namespace felt::plot_test

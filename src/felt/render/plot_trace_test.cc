@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-namespace felt {
+namespace felt::plot_trace_test {
 namespace {
 
 TEST(PlotTrace, KeepsEachValueWhileThereIsRoom) {
@@ -48,4 +48,4 @@ TEST(PlotTrace, WhatIsNotFiniteIsAGap) {
 }
 
 }  // namespace
-}  // namespace felt
+}  // namespace felt::plot_trace_test

@@ -9,7 +9,7 @@
 
 #include "felt/base/hash.h"
 
-namespace felt {
+namespace felt::pressure_map_test {
 namespace {
 
 /// From the generator's own numbers: a distribution's differ from library to library.
@@ -60,4 +60,4 @@ TEST(PressureMap, R47_IsTheSameOnEveryProcessor) {
 }
 
 }  // namespace
-}  // namespace felt
+}  // namespace felt::pressure_map_test

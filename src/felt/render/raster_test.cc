@@ -8,7 +8,7 @@
 #include "felt/stroke/testing/ink_oracle.h"
 #include "felt/stroke/testing/random_stroke.h"
 
-namespace felt {
+namespace felt::raster_test {
 namespace {
 
 constexpr Rgba kInk{0, 0, 0, 128};
@@ -129,4 +129,4 @@ TEST(Rasterizer, HugeCoordinatesAreClippedNotWrapped) {
 }
 
 }  // namespace
-}  // namespace felt
+}  // namespace felt::raster_test

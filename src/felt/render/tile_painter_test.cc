@@ -8,7 +8,7 @@
 #include "felt/document/edit_builder.h"
 #include "felt/stroke/testing/random_stroke.h"
 
-namespace felt {
+namespace felt::tile_painter_test {
 namespace {
 
 using Bytes = std::vector<std::uint8_t>;
@@ -132,4 +132,4 @@ TEST(TilePainter, AQuarterTurnAndAMirrorMovePixelsOnly) {
 }
 
 }  // namespace
-}  // namespace felt
+}  // namespace felt::tile_painter_test

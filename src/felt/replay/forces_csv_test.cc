@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <sstream>
 
-namespace felt {
+namespace felt::forces_csv_test {
 namespace {
 
 std::string text_of(ForcesCsv& csv) {
@@ -82,4 +82,4 @@ TEST(ForcesCsv, EveryRowHasEveryColumnHoweverManyRows) {
 }
 
 }  // namespace
-}  // namespace felt
+}  // namespace felt::forces_csv_test

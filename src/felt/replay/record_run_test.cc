@@ -21,7 +21,7 @@
 #include "felt/tools/tool.h"
 #include "tests/support/scratch_path.h"
 
-namespace felt {
+namespace felt::record_run_test {
 namespace {
 
 struct Drawn {
@@ -364,4 +364,4 @@ TEST(LiveLoopTest, LimitsCountThePlanesScaleAndThePersonsWishes) {
 }
 
 }  // namespace
-}  // namespace felt
+}  // namespace felt::record_run_test

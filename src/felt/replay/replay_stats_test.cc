@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace felt {
+namespace felt::replay_stats_test {
 namespace {
 
 Stroke line(Point from, Point to) {
@@ -50,4 +50,4 @@ TEST(InkDistance, ADotIsAPath) {
 }
 
 }  // namespace
-}  // namespace felt
+}  // namespace felt::replay_stats_test

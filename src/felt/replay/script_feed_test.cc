@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-namespace felt {
+namespace felt::script_feed_test {
 namespace {
 
 /// What came out of a script.
@@ -132,4 +132,4 @@ TEST(ScriptFeed, ErrorsNameThePlaceAndEndIt) {
 }
 
 }  // namespace
-}  // namespace felt
+}  // namespace felt::script_feed_test

@@ -4,7 +4,7 @@
 
 #include <limits>
 
-namespace felt {
+namespace felt::float_mode_test {
 namespace {
 
 TEST(FlushDenormals, WithinItsBlockOnly) {
@@ -28,4 +28,4 @@ TEST(FlushDenormals, WithinItsBlockOnly) {
 }
 
 }  // namespace
-}  // namespace felt
+}  // namespace felt::float_mode_test

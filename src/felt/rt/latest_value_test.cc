@@ -8,7 +8,7 @@
 #include <thread>
 #include <vector>
 
-namespace felt {
+namespace felt::latest_value_test {
 namespace {
 
 // As large as a force model; every word says which value it belongs to.
@@ -69,4 +69,4 @@ TEST(LatestValue, TwoThreadsNeverTornNeverOlderThanSeenAndTheLastArrives) {
 }
 
 }  // namespace
-}  // namespace felt
+}  // namespace felt::latest_value_test

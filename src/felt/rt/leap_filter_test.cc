@@ -9,7 +9,7 @@
 
 #include "felt/base/constants.h"
 
-namespace felt {
+namespace felt::leap_filter_test {
 namespace {
 
 class Pen {
@@ -182,4 +182,4 @@ TEST(LeapFilter, APressureIsLiftedToo) {
 }
 
 }  // namespace
-}  // namespace felt
+}  // namespace felt::leap_filter_test

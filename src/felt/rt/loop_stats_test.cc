@@ -9,7 +9,7 @@
 
 #include "felt/base/constants.h"
 
-namespace felt {
+namespace felt::loop_stats_test {
 namespace {
 
 RC_GTEST_PROP(TimeHistogram, PercentilesAreNeverTooSmallAndAtMostAnEighthTooLarge, ()) {
@@ -92,4 +92,4 @@ TEST(LoopStats, APersonReadsOneLine) {
 }
 
 }  // namespace
-}  // namespace felt
+}  // namespace felt::loop_stats_test

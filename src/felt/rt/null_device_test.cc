@@ -4,7 +4,7 @@
 
 #include "felt/base/constants.h"
 
-namespace felt {
+namespace felt::null_device_test {
 namespace {
 
 TEST(NullDevice, R51_ThePenIsWhereTheMouseIsAndForcesDoNothing) {
@@ -72,4 +72,4 @@ TEST(DeviceFault, EachHasASentence) {
 }
 
 }  // namespace
-}  // namespace felt
+}  // namespace felt::null_device_test

@@ -12,7 +12,7 @@
 #include "felt/rt/realtime_thread.h"
 #include "felt/rt/testing/scripted_device.h"
 
-namespace felt {
+namespace felt::realtime_thread_hang_test {
 namespace {
 
 /// What a hung device tells a test, and the way out of its call. Outlives whoever gives it up.
@@ -134,4 +134,4 @@ INSTANTIATE_TEST_SUITE_P(OwnThreadAndHost, HangingLoop, ::testing::Bool(),
                          [](const auto& which) { return which.param ? "Host" : "OwnThread"; });
 
 }  // namespace
-}  // namespace felt
+}  // namespace felt::realtime_thread_hang_test

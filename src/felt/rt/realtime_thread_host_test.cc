@@ -9,7 +9,7 @@
 #include "felt/rt/realtime_thread.h"
 #include "felt/rt/testing/scripted_device.h"
 
-namespace felt {
+namespace felt::realtime_thread_host_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -194,4 +194,4 @@ TEST_F(HostedLoop, AHostThatCallsNoMoreIsToldAndStopsWithoutForceAllTheSame) {
 }
 
 }  // namespace
-}  // namespace felt
+}  // namespace felt::realtime_thread_host_test

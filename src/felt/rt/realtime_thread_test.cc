@@ -9,7 +9,7 @@
 #include "felt/rt/null_device.h"
 #include "felt/rt/testing/scripted_device.h"
 
-namespace felt {
+namespace felt::realtime_thread_test {
 namespace {
 
 /// Takes all samples that wait for the edit side. Returns how many there were.
@@ -161,4 +161,4 @@ TEST(RealtimeThread, AfterALongPauseTheLoopIsNotSilent) {
 }
 
 }  // namespace
-}  // namespace felt
+}  // namespace felt::realtime_thread_test

@@ -15,7 +15,7 @@
 #include "felt/rt/testing/scripted_device.h"
 #include "felt/rt/virtual_clock.h"
 
-namespace felt {
+namespace felt::servo_test {
 namespace {
 
 struct Constant {
@@ -509,4 +509,4 @@ TEST(Servo, StatsCountLateTicks) {
 }
 
 }  // namespace
-}  // namespace felt
+}  // namespace felt::servo_test

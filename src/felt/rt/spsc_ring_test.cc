@@ -9,7 +9,7 @@
 #include <thread>
 #include <vector>
 
-namespace felt {
+namespace felt::spsc_ring_test {
 namespace {
 
 // Every word says which element it belongs to, so that a torn one shows.
@@ -109,4 +109,4 @@ TEST(SpscRing, IndicesMayWrapManyTimes) {
 }
 
 }  // namespace
-}  // namespace felt
+}  // namespace felt::spsc_ring_test

@@ -9,7 +9,7 @@
 #include "felt/base/constants.h"
 #include "felt/rt/testing/scripted_device.h"
 
-namespace felt {
+namespace felt::virtual_clock_test {
 namespace {
 
 TEST(VirtualClock, TicksArePeriodsApart) {
@@ -52,4 +52,4 @@ TEST(VirtualClock, LateTicksComeLateAndMissedOnesNever) {
 }
 
 }  // namespace
-}  // namespace felt
+}  // namespace felt::virtual_clock_test

@@ -9,7 +9,7 @@
 #include "felt/session/session.h"
 #include "felt/stroke/testing/random_stroke.h"
 
-namespace felt {
+namespace felt::locality_test {
 namespace {
 
 constexpr int kStrokes = 100'000;
@@ -105,4 +105,4 @@ TEST(Locality, AnEditAmongAHundredThousandStrokesLeavesAllOthersAsTheyAre) {
 }
 
 }  // namespace
-}  // namespace felt
+}  // namespace felt::locality_test

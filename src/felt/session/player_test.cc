@@ -13,7 +13,7 @@
 #include "felt/session/recorder.h"
 #include "felt/session/testing/fake_tools.h"
 
-namespace felt {
+namespace felt::player_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -386,4 +386,4 @@ TEST(Player, ASecondScriptGoesOnWithTheSession) {
 }
 
 }  // namespace
-}  // namespace felt
+}  // namespace felt::player_test

@@ -8,7 +8,7 @@
 
 #include "felt/base/constants.h"
 
-namespace felt {
+namespace felt::pose_track_test {
 namespace {
 
 Event pen(std::int64_t ms, Vec3 at, std::optional<double> pressure = {},
@@ -228,4 +228,4 @@ RC_GTEST_PROP(PoseTrackProperty, IsExactAtEventsAndInventsNoContact, ()) {
 }
 
 }  // namespace
-}  // namespace felt
+}  // namespace felt::pose_track_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace felt {
+namespace felt::recorder_test {
 namespace {
 
 TEST(Recorder, HandsOverInBatchesAndInOrder) {
@@ -36,4 +36,4 @@ TEST(Recorder, TimesNeverRunBackwards) {
 }
 
 }  // namespace
-}  // namespace felt
+}  // namespace felt::recorder_test

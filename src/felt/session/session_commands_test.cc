@@ -11,7 +11,7 @@
 #include "felt/session/testing/fake_tools.h"
 #include "felt/stroke/testing/random_stroke.h"
 
-namespace felt {
+namespace felt::session_commands_test {
 namespace {
 
 using Do = LayerEvent::Do;
@@ -550,4 +550,4 @@ TEST(SessionCommands, RestyleIsOneStepOfAllThatIsSelected) {
 }
 
 }  // namespace
-}  // namespace felt
+}  // namespace felt::session_commands_test

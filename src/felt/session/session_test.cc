@@ -12,7 +12,7 @@
 #include "felt/session/old_defaults.h"
 #include "felt/session/testing/fake_tools.h"
 
-namespace felt {
+namespace felt::session_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -546,4 +546,4 @@ TEST(Session, TheForceIsThatOfTheTool) {
 }
 
 }  // namespace
-}  // namespace felt
+}  // namespace felt::session_test

@@ -9,7 +9,7 @@
 #include "felt/material/relief.h"
 #include "felt/sound/testing/rubbed.h"
 
-namespace felt {
+namespace felt::rub_voice_test {
 namespace {
 
 /// The stroke without its touch.
@@ -213,4 +213,4 @@ TEST(RubVoice, ChalkThatIsPushedHardSqueaksOnABoardAndNotOnFelt) {
 }
 
 }  // namespace
-}  // namespace felt
+}  // namespace felt::rub_voice_test

@@ -29,7 +29,7 @@ std::size_t allocations = 0;  // of this program, which has one thread
   std::free(memory);
 }
 
-namespace felt {
+namespace felt::rubbing_sound_test {
 namespace {
 
 std::vector<float> rendered(RubbingSound& sound, double seconds) {
@@ -295,4 +295,4 @@ TEST(RubbingSound, InTimeItStaysWithThePen) {
 }
 
 }  // namespace
-}  // namespace felt
+}  // namespace felt::rubbing_sound_test

@@ -12,7 +12,7 @@
 #include "felt/store/felt_file.h"
 #include "felt/store/felt_schema.h"
 
-namespace felt {
+namespace felt::felt_extras_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -208,4 +208,4 @@ TEST(FeltExtras, AreBounded) {
 }
 
 }  // namespace
-}  // namespace felt
+}  // namespace felt::felt_extras_test

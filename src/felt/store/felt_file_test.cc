@@ -17,7 +17,7 @@
 #include "felt/document/testing/random_document.h"
 #include "felt/store/felt_tables.h"
 
-namespace felt {
+namespace felt::felt_file_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -225,4 +225,4 @@ TEST_F(FeltFileTest, WhatCouldNotBeReadAgainIsNotWritten) {
 }
 
 }  // namespace
-}  // namespace felt
+}  // namespace felt::felt_file_test

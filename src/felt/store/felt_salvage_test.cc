@@ -10,7 +10,7 @@
 #include "felt/document/testing/random_document.h"
 #include "felt/store/page_scan.h"
 
-namespace felt {
+namespace felt::felt_salvage_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -215,4 +215,4 @@ TEST(FeltSalvage, IsBoundedWhateverThePagesSay) {
 }
 
 }  // namespace
-}  // namespace felt
+}  // namespace felt::felt_salvage_test

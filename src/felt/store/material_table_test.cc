@@ -10,7 +10,7 @@
 #include "felt/io/limits.h"
 #include "felt/store/felt_salvage.h"
 
-namespace felt {
+namespace felt::material_table_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -97,4 +97,4 @@ TEST(MaterialTable, StandsUpToDamage) {
 }
 
 }  // namespace
-}  // namespace felt
+}  // namespace felt::material_table_test

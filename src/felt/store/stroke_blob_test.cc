@@ -12,7 +12,7 @@
 #include "felt/store/crc32c.h"
 #include "felt/stroke/testing/random_stroke.h"
 
-namespace felt {
+namespace felt::stroke_blob_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -171,4 +171,4 @@ TEST(StrokeBlob, SaysWhatIsWrong) {
 }
 
 }  // namespace
-}  // namespace felt
+}  // namespace felt::stroke_blob_test

@@ -6,7 +6,7 @@
 
 #include "felt/stroke/testing/random_stroke.h"
 
-namespace felt {
+namespace felt::arc_map_test {
 namespace {
 
 TEST(ArcMap, LengthsAddUpAndComeBack) {
@@ -65,4 +65,4 @@ TEST(ArcMap, ClosedStrokesGoRound) {
 }
 
 }  // namespace
-}  // namespace felt
+}  // namespace felt::arc_map_test

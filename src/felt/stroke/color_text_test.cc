@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace felt {
+namespace felt::color_text_test {
 namespace {
 
 TEST(ColorText, ReadsTheThreeForms) {
@@ -26,4 +26,4 @@ TEST(ColorText, WritesWhatItReads) {
 }
 
 }  // namespace
-}  // namespace felt
+}  // namespace felt::color_text_test

@@ -12,7 +12,7 @@
 #include "felt/stroke/outline/outline.h"
 #include "felt/stroke/testing/random_stroke.h"
 
-namespace felt {
+namespace felt::stroke_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -192,4 +192,4 @@ TEST(Stroke, BoundsContainEveryDab) {
 }
 
 }  // namespace
-}  // namespace felt
+}  // namespace felt::stroke_test

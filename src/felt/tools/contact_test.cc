@@ -4,7 +4,7 @@
 
 #include <limits>
 
-namespace felt {
+namespace felt::contact_test {
 namespace {
 
 using Change = Contact::Change;
@@ -82,4 +82,4 @@ TEST(Contact, AClockThatStandsOrRunsBackwardsDoesNotHoldIt) {
 }
 
 }  // namespace
-}  // namespace felt
+}  // namespace felt::contact_test

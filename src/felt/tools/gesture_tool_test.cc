@@ -11,7 +11,7 @@
 #include "felt/document/edit_builder.h"
 #include "felt/tools/testing/desk.h"
 
-namespace felt {
+namespace felt::gesture_tool_test {
 namespace {
 
 constexpr OptionSpec kProbeOptions[] = {
@@ -153,4 +153,4 @@ TEST(GestureTool, PlacesThatAreNoneAreIgnored) {
 }
 
 }  // namespace
-}  // namespace felt
+}  // namespace felt::gesture_tool_test

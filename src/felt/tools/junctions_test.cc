@@ -4,7 +4,7 @@
 
 #include "felt/tools/testing/desk.h"
 
-namespace felt {
+namespace felt::junctions_test {
 namespace {
 
 using testing::Desk;
@@ -49,4 +49,4 @@ TEST(Junctions, HiddenLayersDoNotCountAndLockedOnesAreNotEditable) {
 }
 
 }  // namespace
-}  // namespace felt
+}  // namespace felt::junctions_test

@@ -4,7 +4,7 @@
 
 #include "felt/stroke/fit/width_map.h"
 
-namespace felt {
+namespace felt::medium_line_test {
 namespace {
 
 Medium with_line(const MediumLine& line) {
@@ -62,4 +62,4 @@ TEST(MediumLine, LeanAndToneComeFromTheMediumAndTheRangeStays) {
 }
 
 }  // namespace
-}  // namespace felt
+}  // namespace felt::medium_line_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace felt {
+namespace felt::overlay_test {
 namespace {
 
 /// A ring of two segments.
@@ -35,4 +35,4 @@ TEST(AddSpan, EndsWhereItBeginsAtTheSeam) {
 }
 
 }  // namespace
-}  // namespace felt
+}  // namespace felt::overlay_test

@@ -8,7 +8,7 @@
 #include "felt/haptics/safety/safety_guards.h"
 #include "felt/stroke/fit/width_map.h"
 
-namespace felt {
+namespace felt::pressing_test {
 namespace {
 
 const SurfaceMaterial& paper() {
@@ -118,4 +118,4 @@ TEST(Pressing, R18_AMouseHasNone) {
 }
 
 }  // namespace
-}  // namespace felt
+}  // namespace felt::pressing_test

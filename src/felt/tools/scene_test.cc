@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace felt {
+namespace felt::scene_test {
 namespace {
 
 // Pairs that somebody spoke of keep to a tool's strength as those by the rule do: nothing else says
@@ -21,4 +21,4 @@ TEST(Scene, StrengthReachesEveryPairAndTheGrain) {
 }
 
 }  // namespace
-}  // namespace felt
+}  // namespace felt::scene_test

@@ -4,7 +4,7 @@
 
 #include "felt/tools/testing/desk.h"
 
-namespace felt {
+namespace felt::selection_view_test {
 namespace {
 
 using testing::Desk;
@@ -114,4 +114,4 @@ TEST(SelectionView, AFrameGoesRoundMoreThanItMarks) {
 }
 
 }  // namespace
-}  // namespace felt
+}  // namespace felt::selection_view_test

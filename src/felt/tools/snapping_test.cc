@@ -6,7 +6,7 @@
 
 #include "felt/tools/testing/desk.h"
 
-namespace felt {
+namespace felt::snapping_test {
 namespace {
 
 using testing::Desk;
@@ -93,4 +93,4 @@ TEST(WellOf, R43_IsZeroAtBothEndsAndContinuous) {
 }
 
 }  // namespace
-}  // namespace felt
+}  // namespace felt::snapping_test

@@ -6,7 +6,7 @@
 
 #include "felt/tools/testing/desk.h"
 
-namespace felt {
+namespace felt::stroke_hold_test {
 namespace {
 
 using testing::Desk;
@@ -115,4 +115,4 @@ TEST(StrokeHold, IsAsNearAsAnyPlaceWithinTheWindow) {
 }
 
 }  // namespace
-}  // namespace felt
+}  // namespace felt::stroke_hold_test

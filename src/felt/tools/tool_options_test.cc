@@ -12,7 +12,7 @@
 
 #include "felt/tools/tool.h"
 
-namespace felt {
+namespace felt::tool_options_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -179,4 +179,4 @@ TEST(EveryTool, KeepsItsOptionsInRange) {
 }
 
 }  // namespace
-}  // namespace felt
+}  // namespace felt::tool_options_test

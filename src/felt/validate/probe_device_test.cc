@@ -7,7 +7,7 @@
 
 #include "felt/rt/testing/scripted_device.h"
 
-namespace felt {
+namespace felt::probe_device_test {
 namespace {
 
 std::vector<ProbeTick> taken(ProbeDevice& probe) {
@@ -79,4 +79,4 @@ TEST(ProbeDeviceTest, TheTickAfterAStallIsMarkedOnce) {
 }
 
 }  // namespace
-}  // namespace felt
+}  // namespace felt::probe_device_test

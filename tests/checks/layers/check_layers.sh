@@ -8,6 +8,7 @@
 #   - no header includes itself over others;
 #   - folders of the desktop program include only what their line allows;
 #   - the programs include the library and themselves, never each other;
+#   - a test lies in a namespace with the name of its file, because several compile as one;
 #   - every layer and room has a README.md, and every public header a comment.
 set -euo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
@@ -128,6 +129,10 @@ LC_ALL=C awk '
   FNR == 1 { enter_file() }
 
   is_header && /\/\/\// { commented[FILENAME] = 1 }
+  /^namespace felt/ && FILENAME ~ /_test\.cc$/ {
+    name = FILENAME; gsub(/.*\/|\.cc$/, "", name)
+    if (!index($0, "::" name " {")) complain("put the test into a namespace felt::" name)
+  }
   /^[ \t]*#[ \t]*include[ \t]*"/ { split($0, quoted, "\""); line_of[FILENAME, "src/" quoted[2]] = FNR
     check_project_include(quoted[2]); check_app_include(quoted[2])
     check_foreign_include(quoted[2]) }

@@ -9,7 +9,7 @@
 #include "felt/geometry/polyline.h"
 #include "samples/inflate/inflated.h"
 
-namespace felt {
+namespace felt::inflate_test {
 namespace {
 
 /// A closed, smooth stroke through points in order (handles by their neighbours).
@@ -156,4 +156,4 @@ TEST(Inflate, SaysWhatCannotBeInflated) {
 }
 
 }  // namespace
-}  // namespace felt
+}  // namespace felt::inflate_test

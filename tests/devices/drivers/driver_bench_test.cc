@@ -10,7 +10,7 @@
 #include "tests/devices/drivers/driver_bench.h"
 #include "tests/devices/drivers/scripted_bench.h"
 
-namespace felt {
+namespace felt::driver_bench_test {
 namespace {
 
 class DriverBenchTest : public ::testing::TestWithParam<std::string_view> {};
@@ -97,4 +97,4 @@ INSTANTIATE_TEST_SUITE_P(, DriverBenchTest, ::testing::ValuesIn(driver_bench_nam
                          [](const auto& bench) { return std::string(bench.param); });
 
 }  // namespace
-}  // namespace felt
+}  // namespace felt::driver_bench_test

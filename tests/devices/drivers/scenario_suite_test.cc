@@ -9,7 +9,7 @@
 
 #include "tests/devices/drivers/scripted_bench.h"
 
-namespace felt {
+namespace felt::scenario_suite_test {
 namespace {
 
 const std::vector<Scenario>& scenarios() {
@@ -86,4 +86,4 @@ INSTANTIATE_TEST_SUITE_P(, ScenarioSuite, ::testing::ValuesIn(driver_bench_names
                          [](const auto& bench) { return std::string(bench.param); });
 
 }  // namespace
-}  // namespace felt
+}  // namespace felt::scenario_suite_test

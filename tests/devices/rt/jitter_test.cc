@@ -15,7 +15,7 @@
 #include "felt/rt/virtual_clock.h"
 #include "tests/devices/rt/recorded_lateness.h"
 
-namespace felt::rt_test {
+namespace felt::rt_test::jitter_test {
 namespace {
 
 constexpr double kRiseNPerMs = 0.3;
@@ -227,4 +227,4 @@ TEST(Jitter, R49_BurstsOfStallsLatchAndTheUserGetsTheForceBack) {
 }
 
 }  // namespace
-}  // namespace felt::rt_test
+}  // namespace felt::rt_test::jitter_test

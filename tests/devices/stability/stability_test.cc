@@ -6,7 +6,7 @@
 
 #include "tests/devices/stability/stability_matrix.h"
 
-namespace felt {
+namespace felt::stability_test {
 namespace {
 
 // Near the bounds the last bits of another compiler may decide.
@@ -78,4 +78,4 @@ TEST(StabilityTrial, GivesTheSameTwice) {
 }
 
 }  // namespace
-}  // namespace felt
+}  // namespace felt::stability_test

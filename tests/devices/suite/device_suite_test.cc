@@ -23,7 +23,7 @@
 #include "felt/rt/virtual_clock.h"
 #include "tests/devices/drivers/bench_device.h"
 
-namespace felt {
+namespace felt::device_suite_test {
 namespace {
 
 // A device under test, and what moves it: called before each read.
@@ -298,4 +298,4 @@ INSTANTIATE_TEST_SUITE_P(, DeviceSuite, ::testing::ValuesIn(subject_names()),
                          });
 
 }  // namespace
-}  // namespace felt
+}  // namespace felt::device_suite_test

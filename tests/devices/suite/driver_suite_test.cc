@@ -5,7 +5,7 @@
 
 #include "tests/devices/drivers/scripted_bench.h"
 
-namespace felt {
+namespace felt::driver_suite_test {
 namespace {
 
 class DriverSuite : public ::testing::TestWithParam<std::string_view> {
@@ -45,4 +45,4 @@ INSTANTIATE_TEST_SUITE_P(, DriverSuite, ::testing::ValuesIn(driver_bench_names()
                          [](const auto& bench) { return std::string(bench.param); });
 
 }  // namespace
-}  // namespace felt
+}  // namespace felt::driver_suite_test

@@ -9,7 +9,7 @@
 #include "felt/validate/validator.h"
 #include "tests/devices/drivers/bench_device.h"
 
-namespace felt {
+namespace felt::bench_validator_test {
 namespace {
 
 ValidationReport tested(DriverBench& bench, int level) {
@@ -61,4 +61,4 @@ INSTANTIATE_TEST_SUITE_P(, BenchPushTest, ::testing::ValuesIn(names_of_force_ben
                          [](const auto& bench) { return std::string(bench.param); });
 
 }  // namespace
-}  // namespace felt
+}  // namespace felt::bench_validator_test

@@ -4,7 +4,7 @@
 #include "felt/replay/testing/zigzag_driver.h"
 #include "felt/validate/driver_subject.h"
 
-namespace felt {
+namespace felt::shown_plane_test {
 namespace {
 
 // Some libraries know the serial number of an open device only.
@@ -32,4 +32,4 @@ TEST(ShownPlane, OfAnotherUnitIsNotUsed) {
 }
 
 }  // namespace
-}  // namespace felt
+}  // namespace felt::shown_plane_test

@@ -13,7 +13,7 @@
 #include "felt/devices/simulated/simulated_stylus.h"
 #include "felt/validate/simulated_subject.h"
 
-namespace felt {
+namespace felt::validator_test {
 namespace {
 
 using ::testing::ElementsAre;
@@ -328,4 +328,4 @@ TEST(ValidationReportTest, SaysWhatWasTestedAndWhatCameOfIt) {
 }
 
 }  // namespace
-}  // namespace felt
+}  // namespace felt::validator_test

@@ -11,7 +11,7 @@
 #include "felt/tools/eraser/eraser_tool.h"
 #include "felt/tools/testing/desk.h"
 
-namespace felt {
+namespace felt::erased_test {
 namespace {
 
 using testing::Desk;
@@ -163,4 +163,4 @@ TEST(Erased, TheCentreLineCountsIfAsked) {
 }
 
 }  // namespace
-}  // namespace felt
+}  // namespace felt::erased_test

@@ -13,7 +13,7 @@
 #include "felt/render/page.h"
 #include "felt/stroke/testing/random_stroke.h"
 
-namespace felt {
+namespace felt::grain_test {
 namespace {
 
 /// What a texture does to a pen that rests at a place, pressed with half a newton.
@@ -98,4 +98,4 @@ TEST(Grain, R47_ThePngIsTheSameBytesWhoeverMadeTheField) {
 }
 
 }  // namespace
-}  // namespace felt
+}  // namespace felt::grain_test

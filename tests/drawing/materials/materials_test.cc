@@ -11,7 +11,7 @@
 #include "tests/drawing/materials/feel_features.h"
 #include "tests/drawing/materials/pair_figures.h"
 
-namespace felt {
+namespace felt::materials_test {
 namespace {
 
 constexpr std::int64_t kPeriodsNs[] = {1'000'000, 200'000};
@@ -172,4 +172,4 @@ TEST(Materials, ASmoothStrokeHasNoTexture) {
 }
 
 }  // namespace
-}  // namespace felt
+}  // namespace felt::materials_test

@@ -2,7 +2,7 @@
 
 #include "tests/drawing/snapping/snap_count.h"
 
-namespace felt::snap_test {
+namespace felt::snap_test::snapping_bars_test {
 namespace {
 
 /// A part of ./dev bench feel --snapping, for two hands.
@@ -42,4 +42,4 @@ TEST(SnappingBars, R44_ShapesThatAreMeantToCloseDo) {
 }
 
 }  // namespace
-}  // namespace felt::snap_test
+}  // namespace felt::snap_test::snapping_bars_test

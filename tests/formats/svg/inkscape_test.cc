@@ -12,7 +12,7 @@
 #include "felt/stroke/testing/random_stroke.h"
 #include "tests/support/scratch_path.h"
 
-namespace felt {
+namespace felt::inkscape_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -90,4 +90,4 @@ TEST(SvgInkscape, WhatItMovedIsMoved) {
 }
 
 }  // namespace
-}  // namespace felt
+}  // namespace felt::inkscape_test

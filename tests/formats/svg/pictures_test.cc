@@ -18,7 +18,7 @@
 #include "tests/formats/svg/suite.h"
 #include "tests/support/scratch_path.h"
 
-namespace felt::testing {
+namespace felt::testing::pictures_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -117,4 +117,4 @@ TEST(SvgPictures, WhatAgreedWithTheSuiteStillDoes) {
 }
 
 }  // namespace
-}  // namespace felt::testing
+}  // namespace felt::testing::pictures_test

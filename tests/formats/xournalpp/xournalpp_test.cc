@@ -16,7 +16,7 @@
 #include "felt/render/page.h"
 #include "felt/stroke/testing/random_stroke.h"
 
-namespace felt {
+namespace felt::xournalpp_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -100,4 +100,4 @@ TEST(Xournalpp, OpensAnEmptyDrawing) {
 }
 
 }  // namespace
-}  // namespace felt
+}  // namespace felt::xournalpp_test

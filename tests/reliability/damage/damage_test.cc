@@ -19,7 +19,7 @@
 #include "felt/store/stroke_blob.h"
 #include "tests/reliability/damage/damages.h"
 
-namespace felt::damage {
+namespace felt::damage::damage_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -380,4 +380,4 @@ TEST(Bombs, UsesOfUses) {
 }
 
 }  // namespace
-}  // namespace felt::damage
+}  // namespace felt::damage::damage_test

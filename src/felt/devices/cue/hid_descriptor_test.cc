@@ -5,7 +5,7 @@
 
 #include <vector>
 
-namespace felt {
+namespace felt::hid_descriptor_test {
 namespace {
 
 using Bytes = std::vector<std::uint8_t>;
@@ -154,4 +154,4 @@ RC_GTEST_PROP(HidDescriptor, HostileOnesAreBounded, ()) {
 }
 
 }  // namespace
-}  // namespace felt
+}  // namespace felt::hid_descriptor_test

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <initializer_list>
 
-namespace felt {
+namespace felt::effect_plan_test {
 namespace {
 
 StickForces stick(std::initializer_list<std::uint16_t> effects) {
@@ -119,4 +119,4 @@ RC_GTEST_PROP(EffectPlan, NeverAsksForMoreThanTheBound, ()) {
 }
 
 }  // namespace
-}  // namespace felt
+}  // namespace felt::effect_plan_test

@@ -10,7 +10,7 @@
 #include "felt/base/constants.h"
 #include "felt/haptics/bricks/spring.h"
 
-namespace felt {
+namespace felt::local_fit_test {
 namespace {
 
 /// A grip that trembles about `x0` by `mm` at `hz`, a millisecond a sample, under a force.
@@ -133,4 +133,4 @@ RC_GTEST_PROP(LocalFit, NeverGivesEnergyBack, ()) {
 }
 
 }  // namespace
-}  // namespace felt
+}  // namespace felt::local_fit_test

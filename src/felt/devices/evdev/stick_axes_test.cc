@@ -8,7 +8,7 @@
 
 #include "felt/base/constants.h"
 
-namespace felt {
+namespace felt::stick_axes_test {
 namespace {
 
 /// Events that were put in, and axes as they stand.
@@ -190,4 +190,4 @@ TEST(StickAxes, AnAxisWithoutWayOrADeviceThatIsGoneIsAnError) {
 }
 
 }  // namespace
-}  // namespace felt
+}  // namespace felt::stick_axes_test

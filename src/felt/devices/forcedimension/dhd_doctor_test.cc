@@ -6,7 +6,7 @@
 #include "felt/devices/forcedimension/forcedimension.h"
 #include "felt/driver/testing/fake_system.h"
 
-namespace felt::dhd {
+namespace felt::dhd::dhd_doctor_test {
 namespace {
 
 using ::testing::Contains;
@@ -157,4 +157,4 @@ TEST(DhdDoctor, WhatTheLibraryRefusedIsToldInItsWords) {
 }
 
 }  // namespace
-}  // namespace felt::dhd
+}  // namespace felt::dhd::dhd_doctor_test

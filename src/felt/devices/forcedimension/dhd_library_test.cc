@@ -5,7 +5,7 @@
 
 #include "felt/driver/testing/fake_system.h"
 
-namespace felt::dhd {
+namespace felt::dhd::dhd_library_test {
 namespace {
 
 using ::testing::ElementsAre;
@@ -58,4 +58,4 @@ TEST(DhdLibrary, OneThatIsNotThereIsToldInTheLoadersWords) {
 }
 
 }  // namespace
-}  // namespace felt::dhd
+}  // namespace felt::dhd::dhd_library_test

@@ -4,7 +4,7 @@
 
 #include "felt/driver/device_models.h"
 
-namespace felt::dhd {
+namespace felt::dhd::dhd_models_test {
 namespace {
 
 TEST(DhdModels, EveryTypeHasARowInTheTableOfModels) {
@@ -47,4 +47,4 @@ TEST(DhdModels, OnlyTheOneOmegaHasItsButtonInTheSecondPlace) {
 }
 
 }  // namespace
-}  // namespace felt::dhd
+}  // namespace felt::dhd::dhd_models_test

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace felt::haply {
+namespace felt::haply::json_scanner_test {
 namespace {
 
 using Json = nlohmann::json;
@@ -177,4 +177,4 @@ TEST(JsonScanner, ValuesArePassedOver) {
 }
 
 }  // namespace
-}  // namespace felt::haply
+}  // namespace felt::haply::json_scanner_test

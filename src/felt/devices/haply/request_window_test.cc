@@ -7,7 +7,7 @@
 
 #include "felt/base/constants.h"
 
-namespace felt::haply {
+namespace felt::haply::request_window_test {
 namespace {
 
 TEST(RequestWindow, OneMessageAtATimeAndOneToLetGo) {
@@ -66,4 +66,4 @@ TEST(RequestWindow, OneWaitsBeforeASlowServiceAndFourAtMostBeforeOneThatIsMiscou
 }
 
 }  // namespace
-}  // namespace felt::haply
+}  // namespace felt::haply::request_window_test

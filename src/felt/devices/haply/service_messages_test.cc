@@ -8,7 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-namespace felt::haply {
+namespace felt::haply::service_messages_test {
 namespace {
 
 using Json = nlohmann::json;
@@ -198,4 +198,4 @@ TEST(Command, IsWhatTheServiceReads) {
 }
 
 }  // namespace
-}  // namespace felt::haply
+}  // namespace felt::haply::service_messages_test

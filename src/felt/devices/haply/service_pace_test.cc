@@ -4,7 +4,7 @@
 
 #include "felt/base/constants.h"
 
-namespace felt::haply {
+namespace felt::haply::service_pace_test {
 namespace {
 
 void run(ServicePace& pace, int ticks, int every, std::int64_t tick_ns = kMs) {
@@ -79,4 +79,4 @@ TEST(ServicePace, ALoopThatStoodStillSaysNothingAboutTheService) {
 }
 
 }  // namespace
-}  // namespace felt::haply
+}  // namespace felt::haply::service_pace_test

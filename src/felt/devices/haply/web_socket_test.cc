@@ -8,7 +8,7 @@
 
 #include "felt/devices/haply/web_socket_key.h"
 
-namespace felt::haply {
+namespace felt::haply::web_socket_test {
 namespace {
 
 // The other end, as a script: what it will say, in the pieces in which it comes.
@@ -196,4 +196,4 @@ TEST(WebSocketOpening, AnythingButTheRightAnswerIsRefused) {
 }
 
 }  // namespace
-}  // namespace felt::haply
+}  // namespace felt::haply::web_socket_test

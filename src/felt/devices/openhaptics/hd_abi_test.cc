@@ -7,7 +7,7 @@
 
 #include "felt/devices/openhaptics/hd_faults.h"
 
-namespace felt {
+namespace felt::hd_abi_test {
 namespace {
 
 // Written down a second time, from the reference's tables and by their numbers, since neither the
@@ -70,4 +70,4 @@ TEST(HdAbi, EachErrorIsAFaultOfItsKind) {
 }
 
 }  // namespace
-}  // namespace felt
+}  // namespace felt::hd_abi_test

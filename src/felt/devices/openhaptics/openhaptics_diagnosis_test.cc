@@ -6,7 +6,7 @@
 #include "felt/devices/openhaptics/openhaptics_driver.h"
 #include "felt/driver/testing/fake_system.h"
 
-namespace felt {
+namespace felt::openhaptics_diagnosis_test {
 namespace {
 
 using ::testing::ElementsAre;
@@ -196,4 +196,4 @@ TEST(OpenHapticsDiagnosis, NothingIsPluggedInOrItIsSwitchedOff) {
 }
 
 }  // namespace
-}  // namespace felt
+}  // namespace felt::openhaptics_diagnosis_test

@@ -6,7 +6,7 @@
 
 #include "felt/haptics/safety/safety_limits.h"
 
-namespace felt {
+namespace felt::openhaptics_models_test {
 namespace {
 
 TEST(OpenHapticsModels, AreKnownByTheirWords) {
@@ -79,4 +79,4 @@ TEST(OpenHapticsModels, TheDefaultPlaneIsTheDeskAndEachAxisHasItsSign) {
 }
 
 }  // namespace
-}  // namespace felt
+}  // namespace felt::openhaptics_models_test

@@ -4,7 +4,7 @@
 
 #include <limits>
 
-namespace felt {
+namespace felt::temperature_guard_test {
 namespace {
 
 TEST(TemperatureGuard, CoolMotorsGiveAllThereIs) {
@@ -32,4 +32,4 @@ TEST(TemperatureGuard, NonsenseIsTooWarmAndNothingIsMoreThanThereIs) {
 }
 
 }  // namespace
-}  // namespace felt
+}  // namespace felt::temperature_guard_test

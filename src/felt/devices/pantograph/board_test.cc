@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-namespace felt::pantograph {
+namespace felt::pantograph::board_test {
 namespace {
 
 template <std::size_t Size>
@@ -78,4 +78,4 @@ TEST(Board, WhereAMakeReachesItPushes) {
 }
 
 }  // namespace
-}  // namespace felt::pantograph
+}  // namespace felt::pantograph::board_test

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-namespace felt::pantograph {
+namespace felt::pantograph::five_bar_test {
 namespace {
 
 constexpr FiveBarSize kSizes[] = {{50, 70, 20}, {70, 90, 0}, {70, 90, 38}};
@@ -107,4 +107,4 @@ TEST(FiveBar, ImpossibleAnglesAreNoPlace) {
 }
 
 }  // namespace
-}  // namespace felt::pantograph
+}  // namespace felt::pantograph::five_bar_test

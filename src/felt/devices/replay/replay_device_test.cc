@@ -6,7 +6,7 @@
 
 #include "felt/base/constants.h"
 
-namespace felt {
+namespace felt::replay_device_test {
 namespace {
 
 PenSample sample(std::int64_t ms, double x, double z, std::optional<double> pressure = {},
@@ -98,4 +98,4 @@ TEST(ReplayDevice, SurvivesBadRecordings) {
 }
 
 }  // namespace
-}  // namespace felt
+}  // namespace felt::replay_device_test

@@ -12,7 +12,7 @@
 #include "felt/devices/simulated/simulated_stylus.h"
 #include "felt/rt/servo.h"
 
-namespace felt {
+namespace felt::aim_track_test {
 namespace {
 
 struct Told {
@@ -220,4 +220,4 @@ TEST(AimTrack, SurvivesAnyTimes) {
 }
 
 }  // namespace
-}  // namespace felt
+}  // namespace felt::aim_track_test

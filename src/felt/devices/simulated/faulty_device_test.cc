@@ -10,7 +10,7 @@
 #include "felt/base/constants.h"
 #include "felt/devices/simulated/simulated_stylus.h"
 
-namespace felt {
+namespace felt::faulty_device_test {
 namespace {
 
 // What a fault between 10 and 20 ms makes of a pen that moves along x and down.
@@ -151,4 +151,4 @@ TEST(FaultyDevice, OneThatTakesNoForceIsStillRead) {
 }
 
 }  // namespace
-}  // namespace felt
+}  // namespace felt::faulty_device_test

@@ -6,7 +6,7 @@
 
 #include "felt/base/constants.h"
 
-namespace felt {
+namespace felt::felt_stroke_test {
 namespace {
 
 StrokePlan plan_on(const char* surface) {
@@ -52,4 +52,4 @@ TEST(FeltStroke, OnlyWhatIsFastCountsAsTrembling) {
 }
 
 }  // namespace
-}  // namespace felt
+}  // namespace felt::felt_stroke_test

@@ -10,7 +10,7 @@
 #include "felt/devices/simulated/samples/drawings.h"
 #include "felt/devices/simulated/simulated_stylus.h"
 
-namespace felt {
+namespace felt::hand_script_test {
 namespace {
 
 struct Drawn {
@@ -199,4 +199,4 @@ TEST(HandScript, SurvivesHostileRecordings) {
 }
 
 }  // namespace
-}  // namespace felt
+}  // namespace felt::hand_script_test

@@ -8,7 +8,7 @@
 #include "felt/base/constants.h"
 #include "felt/devices/simulated/simulated_stylus.h"
 
-namespace felt {
+namespace felt::pointer_hand_test {
 namespace {
 
 // Holds the pen down for 1.5 s on a plane of K n/m and returns the plane's spring force.
@@ -112,4 +112,4 @@ TEST(PointerHand, IgnoresPlacesThatAreNotFinite) {
 }
 
 }  // namespace
-}  // namespace felt
+}  // namespace felt::pointer_hand_test

@@ -6,7 +6,7 @@
 
 #include "felt/devices/simulated/random.h"
 
-namespace felt {
+namespace felt::pseudo_cursor_test {
 namespace {
 
 using Use = PseudoCursor::Use;
@@ -59,4 +59,4 @@ TEST(PseudoCursor, ShowsTheHandWhereNumbersFail) {
 }
 
 }  // namespace
-}  // namespace felt
+}  // namespace felt::pseudo_cursor_test

@@ -14,7 +14,7 @@
 #include "felt/devices/simulated/moving_aim.h"
 #include "felt/devices/simulated/random.h"
 
-namespace felt {
+namespace felt::simulated_stylus_test {
 namespace {
 
 StylusPreset preset(std::string_view name) {
@@ -440,4 +440,4 @@ TEST(StylusPresets, AreComplete) {
 }
 
 }  // namespace
-}  // namespace felt
+}  // namespace felt::simulated_stylus_test

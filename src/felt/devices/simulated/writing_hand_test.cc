@@ -14,7 +14,7 @@
 #include "felt/devices/simulated/samples/drawings.h"
 #include "felt/devices/simulated/samples/sample_sets.h"
 
-namespace felt {
+namespace felt::writing_hand_test {
 namespace {
 
 TEST(WritingHand, TheSameSeedDrawsTheSame) {
@@ -151,4 +151,4 @@ TEST(SampleSets, AreTheFilesInShare) {
 }
 
 }  // namespace
-}  // namespace felt
+}  // namespace felt::writing_hand_test

@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace felt {
+namespace felt::fake_system_test {
 namespace {
 
 using ::testing::ElementsAre;
@@ -72,4 +72,4 @@ TEST(ThisSystemTest, SeesThisMachine) {
 }
 
 }  // namespace
-}  // namespace felt
+}  // namespace felt::fake_system_test

@@ -12,7 +12,7 @@
 #include "felt/haptics/safety/safety_chain.h"
 #include "felt/haptics/testing/feel_rig.h"
 
-namespace felt {
+namespace felt::drawing_feel_test {
 namespace {
 
 TEST(Material, R13_SurfacesAndToolsAreOrderedByTheirDrag) {
@@ -172,4 +172,4 @@ TEST(DrawingFeel, R50_ASlowLoopIsCalmWithinItsBudget) {
 }
 
 }  // namespace
-}  // namespace felt
+}  // namespace felt::drawing_feel_test

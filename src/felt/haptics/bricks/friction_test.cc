@@ -11,7 +11,7 @@
 #include "felt/haptics/force_model.h"
 #include "felt/haptics/testing/feel_rig.h"
 
-namespace felt {
+namespace felt::friction_test {
 namespace {
 
 /// The force of a bristle alone, pushed with `normal_n`, where the pen is now.
@@ -240,4 +240,4 @@ TEST(Friction, R41_AnEraserDragsMoreThanAPencilAndBothAreCalm) {
 }
 
 }  // namespace
-}  // namespace felt
+}  // namespace felt::friction_test

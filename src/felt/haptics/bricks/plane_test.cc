@@ -6,7 +6,7 @@
 #include "felt/haptics/bricks/drawing_feel.h"
 #include "felt/haptics/testing/feel_rig.h"
 
-namespace felt {
+namespace felt::plane_test {
 namespace {
 
 PenSample at_z(double z_mm, double time_s = 0.0) {
@@ -161,4 +161,4 @@ TEST(Plane, TheBenchSeesABoardThatBuzzes) {
 }
 
 }  // namespace
-}  // namespace felt
+}  // namespace felt::plane_test

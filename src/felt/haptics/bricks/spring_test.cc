@@ -10,7 +10,7 @@
 #include "felt/haptics/force_model.h"
 #include "felt/haptics/testing/feel_rig.h"
 
-namespace felt {
+namespace felt::spring_test {
 namespace {
 
 RC_GTEST_PROP(EditSpring, R29_PointsBackAndKeepsToItsBounds, ()) {
@@ -302,4 +302,4 @@ TEST(Springs, R30_GiveAHandOnTheSheetNoEnergy) {
 }
 
 }  // namespace
-}  // namespace felt
+}  // namespace felt::spring_test

@@ -8,7 +8,7 @@
 #include "felt/haptics/bricks/drawing_feel.h"
 #include "felt/haptics/testing/feel_rig.h"
 
-namespace felt {
+namespace felt::stabiliser_test {
 namespace {
 
 TEST(Towed, NothingIsFeltWhileTheRopeIsSlack) {
@@ -154,4 +154,4 @@ TEST(Stabilisers, AreCalmOnTheSheet) {
 }
 
 }  // namespace
-}  // namespace felt
+}  // namespace felt::stabiliser_test

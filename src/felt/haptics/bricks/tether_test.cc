@@ -8,7 +8,7 @@
 #include "felt/base/constants.h"
 #include "felt/haptics/testing/feel_rig.h"
 
-namespace felt {
+namespace felt::tether_test {
 namespace {
 
 Force pull(const Tether& tether, Point pen, double share = 1.0) {
@@ -260,4 +260,4 @@ TEST(Tether, TurnsAddUp) {
 }
 
 }  // namespace
-}  // namespace felt
+}  // namespace felt::tether_test

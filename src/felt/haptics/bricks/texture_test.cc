@@ -11,7 +11,7 @@
 #include "felt/haptics/bricks/drawing_feel.h"
 #include "felt/haptics/testing/feel_rig.h"
 
-namespace felt {
+namespace felt::texture_test {
 namespace {
 
 TEST(Texture, R48_TheLimitIsThatOfTheLoop) {
@@ -312,4 +312,4 @@ RC_GTEST_PROP(Texture, AWornTextureOnlyTakesEnergyOnAnyClosedWay, ()) {
 }
 
 }  // namespace
-}  // namespace felt
+}  // namespace felt::texture_test

@@ -11,7 +11,7 @@
 #include "felt/haptics/force_model.h"
 #include "felt/haptics/testing/feel_rig.h"
 
-namespace felt {
+namespace felt::well_test {
 namespace {
 
 Force pull(const Wells& wells, Point pen) {
@@ -184,4 +184,4 @@ TEST(Wells, R43_AreCalmOnTheSheet) {
 }
 
 }  // namespace
-}  // namespace felt
+}  // namespace felt::well_test

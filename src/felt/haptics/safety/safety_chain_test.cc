@@ -9,7 +9,7 @@
 
 #include "felt/base/constants.h"
 
-namespace felt {
+namespace felt::safety_chain_test {
 namespace {
 
 /// A chain on an even clock; each tick is one call.
@@ -464,4 +464,4 @@ TEST(SafetyChain, R55_TheSameChainForEveryDeviceAndPeriod) {
 }
 
 }  // namespace
-}  // namespace felt
+}  // namespace felt::safety_chain_test

@@ -6,7 +6,7 @@
 
 #include "felt/base/constants.h"
 
-namespace felt {
+namespace felt::safety_clock_test {
 namespace {
 
 TEST(TickClock, TheFirstTickIsOnePeriod) {
@@ -75,4 +75,4 @@ TEST(HeartbeatWatch, CountsItsOwnTicksAndEachHeartbeatOnce) {
 }
 
 }  // namespace
-}  // namespace felt
+}  // namespace felt::safety_clock_test

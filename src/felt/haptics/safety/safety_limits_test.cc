@@ -6,7 +6,7 @@
 
 #include "felt/base/constants.h"
 
-namespace felt {
+namespace felt::safety_limits_test {
 namespace {
 
 TEST(SafetyLimits, R14_R49_ADeviceWithinTheUsersLimitHasTheSameLimits) {
@@ -134,4 +134,4 @@ TEST(SafetyLimits, WithAScaleNoBoundIsHigherAtTheHand) {
 }
 
 }  // namespace
-}  // namespace felt
+}  // namespace felt::safety_limits_test

@@ -6,7 +6,7 @@
 
 #include "felt/base/constants.h"
 
-namespace felt {
+namespace felt::safety_motion_test {
 namespace {
 
 constexpr TickTime kTick{0.001, 0.001, 0.001, Lateness::kOnTime};
@@ -133,4 +133,4 @@ TEST(PenSample, FiniteMeansEveryNumber) {
 }
 
 }  // namespace
-}  // namespace felt
+}  // namespace felt::safety_motion_test

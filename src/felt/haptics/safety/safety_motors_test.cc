@@ -6,7 +6,7 @@
 #include <cmath>
 #include <deque>
 
-namespace felt {
+namespace felt::safety_motors_test {
 namespace {
 
 SafetyLimits touch() {
@@ -87,4 +87,4 @@ TEST(MotorGuard, TheNoticeHasHysteresisAndNoRatingMeansNoBound) {
 }
 
 }  // namespace
-}  // namespace felt
+}  // namespace felt::safety_motors_test

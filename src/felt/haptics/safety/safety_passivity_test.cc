@@ -6,7 +6,7 @@
 #include <cmath>
 #include <cstddef>
 
-namespace felt {
+namespace felt::safety_passivity_test {
 namespace {
 
 PenSample at(const Vec3& position_mm) {
@@ -54,4 +54,4 @@ TEST(PassivityObserver, HugeNumbersSaturate) {
 }
 
 }  // namespace
-}  // namespace felt
+}  // namespace felt::safety_passivity_test

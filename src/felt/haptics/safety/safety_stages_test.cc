@@ -8,7 +8,7 @@
 
 #include "felt/base/constants.h"
 
-namespace felt {
+namespace felt::safety_stages_test {
 namespace {
 
 double number(double most) {
@@ -116,4 +116,4 @@ TEST(Budget, SlopesThatAreNoNumbersGetNoShare) {
 }
 
 }  // namespace
-}  // namespace felt
+}  // namespace felt::safety_stages_test

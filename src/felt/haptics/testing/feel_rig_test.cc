@@ -7,7 +7,7 @@
 #include "felt/base/constants.h"
 #include "felt/haptics/bricks/spring.h"
 
-namespace felt {
+namespace felt::feel_rig_test {
 namespace {
 
 TEST(FeelRig, HighFrequencyPassesWhatIsAbove30Hz) {
@@ -88,4 +88,4 @@ TEST(FeelRig, CountsTheWorkOfASpringThatLosesNothing) {
 }
 
 }  // namespace
-}  // namespace felt
+}  // namespace felt::feel_rig_test

@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace felt {
+namespace felt::event_reader_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -314,4 +314,4 @@ TEST(ReadScript, HoldsAScriptOfAnyLengthALineAtATime) {
 }
 
 }  // namespace
-}  // namespace felt
+}  // namespace felt::event_reader_test

@@ -8,7 +8,7 @@
 
 #include "felt/io/events/event_reader.h"
 
-namespace felt {
+namespace felt::event_writer_test {
 namespace {
 
 std::string line_of(const Event& event) {
@@ -200,4 +200,4 @@ RC_GTEST_PROP(EventRoundTrip, IsLossless, ()) {
 }
 
 }  // namespace
-}  // namespace felt
+}  // namespace felt::event_writer_test

@@ -8,7 +8,7 @@
 #include "felt/io/testing/test_drawings.h"
 #include "felt/stroke/fit/ink_fitter.h"
 
-namespace felt {
+namespace felt::inkml_import_test {
 namespace {
 
 using testing::only_stroke;
@@ -355,4 +355,4 @@ TEST(InkmlImport, OtherFilesAreErrors) {
 }
 
 }  // namespace
-}  // namespace felt
+}  // namespace felt::inkml_import_test

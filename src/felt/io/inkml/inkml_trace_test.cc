@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace felt {
+namespace felt::inkml_trace_test {
 namespace {
 
 using Rows = std::vector<std::vector<double>>;
@@ -93,4 +93,4 @@ TEST(InkmlTrace, NumbersAtTheirLimits) {
 }
 
 }  // namespace
-}  // namespace felt
+}  // namespace felt::inkml_trace_test

@@ -9,7 +9,7 @@
 #include "felt/io/testing/random_layers.h"
 #include "felt/stroke/outline/outline.h"
 
-namespace felt {
+namespace felt::inkml_writer_test {
 namespace {
 
 using testing::distance_of;
@@ -139,4 +139,4 @@ TEST(InkmlWriter, WhatXmlCannotHoldIsAnErrorThatNamesIt) {
 }
 
 }  // namespace
-}  // namespace felt
+}  // namespace felt::inkml_writer_test

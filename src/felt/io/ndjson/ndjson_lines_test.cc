@@ -5,7 +5,7 @@
 
 #include <rapidcheck/gtest.h>
 
-namespace felt {
+namespace felt::ndjson_lines_test {
 namespace {
 
 using ::testing::ElementsAre;
@@ -120,4 +120,4 @@ RC_GTEST_PROP(LineReaderProperty, NeitherBlocksNorBatchesShow, ()) {
 }
 
 }  // namespace
-}  // namespace felt
+}  // namespace felt::ndjson_lines_test

@@ -7,7 +7,7 @@
 
 #include "felt/io/ndjson/ndjson_writer.h"
 
-namespace felt {
+namespace felt::ndjson_parser_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -388,4 +388,4 @@ TEST(NdjsonLimits, AMillionPointsAreReadInTime) {
 }
 
 }  // namespace
-}  // namespace felt
+}  // namespace felt::ndjson_parser_test

@@ -11,7 +11,7 @@
 #include "felt/io/ndjson/ndjson_parser.h"
 #include "felt/stroke/width_profile.h"
 
-namespace felt {
+namespace felt::ndjson_writer_test {
 namespace {
 
 SketchRecord read_sketch(std::string_view text) {
@@ -199,4 +199,4 @@ RC_GTEST_PROP(NdjsonRoundTrip, RawIsLossless, ()) {
 }
 
 }  // namespace
-}  // namespace felt
+}  // namespace felt::ndjson_writer_test

@@ -20,7 +20,7 @@
 #include "felt/render/page.h"
 #include "felt/stroke/testing/random_stroke.h"
 
-namespace felt {
+namespace felt::grain_mask_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -291,4 +291,4 @@ TEST_F(GrainPicture, AnotherProgramShowsItFromPdf) {
 }
 
 }  // namespace
-}  // namespace felt
+}  // namespace felt::grain_mask_test

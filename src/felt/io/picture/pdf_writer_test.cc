@@ -14,7 +14,7 @@
 #include "felt/render/page.h"
 #include "felt/stroke/testing/random_stroke.h"
 
-namespace felt {
+namespace felt::pdf_writer_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -98,4 +98,4 @@ TEST(PdfWriter, AnotherProgramSeesTheSameInk) {
 }
 
 }  // namespace
-}  // namespace felt
+}  // namespace felt::pdf_writer_test

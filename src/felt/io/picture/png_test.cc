@@ -11,7 +11,7 @@
 #include <fstream>
 #include <vector>
 
-namespace felt {
+namespace felt::png_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -159,4 +159,4 @@ TEST(Png, WritesAFile) {
 }
 
 }  // namespace
-}  // namespace felt
+}  // namespace felt::png_test

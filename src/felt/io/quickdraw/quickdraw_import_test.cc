@@ -5,7 +5,7 @@
 #include "felt/io/quickdraw/quickdraw_line.h"
 #include "felt/io/testing/test_drawings.h"
 
-namespace felt {
+namespace felt::quickdraw_import_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -174,4 +174,4 @@ TEST(QuickdrawImport, NothingIsAnError) {
 }
 
 }  // namespace
-}  // namespace felt
+}  // namespace felt::quickdraw_import_test

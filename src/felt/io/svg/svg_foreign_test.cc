@@ -10,7 +10,7 @@
 #include "felt/io/testing/import_checks.h"
 #include "felt/io/testing/test_drawings.h"
 
-namespace felt {
+namespace felt::svg_foreign_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -389,4 +389,4 @@ TEST(SvgForeign, HugeNumbersEndInNotices) {
 }
 
 }  // namespace
-}  // namespace felt
+}  // namespace felt::svg_foreign_test

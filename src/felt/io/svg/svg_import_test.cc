@@ -13,7 +13,7 @@
 #include "felt/stroke/testing/random_stroke.h"
 #include "felt/stroke/width_profile.h"
 
-namespace felt {
+namespace felt::svg_import_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -284,4 +284,4 @@ TEST(SvgImport, FilesOfVersion1ReadAsTheyDid) {
 }
 
 }  // namespace
-}  // namespace felt
+}  // namespace felt::svg_import_test

@@ -9,7 +9,7 @@
 #include "felt/io/svg/svg_variables.h"
 #include "felt/io/testing/test_drawings.h"
 
-namespace felt {
+namespace felt::svg_losses_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -276,4 +276,4 @@ TEST(SvgLosses, APathThatIsTooLongForAStrokeBecomesSeveral) {
 }
 
 }  // namespace
-}  // namespace felt
+}  // namespace felt::svg_losses_test

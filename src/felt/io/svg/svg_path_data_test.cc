@@ -7,7 +7,7 @@
 
 #include "felt/io/svg/svg_length.h"
 
-namespace felt {
+namespace felt::svg_path_data_test {
 namespace {
 
 std::vector<SvgContour> path(std::string_view d) {
@@ -192,4 +192,4 @@ TEST(SvgLength, Units) {
 }
 
 }  // namespace
-}  // namespace felt
+}  // namespace felt::svg_path_data_test

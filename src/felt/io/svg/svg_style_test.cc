@@ -6,7 +6,7 @@
 
 #include "felt/io/svg/svg_css.h"
 
-namespace felt {
+namespace felt::svg_style_test {
 namespace {
 
 /// The fill of the element with the id "t" of a document.
@@ -178,4 +178,4 @@ TEST(SvgStyle, InheritsAndComputes) {
 }
 
 }  // namespace
-}  // namespace felt
+}  // namespace felt::svg_style_test

@@ -22,7 +22,7 @@
 #include "felt/stroke/testing/random_stroke.h"
 #include "tests/support/scratch_path.h"
 
-namespace felt {
+namespace felt::svg_writer_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -320,4 +320,4 @@ TEST(SvgWriter, AnotherProgramShowsTheSamePicture) {
 }
 
 }  // namespace
-}  // namespace felt
+}  // namespace felt::svg_writer_test

@@ -2,7 +2,7 @@
 
 #include <gmock/gmock.h>
 
-namespace felt {
+namespace felt::xml_input_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -100,4 +100,4 @@ TEST(XmlInput, CutAnywhereItIsAnErrorNotACrash) {
 }
 
 }  // namespace
-}  // namespace felt
+}  // namespace felt::xml_input_test

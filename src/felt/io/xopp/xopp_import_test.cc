@@ -11,7 +11,7 @@
 #include "felt/io/unpack.h"
 #include "felt/material/materials.h"
 
-namespace felt {
+namespace felt::xopp_import_test {
 namespace {
 
 using testing::only_stroke;
@@ -246,4 +246,4 @@ TEST(XoppImport, LinesAreSolidAndOfExactlyTheirColour) {
 }
 
 }  // namespace
-}  // namespace felt
+}  // namespace felt::xopp_import_test

@@ -10,7 +10,7 @@
 #include "felt/io/xopp/xopp_import.h"
 #include "felt/stroke/outline/outline.h"
 
-namespace felt {
+namespace felt::xopp_writer_test {
 namespace {
 
 using testing::distance_of;
@@ -102,4 +102,4 @@ TEST(XoppWriter, WhatCannotBeWrittenIsAnError) {
 }
 
 }  // namespace
-}  // namespace felt
+}  // namespace felt::xopp_writer_test

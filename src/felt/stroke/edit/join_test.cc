@@ -10,7 +10,7 @@
 #include "felt/stroke/testing/random_stroke.h"
 #include "felt/stroke/testing/test_ink.h"
 
-namespace felt {
+namespace felt::join_test {
 namespace {
 
 constexpr double kRadian = 180.0 / std::numbers::pi;
@@ -242,4 +242,4 @@ TEST(Joined, RefusesStrokesThatDoNotMeet) {
 }
 
 }  // namespace
-}  // namespace felt
+}  // namespace felt::join_test

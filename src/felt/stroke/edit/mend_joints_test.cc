@@ -10,7 +10,7 @@
 #include "felt/stroke/testing/random_stroke.h"
 #include "felt/stroke/testing/test_ink.h"
 
-namespace felt {
+namespace felt::mend_joints_test {
 namespace {
 
 double rounded(double x, int decimals) {
@@ -122,4 +122,4 @@ TEST(MendRounding, DamagedDataIsLeftAlone) {
 }
 
 }  // namespace
-}  // namespace felt
+}  // namespace felt::mend_joints_test

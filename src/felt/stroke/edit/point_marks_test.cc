@@ -8,7 +8,7 @@
 
 #include "felt/stroke/testing/random_stroke.h"
 
-namespace felt {
+namespace felt::point_marks_test {
 namespace {
 
 using Marks = std::vector<std::uint8_t>;
@@ -341,4 +341,4 @@ TEST(PointMarks, R34_AnchorsAreAsAWalkFindsThem) {
 }
 
 }  // namespace
-}  // namespace felt
+}  // namespace felt::point_marks_test

@@ -8,7 +8,7 @@
 
 #include "felt/stroke/testing/random_stroke.h"
 
-namespace felt {
+namespace felt::split_test {
 namespace {
 
 /// Where u of the part [u0, ...) of a stroke lies on the stroke, by how the parts are cut.
@@ -145,4 +145,4 @@ TEST(Reversed, IsTheSameInkBackwards) {
 }
 
 }  // namespace
-}  // namespace felt
+}  // namespace felt::split_test

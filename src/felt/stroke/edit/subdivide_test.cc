@@ -12,7 +12,7 @@
 #include "felt/stroke/testing/random_stroke.h"
 #include "felt/stroke/testing/stroke_probe.h"
 
-namespace felt {
+namespace felt::subdivide_test {
 namespace {
 
 using testing::distance_to;
@@ -275,4 +275,4 @@ TEST(WithFewerSegments, RefusesNonsense) {
 }
 
 }  // namespace
-}  // namespace felt
+}  // namespace felt::subdivide_test

@@ -8,7 +8,7 @@
 
 #include "felt/stroke/testing/test_ink.h"
 
-namespace felt {
+namespace felt::corner_detector_test {
 namespace {
 
 using testing::InkShape;
@@ -171,4 +171,4 @@ TEST(CornerDetector, EmptyAndShortStrokesHaveNone) {
 }
 
 }  // namespace
-}  // namespace felt
+}  // namespace felt::corner_detector_test

@@ -8,7 +8,7 @@
 #include "felt/stroke/testing/fit_oracle.h"
 #include "felt/stroke/testing/test_ink.h"
 
-namespace felt {
+namespace felt::curve_fitter_test {
 namespace {
 
 using testing::fit_online;
@@ -144,4 +144,4 @@ TEST(CurveFitter, AStraightLineIsFewSegments) {
 }
 
 }  // namespace
-}  // namespace felt
+}  // namespace felt::curve_fitter_test

@@ -13,7 +13,7 @@
 #include "felt/stroke/testing/test_ink.h"
 #include "felt/stroke/width_profile.h"
 
-namespace felt {
+namespace felt::ink_fitter_test {
 namespace {
 
 using testing::TestInk;
@@ -156,4 +156,4 @@ TEST(InkFitter, R18WithoutPressureTheWidthIsConstant) {
 }
 
 }  // namespace
-}  // namespace felt
+}  // namespace felt::ink_fitter_test

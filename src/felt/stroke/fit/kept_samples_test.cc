@@ -9,7 +9,7 @@
 #include "felt/stroke/fit/curve_fitter.h"
 #include "felt/stroke/testing/test_ink.h"
 
-namespace felt {
+namespace felt::kept_samples_test {
 namespace {
 
 using testing::InkShape;
@@ -97,4 +97,4 @@ TEST(KeptSamples, ClearedAndReusedItForgetsMarks) {
 }
 
 }  // namespace
-}  // namespace felt
+}  // namespace felt::kept_samples_test

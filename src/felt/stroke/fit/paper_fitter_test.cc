@@ -8,7 +8,7 @@
 #include <numbers>
 #include <vector>
 
-namespace felt {
+namespace felt::paper_fitter_test {
 namespace {
 
 // Every sample is a data point unless said otherwise.
@@ -238,4 +238,4 @@ TEST(PaperFitter, SharingLeavesKinks) {
 }
 
 }  // namespace
-}  // namespace felt
+}  // namespace felt::paper_fitter_test

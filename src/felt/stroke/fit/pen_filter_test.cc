@@ -7,7 +7,7 @@
 #include <cmath>
 #include <vector>
 
-namespace felt {
+namespace felt::pen_filter_test {
 namespace {
 
 using Ink = std::vector<InkSample>;
@@ -171,4 +171,4 @@ RC_GTEST_PROP(PenFilter, LosesNoMoreThanItSays, ()) {
 }
 
 }  // namespace
-}  // namespace felt
+}  // namespace felt::pen_filter_test

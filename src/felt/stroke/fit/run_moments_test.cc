@@ -11,7 +11,7 @@
 
 #include "felt/stroke/testing/test_ink.h"
 
-namespace felt {
+namespace felt::run_moments_test {
 namespace {
 
 using testing::TestInk;
@@ -143,4 +143,4 @@ TEST(RunMoments, AreInfiniteWhereTheyDoNotDetermineACubic) {
 }
 
 }  // namespace
-}  // namespace felt
+}  // namespace felt::run_moments_test

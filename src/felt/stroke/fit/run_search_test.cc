@@ -9,7 +9,7 @@
 #include "felt/stroke/testing/fit_oracle.h"
 #include "felt/stroke/testing/test_ink.h"
 
-namespace felt {
+namespace felt::run_search_test {
 namespace {
 
 using testing::InkShape;
@@ -119,4 +119,4 @@ TEST(RunSearch, PinsTheEndsToTheirSamples) {
 }
 
 }  // namespace
-}  // namespace felt
+}  // namespace felt::run_search_test

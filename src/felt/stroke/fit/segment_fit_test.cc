@@ -11,7 +11,7 @@
 #include "felt/stroke/testing/fit_oracle.h"
 #include "felt/stroke/testing/test_ink.h"
 
-namespace felt {
+namespace felt::segment_fit_test {
 namespace {
 
 using testing::TestInk;
@@ -267,4 +267,4 @@ TEST_P(Kernels, AccumulateIsTheSumOverItsSamples) {
 }
 
 }  // namespace
-}  // namespace felt
+}  // namespace felt::segment_fit_test

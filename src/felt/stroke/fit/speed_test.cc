@@ -14,7 +14,7 @@
 #include "felt/stroke/testing/fit_oracle.h"
 #include "felt/stroke/testing/test_ink.h"
 
-namespace felt {
+namespace felt::speed_test {
 namespace {
 
 using testing::TestInk;
@@ -237,4 +237,4 @@ TEST(CurveFitter, R7_LongRunsDoNotDependOnWhatWasFittedBefore) {
 }
 
 }  // namespace
-}  // namespace felt
+}  // namespace felt::speed_test

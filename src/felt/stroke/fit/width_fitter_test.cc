@@ -10,7 +10,7 @@
 
 #include "felt/stroke/width_profile.h"
 
-namespace felt {
+namespace felt::width_fitter_test {
 namespace {
 
 constexpr double kTolerance = 0.15;
@@ -269,4 +269,4 @@ TEST(WidthFitter, IsReusedWithoutGrowing) {
 }
 
 }  // namespace
-}  // namespace felt
+}  // namespace felt::width_fitter_test

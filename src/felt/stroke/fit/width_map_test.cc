@@ -9,7 +9,7 @@
 #include "felt/base/constants.h"
 #include "felt/stroke/stroke.h"
 
-namespace felt {
+namespace felt::width_map_test {
 namespace {
 
 InkSample at_ms(double time_ms, double pressure) {
@@ -187,4 +187,4 @@ TEST(WidthMap, HostileMediaGiveTonesAllTheSame) {
 }
 
 }  // namespace
-}  // namespace felt
+}  // namespace felt::width_map_test

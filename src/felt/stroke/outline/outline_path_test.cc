@@ -8,7 +8,7 @@
 #include "felt/stroke/testing/ink_oracle.h"
 #include "felt/stroke/testing/random_stroke.h"
 
-namespace felt {
+namespace felt::outline_path_test {
 namespace {
 
 /// The path as polygons, curves cut finely.
@@ -108,4 +108,4 @@ TEST(OutlinePath, WidthThatJumpsOnTheSpot) {
 }
 
 }  // namespace
-}  // namespace felt
+}  // namespace felt::outline_path_test

@@ -9,7 +9,7 @@
 #include "felt/stroke/testing/ink_oracle.h"
 #include "felt/stroke/testing/random_stroke.h"
 
-namespace felt {
+namespace felt::outline_test {
 namespace {
 
 using testing::winding;
@@ -133,4 +133,4 @@ TEST(Flatten, StaysWithinTheToleranceAtTheSameParameter) {
 }
 
 }  // namespace
-}  // namespace felt
+}  // namespace felt::outline_test

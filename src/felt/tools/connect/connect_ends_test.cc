@@ -7,7 +7,7 @@
 
 #include "felt/tools/testing/desk.h"
 
-namespace felt {
+namespace felt::connect_ends_test {
 namespace {
 
 using testing::Desk;
@@ -282,4 +282,4 @@ TEST(ConnectEnds, RandomEndsKeepAllInvariantsAndUndo) {
 }
 
 }  // namespace
-}  // namespace felt
+}  // namespace felt::connect_ends_test

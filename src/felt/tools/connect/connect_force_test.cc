@@ -9,7 +9,7 @@
 #include "felt/haptics/testing/feel_rig.h"
 #include "felt/tools/testing/desk.h"
 
-namespace felt {
+namespace felt::connect_force_test {
 namespace {
 
 using testing::Desk;
@@ -156,4 +156,4 @@ TEST(ConnectForce, R43_CalmWhileAHandLeadsAnEndOntoAnother) {
 }
 
 }  // namespace
-}  // namespace felt
+}  // namespace felt::connect_force_test

@@ -8,7 +8,7 @@
 #include "felt/tools/connect/near_tips.h"
 #include "felt/tools/testing/desk.h"
 
-namespace felt {
+namespace felt::connect_test {
 namespace {
 
 using testing::Desk;
@@ -318,4 +318,4 @@ TEST(Connect, OptionsAndHostileSamplesAreHarmless) {
 }
 
 }  // namespace
-}  // namespace felt
+}  // namespace felt::connect_test

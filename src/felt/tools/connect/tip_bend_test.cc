@@ -8,7 +8,7 @@
 
 #include "felt/stroke/testing/random_stroke.h"
 
-namespace felt {
+namespace felt::tip_bend_test {
 namespace {
 
 using testing::RandomStroke;
@@ -111,4 +111,4 @@ TEST(TipBend, RefusesWhatWouldFold) {
 }
 
 }  // namespace
-}  // namespace felt
+}  // namespace felt::tip_bend_test

@@ -8,7 +8,7 @@
 
 #include "felt/stroke/testing/random_stroke.h"
 
-namespace felt {
+namespace felt::tip_lead_test {
 namespace {
 
 using testing::RandomStroke;
@@ -190,4 +190,4 @@ TEST(TipLead, RefusesPlacesThatAreNone) {
 }
 
 }  // namespace
-}  // namespace felt
+}  // namespace felt::tip_lead_test

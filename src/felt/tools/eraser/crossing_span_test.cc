@@ -6,7 +6,7 @@
 
 #include "felt/tools/testing/desk.h"
 
-namespace felt {
+namespace felt::crossing_span_test {
 namespace {
 
 using testing::Desk;
@@ -166,4 +166,4 @@ TEST(CrossingSpan, CopiesUponEachOtherAreBounded) {
 }
 
 }  // namespace
-}  // namespace felt
+}  // namespace felt::crossing_span_test

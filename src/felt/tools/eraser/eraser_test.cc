@@ -13,7 +13,7 @@
 #include "felt/tools/eraser/eraser_tool.h"
 #include "felt/tools/testing/desk.h"
 
-namespace felt {
+namespace felt::eraser_test {
 namespace {
 
 using testing::Desk;
@@ -491,4 +491,4 @@ TEST(EraserForce, StrengthScalesTheDragAndTheFeelIsOneFeel) {
 }
 
 }  // namespace
-}  // namespace felt
+}  // namespace felt::eraser_test

@@ -7,7 +7,7 @@
 
 #include "felt/tools/testing/desk.h"
 
-namespace felt {
+namespace felt::erasing_test {
 namespace {
 
 using testing::Desk;
@@ -62,4 +62,4 @@ TEST(Erasing, AShortLineIsCutAsOftenAsItIsShown) {
 }
 
 }  // namespace
-}  // namespace felt
+}  // namespace felt::erasing_test

@@ -9,7 +9,7 @@
 #include "felt/stroke/testing/random_stroke.h"
 #include "felt/stroke/testing/stroke_probe.h"
 
-namespace felt {
+namespace felt::remains_test {
 namespace {
 
 using testing::distance_to;
@@ -183,4 +183,4 @@ TEST(Remains, AHoleOfLessThanAMicrometreIsNone) {
 }
 
 }  // namespace
-}  // namespace felt
+}  // namespace felt::remains_test

@@ -11,7 +11,7 @@
 #include "felt/stroke/testing/random_stroke.h"
 #include "felt/tools/eraser/below_zero.h"
 
-namespace felt {
+namespace felt::swept_test {
 namespace {
 
 using testing::RandomStroke;
@@ -188,4 +188,4 @@ TEST(Swept, BroadInkIsReachedFromFartherAway) {
 }
 
 }  // namespace
-}  // namespace felt
+}  // namespace felt::swept_test

@@ -9,7 +9,7 @@
 #include "felt/stroke/testing/random_stroke.h"
 #include "felt/tools/lasso/lasso_outline.h"
 
-namespace felt {
+namespace felt::lasso_area_test {
 namespace {
 
 using testing::straight_stroke;
@@ -136,4 +136,4 @@ TEST(LassoOutline, R31_StaysWithinAQuarterMillimetreOfTheWay) {
 }
 
 }  // namespace
-}  // namespace felt
+}  // namespace felt::lasso_area_test

@@ -8,7 +8,7 @@
 #include "felt/tools/lasso/lasso_tool.h"
 #include "felt/tools/testing/desk.h"
 
-namespace felt {
+namespace felt::lasso_test {
 namespace {
 
 using testing::arc;
@@ -344,4 +344,4 @@ TEST(Lasso, GlidesMoreThanAPencil) {
 }
 
 }  // namespace
-}  // namespace felt
+}  // namespace felt::lasso_test

@@ -7,7 +7,7 @@
 
 #include "felt/tools/testing/desk.h"
 
-namespace felt {
+namespace felt::connect_ink_test {
 namespace {
 
 using testing::Desk;
@@ -178,4 +178,4 @@ TEST(ConnectInk, WhatCannotBeConnectedIsStillInk) {
 }
 
 }  // namespace
-}  // namespace felt
+}  // namespace felt::connect_ink_test

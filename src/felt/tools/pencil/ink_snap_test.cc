@@ -7,7 +7,7 @@
 
 #include "felt/tools/testing/desk.h"
 
-namespace felt {
+namespace felt::ink_snap_test {
 namespace {
 
 using testing::arc;
@@ -222,4 +222,4 @@ TEST(InkSnap, R44_ATremblingPenAtRestDoesNotTravel) {
 }
 
 }  // namespace
-}  // namespace felt
+}  // namespace felt::ink_snap_test

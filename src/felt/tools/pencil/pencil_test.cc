@@ -9,7 +9,7 @@
 #include "felt/tools/pencil/pencil_force.h"
 #include "felt/tools/testing/desk.h"
 
-namespace felt {
+namespace felt::pencil_test {
 namespace {
 
 using testing::arc;
@@ -826,4 +826,4 @@ TEST(PencilFuzz, TheSameSamplesMakeTheSameDocument) {
 }
 
 }  // namespace
-}  // namespace felt
+}  // namespace felt::pencil_test

@@ -6,7 +6,7 @@
 #include <limits>
 #include <random>
 
-namespace felt {
+namespace felt::stabiliser_test {
 namespace {
 
 constexpr StabiliserOptions kInertia{.kind = StabiliserKind::kInertia};
@@ -139,4 +139,4 @@ TEST(Stabiliser, StaysFiniteWhateverTheClockSays) {
 }
 
 }  // namespace
-}  // namespace felt
+}  // namespace felt::stabiliser_test

@@ -16,7 +16,7 @@
 #include "felt/stroke/testing/stroke_probe.h"
 #include "felt/stroke/testing/test_ink.h"
 
-namespace felt {
+namespace felt::brush_pull_test {
 namespace {
 
 using testing::distance_to;
@@ -473,4 +473,4 @@ TEST(BrushPull, R24_TenThousandPullsLeaveAGoodLine) {
 }
 
 }  // namespace
-}  // namespace felt
+}  // namespace felt::brush_pull_test

@@ -12,7 +12,7 @@
 #include "felt/tools/pull/pull_tool.h"
 #include "felt/tools/testing/desk.h"
 
-namespace felt {
+namespace felt::connected_pull_test {
 namespace {
 
 using testing::Desk;
@@ -203,4 +203,4 @@ TEST(ConnectedPull, ThePreviewShowsTheFollowersToo) {
 }
 
 }  // namespace
-}  // namespace felt
+}  // namespace felt::connected_pull_test

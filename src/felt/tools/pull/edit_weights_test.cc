@@ -7,7 +7,7 @@
 #include <functional>
 #include <vector>
 
-namespace felt {
+namespace felt::edit_weights_test {
 namespace {
 
 /// The places that R21 names, and what lies between.
@@ -120,4 +120,4 @@ TEST(EditWeights, APinnedJointStaysUnlessItIsNear) {
 }
 
 }  // namespace
-}  // namespace felt
+}  // namespace felt::edit_weights_test

@@ -12,7 +12,7 @@
 #include "felt/stroke/testing/random_stroke.h"
 #include "felt/stroke/testing/stroke_probe.h"
 
-namespace felt {
+namespace felt::grab_pull_test {
 namespace {
 
 using testing::length_of;
@@ -308,4 +308,4 @@ TEST(GrabPull, WhatIsNoPullIsAnError) {
 }
 
 }  // namespace
-}  // namespace felt
+}  // namespace felt::grab_pull_test

@@ -12,7 +12,7 @@
 #include "felt/stroke/testing/random_stroke.h"
 #include "felt/stroke/testing/stroke_probe.h"
 
-namespace felt {
+namespace felt::nib_push_test {
 namespace {
 
 using testing::length_of;
@@ -177,4 +177,4 @@ TEST(NibPush, R27_ARimThatShutsTheNibInIsWidened) {
 }
 
 }  // namespace
-}  // namespace felt
+}  // namespace felt::nib_push_test

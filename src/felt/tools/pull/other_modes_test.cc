@@ -11,7 +11,7 @@
 #include "felt/tools/pull/sweep_gesture.h"
 #include "felt/tools/testing/desk.h"
 
-namespace felt {
+namespace felt::other_modes_test {
 namespace {
 
 using testing::Desk;
@@ -163,4 +163,4 @@ TEST(SweepGesture, OneEditThatIsUndoneAtOnce) {
 }
 
 }  // namespace
-}  // namespace felt
+}  // namespace felt::other_modes_test

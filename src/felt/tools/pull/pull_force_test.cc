@@ -13,7 +13,7 @@
 #include "felt/tools/pull/pull_tool.h"
 #include "felt/tools/testing/desk.h"
 
-namespace felt {
+namespace felt::pull_force_test {
 namespace {
 
 using testing::Desk;
@@ -193,4 +193,4 @@ TEST(PullForce, R30_SweepAndPushAreCalmAndGiveNoEnergy) {
 }
 
 }  // namespace
-}  // namespace felt
+}  // namespace felt::pull_force_test

@@ -13,7 +13,7 @@
 #include "felt/tools/pull/pull_tool.h"
 #include "felt/tools/testing/desk.h"
 
-namespace felt {
+namespace felt::pull_test {
 namespace {
 
 using testing::Desk;
@@ -347,4 +347,4 @@ TEST(PullForce, R30_DependsOnTheTotalDisplacementAlone) {
 }
 
 }  // namespace
-}  // namespace felt
+}  // namespace felt::pull_test

@@ -10,7 +10,7 @@
 #include "felt/stroke/testing/stroke_probe.h"
 #include "felt/tools/pull/refit.h"
 
-namespace felt {
+namespace felt::strand_test {
 namespace {
 
 using testing::random_stroke;
@@ -179,4 +179,4 @@ TEST(Refit, IllShapedSegmentsAreMended) {
 }
 
 }  // namespace
-}  // namespace felt
+}  // namespace felt::strand_test

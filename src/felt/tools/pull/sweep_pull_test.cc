@@ -12,7 +12,7 @@
 #include "felt/tools/pull/sweep_gesture.h"
 #include "felt/tools/testing/desk.h"
 
-namespace felt {
+namespace felt::sweep_pull_test {
 namespace {
 
 using testing::Desk;
@@ -134,4 +134,4 @@ TEST(SweepPull, HostileTimesAreSurvived) {
 }
 
 }  // namespace
-}  // namespace felt
+}  // namespace felt::sweep_pull_test

@@ -9,7 +9,7 @@
 #include "felt/stroke/testing/random_stroke.h"
 #include "felt/tools/smooth/testing/jitter_ink.h"
 
-namespace felt {
+namespace felt::ironing_test {
 namespace {
 
 using testing::circle_arc;
@@ -386,4 +386,4 @@ TEST(Ironing, RoughnessIsZeroOnSmoothInkAndFallsUnderTheIron) {
 }
 
 }  // namespace
-}  // namespace felt
+}  // namespace felt::ironing_test

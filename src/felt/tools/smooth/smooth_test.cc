@@ -9,7 +9,7 @@
 #include "felt/tools/smooth/testing/jitter_ink.h"
 #include "felt/tools/testing/desk.h"
 
-namespace felt {
+namespace felt::smooth_test {
 namespace {
 
 using testing::Desk;
@@ -239,4 +239,4 @@ TEST(SmoothForce, TheHandFeelsTheLineGetSmootherUnderTheSameFeel) {
 }
 
 }  // namespace
-}  // namespace felt
+}  // namespace felt::smooth_test

@@ -7,7 +7,7 @@
 #include "felt/tools/testing/desk.h"
 #include "felt/tools/transform/moved_strokes.h"
 
-namespace felt {
+namespace felt::connected_lines_test {
 namespace {
 
 using testing::Desk;
@@ -134,4 +134,4 @@ TEST(ConnectedLines, WhatIsSelectedKeepsItsOwnMarks) {
 }
 
 }  // namespace
-}  // namespace felt
+}  // namespace felt::connected_lines_test

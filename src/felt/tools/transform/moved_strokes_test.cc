@@ -6,7 +6,7 @@
 #include "felt/stroke/edit/point_marks.h"
 #include "felt/tools/testing/desk.h"
 
-namespace felt {
+namespace felt::moved_strokes_test {
 namespace {
 
 using testing::Desk;
@@ -188,4 +188,4 @@ TEST(MovedStrokes, CopiesTheSelectedPartsOfOthers) {
 }
 
 }  // namespace
-}  // namespace felt
+}  // namespace felt::moved_strokes_test

@@ -7,7 +7,7 @@
 
 #include "felt/haptics/bricks/tether.h"
 
-namespace felt {
+namespace felt::transform_drag_test {
 namespace {
 
 constexpr double kDeg = std::numbers::pi / 180.0;
@@ -109,4 +109,4 @@ TEST(TransformDrag, StretchesTheAxesThatItHasAHoldOn) {
 }
 
 }  // namespace
-}  // namespace felt
+}  // namespace felt::transform_drag_test

@@ -10,7 +10,7 @@
 #include "felt/haptics/testing/feel_rig.h"
 #include "felt/tools/testing/desk.h"
 
-namespace felt {
+namespace felt::transform_force_test {
 namespace {
 
 using testing::Desk;
@@ -200,4 +200,4 @@ TEST(TransformForce, R30_TheStretchIsCalmOnEveryGrip) {
 }
 
 }  // namespace
-}  // namespace felt
+}  // namespace felt::transform_force_test

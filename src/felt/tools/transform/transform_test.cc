@@ -8,7 +8,7 @@
 #include "felt/tools/testing/desk.h"
 #include "felt/tools/transform/transform_tool.h"
 
-namespace felt {
+namespace felt::transform_test {
 namespace {
 
 using testing::arc;
@@ -531,4 +531,4 @@ TEST(Transform, AnyGestureKeepsTheInvariantsAndUndoTheBytes) {
 }
 
 }  // namespace
-}  // namespace felt
+}  // namespace felt::transform_test

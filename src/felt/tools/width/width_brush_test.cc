@@ -9,7 +9,7 @@
 #include "felt/stroke/testing/random_stroke.h"
 #include "felt/stroke/width_profile.h"
 
-namespace felt {
+namespace felt::width_brush_test {
 namespace {
 
 using testing::RandomStroke;
@@ -171,4 +171,4 @@ TEST(ProfileKnots, ScaledIsAFactorWithinTheLimits) {
 }
 
 }  // namespace
-}  // namespace felt
+}  // namespace felt::width_brush_test

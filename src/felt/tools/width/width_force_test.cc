@@ -5,7 +5,7 @@
 #include "felt/haptics/testing/feel_rig.h"
 #include "felt/tools/testing/desk.h"
 
-namespace felt {
+namespace felt::width_force_test {
 namespace {
 
 using testing::Desk;
@@ -170,4 +170,4 @@ TEST(WidthStop, R13_R46_IsFeltOnPaperOnEveryDevice) {
 }
 
 }  // namespace
-}  // namespace felt
+}  // namespace felt::width_force_test

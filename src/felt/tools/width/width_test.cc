@@ -8,7 +8,7 @@
 #include "felt/tools/testing/desk.h"
 #include "felt/tools/width/width_tool.h"
 
-namespace felt {
+namespace felt::width_test {
 namespace {
 
 using testing::Desk;
@@ -403,4 +403,4 @@ TEST(WidthTool, WhatIsShownLastIsWhatIsDone) {
 }
 
 }  // namespace
-}  // namespace felt
+}  // namespace felt::width_test

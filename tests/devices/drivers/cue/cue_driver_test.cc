@@ -10,7 +10,7 @@
 #include "felt/haptics/cue_law.h"
 #include "tests/devices/drivers/cue/cue_desk.h"
 
-namespace felt {
+namespace felt::cue_driver_test {
 namespace {
 
 TEST(CueDriver, FindsAllOfThemWithoutOpeningAny) {
@@ -297,4 +297,4 @@ TEST(CueScenario, ADrawingSessionIsHeardThroughTheDriver) {
 }
 
 }  // namespace
-}  // namespace felt
+}  // namespace felt::cue_driver_test

@@ -13,7 +13,7 @@
 #include "felt/base/constants.h"
 #include "tests/devices/drivers/cue/cue_desk.h"
 
-namespace felt {
+namespace felt::cue_faults_test {
 namespace {
 
 constexpr int kSeeds = 1000;
@@ -202,4 +202,4 @@ TEST(CueFaults, AStopThatWasRefusedIsToldAgain) {
 }
 
 }  // namespace
-}  // namespace felt
+}  // namespace felt::cue_faults_test

@@ -15,7 +15,7 @@
 #include "felt/devices/evdev/evdev_driver.h"
 #include "tests/devices/drivers/evdev/fake_stick.h"
 
-namespace felt {
+namespace felt::effect_keeper_test {
 namespace {
 
 /// A device whose transfers take as long as a test wants; it does at each what the test says.
@@ -185,4 +185,4 @@ TEST(EvdevDriver, AnUploadThatHangsKeepsNobodyWaiting) {
 }
 
 }  // namespace
-}  // namespace felt
+}  // namespace felt::effect_keeper_test

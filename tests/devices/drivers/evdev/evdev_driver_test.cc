@@ -15,7 +15,7 @@
 #include "felt/rt/servo.h"
 #include "tests/devices/drivers/evdev/fake_stick.h"
 
-namespace felt {
+namespace felt::evdev_driver_test {
 namespace {
 
 /// A stick, its driver and a clock.
@@ -368,4 +368,4 @@ TEST(EvdevDriver, AThreadOfItsOwnUploads) {
 }
 
 }  // namespace
-}  // namespace felt
+}  // namespace felt::evdev_driver_test

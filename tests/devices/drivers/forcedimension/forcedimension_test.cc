@@ -15,7 +15,7 @@
 #include "tests/devices/drivers/bench_device.h"
 #include "tests/devices/drivers/forcedimension_bench.h"
 
-namespace felt {
+namespace felt::forcedimension_test {
 namespace {
 
 using fake_dhd::State;
@@ -366,4 +366,4 @@ TEST(ForceDimension, RunsOnAThreadInRealTime) {
 }
 
 }  // namespace
-}  // namespace felt
+}  // namespace felt::forcedimension_test

@@ -4,7 +4,7 @@
 
 #include "tests/devices/drivers/forcedimension_bench.h"
 
-namespace felt {
+namespace felt::homing_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -134,4 +134,4 @@ TEST(ForceDimensionHoming, WhoLosesTheWayWhileDrawingIsToldAndNotPushed) {
 }
 
 }  // namespace
-}  // namespace felt
+}  // namespace felt::homing_test

@@ -7,7 +7,7 @@
 #include "felt/devices/forcedimension/forcedimension.h"
 #include "tests/devices/drivers/forcedimension_bench.h"
 
-namespace felt {
+namespace felt::plane_test {
 namespace {
 
 TEST(ForceDimensionPlane, RightIsYDownIsMinusZAndTheHandIsAtX) {
@@ -58,4 +58,4 @@ TEST(ForceDimensionPlane, TheDriversForceIsInTheDevicesOwnAxes) {
 }
 
 }  // namespace
-}  // namespace felt
+}  // namespace felt::plane_test

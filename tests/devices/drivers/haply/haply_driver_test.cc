@@ -28,7 +28,7 @@
 #include "tests/devices/drivers/haply/fake_service.h"
 #include "tests/devices/drivers/said.h"
 
-namespace felt::haply {
+namespace felt::haply::haply_driver_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -824,4 +824,4 @@ TEST(HaplyDriver, SpeaksThroughRealSockets) {
 }
 
 }  // namespace
-}  // namespace felt::haply
+}  // namespace felt::haply::haply_driver_test

@@ -24,7 +24,7 @@
 #include "tests/devices/drivers/openhaptics/fake_slots.h"
 #include "tests/devices/drivers/openhaptics/hd_world.h"
 
-namespace felt {
+namespace felt::openhaptics_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -706,4 +706,4 @@ TEST_F(OpenHaptics, TheLibrarysOwnThreadRunsTheLoop) {
 }
 
 }  // namespace
-}  // namespace felt
+}  // namespace felt::openhaptics_test

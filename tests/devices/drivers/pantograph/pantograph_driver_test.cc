@@ -21,7 +21,7 @@
 #include "tests/devices/drivers/pantograph/fake_board.h"
 #include "tests/devices/drivers/said.h"
 
-namespace felt::pantograph {
+namespace felt::pantograph::pantograph_driver_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -504,4 +504,4 @@ TEST(PantographDriver, SpeaksThroughARealTerminal) {
 }
 
 }  // namespace
-}  // namespace felt::pantograph
+}  // namespace felt::pantograph::pantograph_driver_test
