@@ -146,6 +146,8 @@ int run(const QString& desktop, const QString& feltline) {
 
 int main(int argc, char** argv) {
   const QCoreApplication app(argc, argv);
-  if (argc != 3) return felt::desktop::x_server_test::failed("needs the paths of feltline-desktop and feltline");
-  return felt::desktop::x_server_test::run(QString::fromLocal8Bit(argv[1]), QString::fromLocal8Bit(argv[2]));
+  if (argc != 3)
+    return felt::desktop::x_server_test::failed("needs the paths of feltline-desktop and feltline");
+  return felt::desktop::x_server_test::run(QString::fromLocal8Bit(argv[1]),
+                                           QString::fromLocal8Bit(argv[2]));
 }

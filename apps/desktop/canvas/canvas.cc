@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "desktop/canvas/canvas_setting_keys.h"
 #include "desktop/canvas/canvas_shown.h"
-#include "desktop/canvas/settings_keys.h"
 #include "desktop/engine/settings.h"
 #include "felt/haptics/bricks/drawing_feel.h"
 #include "felt/session/session_medium.h"

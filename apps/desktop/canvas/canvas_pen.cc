@@ -7,8 +7,8 @@
 #include <utility>
 
 #include "desktop/canvas/canvas.h"
+#include "desktop/canvas/canvas_setting_keys.h"
 #include "desktop/canvas/canvas_shown.h"
-#include "desktop/canvas/settings_keys.h"
 #include "desktop/engine/settings.h"
 #include "desktop/engine/tool_texts.h"
 

@@ -10,7 +10,7 @@
 #include <ctime>
 #include <random>
 
-#include "desktop/canvas/settings_keys.h"
+#include "desktop/canvas/canvas_setting_keys.h"
 #include "desktop/canvas/testing/canvas_sitting.h"
 #include "desktop/engine/settings.h"
 #include "felt/material/materials.h"

@@ -3,7 +3,7 @@
 #include <QCoreApplication>
 #include <utility>
 
-#include "desktop/canvas/settings_keys.h"
+#include "desktop/canvas/canvas_setting_keys.h"
 #include "desktop/engine/settings.h"
 
 namespace felt::desktop {

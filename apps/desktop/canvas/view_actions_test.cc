@@ -4,7 +4,7 @@
 
 #include <QMap>
 
-#include "desktop/canvas/settings_keys.h"
+#include "desktop/canvas/canvas_setting_keys.h"
 #include "desktop/canvas/testing/canvas_sitting.h"
 #include "desktop/engine/settings.h"
 

@@ -12,7 +12,7 @@
 #include "desktop/engine/device_words.h"
 #include "desktop/engine/settings.h"
 #include "desktop/feel/feel_icons.h"
-#include "desktop/feel/settings_keys.h"
+#include "desktop/feel/feel_setting_keys.h"
 #include "felt/driver/cue_device.h"
 
 namespace felt::desktop {

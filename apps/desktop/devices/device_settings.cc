@@ -10,7 +10,7 @@
 #include "desktop/devices/calibration_dialog.h"
 #include "desktop/engine/driver_watch.h"
 #include "desktop/engine/settings.h"
-#include "desktop/feel/settings_keys.h"
+#include "desktop/feel/feel_setting_keys.h"
 #include "felt/haptics/safety/safety_limits.h"
 
 namespace felt::desktop {

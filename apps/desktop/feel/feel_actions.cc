@@ -10,10 +10,10 @@
 
 #include "desktop/engine/cue_player.h"
 #include "desktop/engine/settings.h"
+#include "desktop/feel/feel_setting_keys.h"
 #include "desktop/feel/friction_sound.h"
 #include "desktop/feel/material_words.h"
 #include "desktop/feel/safety_words.h"
-#include "desktop/feel/settings_keys.h"
 
 namespace felt::desktop {
 namespace {

@@ -12,7 +12,7 @@
 
 #include "desktop/engine/settings.h"
 #include "desktop/feel/feel_actions.h"
-#include "desktop/feel/settings_keys.h"
+#include "desktop/feel/feel_setting_keys.h"
 
 namespace felt::desktop::feel_panel_test {
 namespace {

@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "desktop/engine/settings.h"
-#include "desktop/feel/settings_keys.h"
+#include "desktop/feel/feel_setting_keys.h"
 
 #ifdef FELT_HAS_SOUND
 #include <QAudioDevice>

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "desktop/engine/settings.h"
-#include "desktop/feel/settings_keys.h"
+#include "desktop/feel/feel_setting_keys.h"
 #include "felt/base/constants.h"
 #include "felt/material/relief.h"
 

@@ -17,8 +17,8 @@
 
 #include "desktop/engine/grain_setting.h"
 #include "desktop/engine/settings.h"
+#include "desktop/files/files_setting_keys.h"
 #include "desktop/files/format_texts.h"
-#include "desktop/files/settings_keys.h"
 #include "desktop/files/sheet_picture.h"
 #include "felt/document/visible_strokes.h"
 #include "felt/formats/drawing_grain.h"

@@ -13,7 +13,7 @@
 
 #include "desktop/engine/kept_options.h"
 #include "desktop/engine/settings.h"
-#include "desktop/files/settings_keys.h"
+#include "desktop/files/files_setting_keys.h"
 #include "desktop/files/testing/test_desk.h"
 #include "felt/base/atomic_file.h"
 #include "felt/base/read_file.h"

@@ -11,8 +11,8 @@
 
 #include "desktop/engine/settings.h"
 #include "desktop/engine/testing/kept_events.h"
+#include "desktop/materials/material_setting_keys.h"
 #include "desktop/materials/media_picker.h"
-#include "desktop/materials/settings_keys.h"
 #include "desktop/materials/testing/clean_materials.h"
 #include "felt/base/atomic_file.h"
 #include "felt/material/material_fields.h"

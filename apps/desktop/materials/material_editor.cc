@@ -8,8 +8,8 @@
 #include <utility>
 
 #include "desktop/engine/settings.h"
+#include "desktop/materials/material_setting_keys.h"
 #include "desktop/materials/media_picker.h"
-#include "desktop/materials/settings_keys.h"
 #include "desktop/panels/tool_icons.h"
 #include "felt/session/session_medium.h"
 

@@ -11,7 +11,7 @@
 #include <memory>
 
 #include "desktop/engine/settings.h"
-#include "desktop/materials/settings_keys.h"
+#include "desktop/materials/material_setting_keys.h"
 #include "desktop/materials/testing/clean_materials.h"
 #include "desktop/testing/accessible_names.h"
 

@@ -7,7 +7,7 @@
 
 #include "desktop/engine/settings.h"
 #include "desktop/engine/text_of.h"
-#include "desktop/materials/settings_keys.h"
+#include "desktop/materials/material_setting_keys.h"
 #include "felt/io/picture/png.h"
 #include "felt/material/material_library.h"
 

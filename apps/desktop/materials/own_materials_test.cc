@@ -9,7 +9,7 @@
 #include <QTemporaryDir>
 
 #include "desktop/engine/settings.h"
-#include "desktop/materials/settings_keys.h"
+#include "desktop/materials/material_setting_keys.h"
 #include "felt/material/material_library.h"
 
 namespace felt::desktop::own_materials_test {

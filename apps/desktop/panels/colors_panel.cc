@@ -17,7 +17,7 @@
 #include <cmath>
 
 #include "desktop/engine/settings.h"
-#include "desktop/panels/settings_keys.h"
+#include "desktop/panels/panel_setting_keys.h"
 #include "desktop/panels/tool_icons.h"
 #include "felt/stroke/color_text.h"
 
@@ -49,7 +49,7 @@ void store_colors(const char* key, const std::vector<NamedColor>& colors) {
 }
 
 QStringList opened_files() {
-  return Settings::the().value(QString::fromLatin1(panel_settings::kPaletteFiles)).toStringList();
+  return Settings::the().value(QString::fromLatin1(panel_keys::kPaletteFiles)).toStringList();
 }
 
 /// The first .gpl file of a drop; "" where there is none.
@@ -115,9 +115,9 @@ ColorsPanel::ColorsPanel(Studio& studio, QWidget* parent)
       swatches_(new SwatchView(tr("Colours of the palette"), false, this)) {
   setAcceptDrops(true);
   build();
-  recent_->set_colors(stored_colors(panel_settings::kRecentColors));
+  recent_->set_colors(stored_colors(panel_keys::kRecentColors));
   recent_->setVisible(!recent_->colors().empty());
-  list_palettes(Settings::the().text(QString::fromLatin1(panel_settings::kPalette)));
+  list_palettes(Settings::the().text(QString::fromLatin1(panel_keys::kPalette)));
   connect_all();
   follow();
 }
@@ -281,13 +281,13 @@ void ColorsPanel::note_drawn(const Edit& edit) {
   std::erase_if(colors, [&](const NamedColor& entry) { return entry.color == used; });
   colors.insert(colors.begin(), {used, {}});
   if (colors.size() > kMostRecent) colors.resize(kMostRecent);
-  store_colors(panel_settings::kRecentColors, colors);
+  store_colors(panel_keys::kRecentColors, colors);
   recent_->set_colors(std::move(colors));
   recent_->show();
 }
 
 Palette ColorsPanel::own_palette() const {
-  return {tr("My colours").toStdString(), 0, stored_colors(panel_settings::kOwnColors)};
+  return {tr("My colours").toStdString(), 0, stored_colors(panel_keys::kOwnColors)};
 }
 
 void ColorsPanel::list_palettes(const QString& wanted) {
@@ -327,7 +327,7 @@ void ColorsPanel::show_palette(int i) {
     source.palette = *std::move(read);
   }
   swatches_->set_colors(source.palette.colors);
-  Settings::the().set(QString::fromLatin1(panel_settings::kPalette), source.title);
+  Settings::the().set(QString::fromLatin1(panel_keys::kPalette), source.title);
 }
 
 bool ColorsPanel::open_palette(const QString& path) {
@@ -338,7 +338,7 @@ bool ColorsPanel::open_palette(const QString& path) {
   }
   QStringList files = opened_files();
   if (!files.contains(path)) files.push_back(path);
-  Settings::the().set(QString::fromLatin1(panel_settings::kPaletteFiles), files);
+  Settings::the().set(QString::fromLatin1(panel_keys::kPaletteFiles), files);
   list_palettes(path);
   return true;
 }
@@ -387,7 +387,7 @@ void ColorsPanel::keep_color() {
       own.colors.size() < kMostOwn) {
     own.colors.push_back(kept);
   }
-  store_colors(panel_settings::kOwnColors, own.colors);
+  store_colors(panel_keys::kOwnColors, own.colors);
   list_palettes(QString::fromStdString(own.name));
 }
 
@@ -397,7 +397,7 @@ void ColorsPanel::drop_color() {
   std::erase_if(own.colors, [&now](const NamedColor& entry) {
     return entry.color == Rgba{now.r, now.g, now.b};
   });
-  store_colors(panel_settings::kOwnColors, own.colors);
+  store_colors(panel_keys::kOwnColors, own.colors);
   list_palettes(palettes_->currentText());
 }
 

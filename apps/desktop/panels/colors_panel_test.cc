@@ -13,7 +13,7 @@
 #include <random>
 
 #include "desktop/engine/settings.h"
-#include "desktop/panels/settings_keys.h"
+#include "desktop/panels/panel_setting_keys.h"
 #include "desktop/panels/testing/panels_fixture.h"
 #include "felt/document/visible_strokes.h"
 #include "felt/stroke/color_text.h"
@@ -27,8 +27,8 @@ using testing::still;
 class ColorsPanelTest : public ::testing::Test {
  protected:
   ColorsPanelTest() {
-    for (const char* key : {panel_settings::kRecentColors, panel_settings::kOwnColors,
-                            panel_settings::kPaletteFiles, panel_settings::kPalette}) {
+    for (const char* key : {panel_keys::kRecentColors, panel_keys::kOwnColors,
+                            panel_keys::kPaletteFiles, panel_keys::kPalette}) {
       Settings::the().set(QString::fromLatin1(key), {});
     }
     panel = std::make_unique<ColorsPanel>(studio);

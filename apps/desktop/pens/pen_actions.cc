@@ -3,7 +3,7 @@
 #include <QCoreApplication>
 
 #include "desktop/engine/settings.h"
-#include "desktop/pens/settings_keys.h"
+#include "desktop/pens/pen_setting_keys.h"
 #include "felt/tools/tool.h"
 
 namespace felt::desktop {

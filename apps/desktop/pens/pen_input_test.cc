@@ -16,7 +16,7 @@
 #include <vector>
 
 #include "desktop/engine/settings.h"
-#include "desktop/pens/settings_keys.h"
+#include "desktop/pens/pen_setting_keys.h"
 #include "felt/base/constants.h"
 #include "felt/io/ndjson/ndjson_writer.h"
 #include "felt/tools/tool.h"

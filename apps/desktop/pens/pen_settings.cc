@@ -1,7 +1,7 @@
 #include "desktop/pens/pen_settings.h"
 
 #include "desktop/engine/settings.h"
-#include "desktop/pens/settings_keys.h"
+#include "desktop/pens/pen_setting_keys.h"
 
 namespace felt::desktop {
 namespace {

@@ -10,7 +10,7 @@
 #include <utility>
 
 #include "desktop/engine/settings.h"
-#include "desktop/pens/settings_keys.h"
+#include "desktop/pens/pen_setting_keys.h"
 
 namespace felt::desktop {
 namespace {

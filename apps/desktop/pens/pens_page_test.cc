@@ -11,7 +11,7 @@
 #include <cmath>
 
 #include "desktop/engine/settings.h"
-#include "desktop/pens/settings_keys.h"
+#include "desktop/pens/pen_setting_keys.h"
 
 namespace felt::desktop::pens_page_test {
 namespace {

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "desktop/engine/settings.h"
-#include "desktop/pens/settings_keys.h"
+#include "desktop/pens/pen_setting_keys.h"
 
 namespace felt::desktop {
 namespace {

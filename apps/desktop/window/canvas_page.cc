@@ -4,7 +4,7 @@
 #include <QStyle>
 #include <QVBoxLayout>
 
-#include "desktop/canvas/settings_keys.h"
+#include "desktop/canvas/canvas_setting_keys.h"
 #include "desktop/window/setting_rows.h"
 
 namespace felt::desktop {

@@ -2,10 +2,10 @@
 
 #include <QLabel>
 
+#include "desktop/feel/feel_setting_keys.h"
 #include "desktop/feel/friction_sound.h"
-#include "desktop/feel/settings_keys.h"
 #include "desktop/window/setting_rows.h"
-#include "desktop/window/settings_keys.h"
+#include "desktop/window/window_setting_keys.h"
 
 namespace felt::desktop {
 namespace {

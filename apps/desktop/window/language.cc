@@ -7,7 +7,7 @@
 #include <clocale>
 
 #include "desktop/engine/settings.h"
-#include "desktop/window/settings_keys.h"
+#include "desktop/window/window_setting_keys.h"
 
 namespace felt::desktop {
 namespace {

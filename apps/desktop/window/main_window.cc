@@ -28,10 +28,10 @@
 #include "desktop/pens/pen_input.h"
 #include "desktop/window/menus.h"
 #include "desktop/window/preferences.h"
-#include "desktop/window/settings_keys.h"
 #include "desktop/window/status_line.h"
 #include "desktop/window/tool_keys.h"
 #include "desktop/window/top_bar.h"
+#include "desktop/window/window_setting_keys.h"
 #include "felt/session/session_medium.h"
 
 namespace felt::desktop {

@@ -10,7 +10,7 @@
 #include <algorithm>
 
 #include "desktop/engine/settings.h"
-#include "desktop/window/settings_keys.h"
+#include "desktop/window/window_setting_keys.h"
 
 namespace felt::desktop {
 namespace {

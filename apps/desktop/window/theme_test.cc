@@ -10,7 +10,7 @@
 #include "desktop/engine/settings.h"
 #include "desktop/engine/studio.h"
 #include "desktop/window/color_well.h"
-#include "desktop/window/settings_keys.h"
+#include "desktop/window/window_setting_keys.h"
 
 namespace felt::desktop::theme_test {
 namespace {

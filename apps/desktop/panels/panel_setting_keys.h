@@ -1,6 +1,6 @@
 #pragma once
 
-namespace felt::desktop::panel_settings {
+namespace felt::desktop::panel_keys {
 
 /// Colours that were drawn with, the newest first: "#rrggbb" or "#rrggbbaa" each.
 inline constexpr const char* kRecentColors = "panels/recent_colors";
@@ -11,4 +11,4 @@ inline constexpr const char* kPaletteFiles = "panels/palette_files";
 /// The palette shown, by its title; the pencil box where it is no longer there.
 inline constexpr const char* kPalette = "panels/palette";
 
-}  // namespace felt::desktop::panel_settings
+}  // namespace felt::desktop::panel_keys

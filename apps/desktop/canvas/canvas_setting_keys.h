@@ -2,7 +2,7 @@
 
 #include "desktop/engine/grain_setting.h"
 
-/// The keys of this room in `Settings`, with their defaults.
+/// What the settings keep of the canvas (engine/settings.h), with the defaults.
 namespace felt::desktop::canvas_keys {
 
 /// A nib that the forces hold back, shown instead of felt.

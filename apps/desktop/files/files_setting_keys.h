@@ -2,7 +2,7 @@
 
 #include <QString>
 
-/// What this room keeps, and the defaults.
+/// What the settings keep of files (engine/settings.h), with the defaults.
 namespace felt::desktop::files_keys {
 
 /// Folder of the last file that was opened or saved; "" is the person's documents.
