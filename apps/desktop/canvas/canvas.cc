@@ -245,7 +245,7 @@ void Canvas::refresh() {
   if (in_contact(studio_.pen().sample)) s.size_ring.stop();
   if (s.size_ring.isActive()) add_size_ring();
   QRegion dirty(s.bands.update(s.overlay.spans));
-  dirty += s.wet.update(s.overlay.ink, s.overlay.ink_color);
+  dirty += s.wet.update(s.overlay);
   list_marks();
   add_difference(s.marks, s.next, dirty);
   s.marks.swap(s.next);

@@ -14,21 +14,12 @@ constexpr double kOutlinePx = 1.0;  // device-independent, of outline mode
 constexpr double kBandPx = 7.0;     // that much broader than its ink
 constexpr double kLeastBandPx = 9.0;
 
-bool same(const Overlay::InkSegment& a, const Overlay::InkSegment& b) {
-  return a.curve == b.curve && a.start_width_mm == b.start_width_mm &&
-         a.end_width_mm == b.end_width_mm && a.start_tone == b.start_tone &&
-         a.end_tone == b.end_tone;
-}
-bool same(const Overlay::Span& a, const Overlay::Span& b) {
-  return a.curve == b.curve && a.width_mm == b.width_mm && a.role == b.role;
-}
-
 /// How many of both begin alike.
 template <class T>
 std::size_t common(std::span<const T> a, std::span<const T> b) {
   const std::size_t most = std::min(a.size(), b.size());
   std::size_t n = 0;
-  while (n < most && same(a[n], b[n])) ++n;
+  while (n < most && a[n] == b[n]) ++n;
   return n;
 }
 
@@ -102,16 +93,22 @@ void WetInkView::set_outline_mode(bool on) {
   set_view(view_);
 }
 
-QRegion WetInkView::update(std::span<const Overlay::InkSegment> ink, Rgba color) {
+QRegion WetInkView::update(const Overlay& overlay) {
+  using Ink = std::span<const Overlay::InkSegment>;
+  const Ink ink(overlay.ink);
   if (ink.empty() && wet_.segments.empty()) return {};
-  std::size_t n = common(std::span<const Overlay::InkSegment>(wet_.segments), ink);
-  if (color != wet_.color || wet_.segments.empty()) n = 0;
+  const bool is_known = overlay.ink_stroke != 0 && overlay.ink_stroke == wet_.stroke;
+  std::size_t n = is_known ? std::min(overlay.ink_stable, wet_.stable) : 0;
+  n += common(Ink(wet_.segments).subspan(n), ink.subspan(n));
+  if (overlay.ink_color != wet_.color || wet_.segments.empty()) n = 0;
   Rect box = wet_.dabs.bounds(n);
   const bool changes = n < ink.size() || n < wet_.segments.size();
   if (n < wet_.settled || wet_.segments.empty()) unsettle(wet_);
   wet_.segments.resize(n);
   wet_.dabs.keep(n);
-  wet_.color = color;
+  wet_.stroke = overlay.ink_stroke;
+  wet_.stable = overlay.ink_stable;
+  wet_.color = overlay.ink_color;
   wet_.material = material_;
   for (const Overlay::InkSegment& segment : ink.subspan(n)) {
     wet_.segments.push_back(segment);

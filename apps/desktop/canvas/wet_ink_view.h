@@ -3,6 +3,7 @@
 #include <QImage>
 #include <QPainter>
 #include <QRegion>
+#include <cstdint>
 #include <functional>
 #include <span>
 #include <string>
@@ -53,9 +54,9 @@ class WetInkView {
   /// Hair-thin.
   void set_outline_mode(bool on);
 
-  /// Takes what the tool shows now. Returns around what looks otherwise than before, in pixels of
-  /// the widget.
-  QRegion update(std::span<const Overlay::InkSegment> ink, Rgba color);
+  /// Shows the ink of `overlay`. Returns the part of the widget that changed. Compares nothing that
+  /// is stable: the cost does not depend on the length of the stroke.
+  QRegion update(const Overlay& overlay);
   /// What is wet is in the document now, and goes when let_go() is called.
   void dry();
   [[nodiscard]] bool is_drying() const noexcept { return !drying_.empty(); }
@@ -72,6 +73,8 @@ class WetInkView {
   struct Row {
     std::vector<Overlay::InkSegment> segments;
     DabRows dabs;
+    std::uint64_t stroke = 0;  ///< Overlay::ink_stroke
+    std::size_t stable = 0;    ///< Overlay::ink_stable
     Rgba color;
     std::string material;
     std::size_t firm = 0;              ///< segments that the last change left as they were

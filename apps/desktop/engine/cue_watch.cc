@@ -26,7 +26,6 @@ bool is_in_snap_ring(const Overlay& overlay, Point pen, double slack) {
 std::optional<CueEvent> CueWatch::look(const Session& session, const PenSample& pen) {
   constexpr double kLetGo = 1.5;  // hysteresis of places
   const Point at{pen.position.x, pen.position.y};
-  overlay_.clear();
   session.draw(overlay_);
   const bool is_down = session.gesture_in_work();
   const bool was_down = std::exchange(is_down_, is_down);

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -19,6 +22,8 @@ struct Overlay {
     double end_width_mm = 0.0;
     double start_tone = tone_of_width(start_width_mm);  ///< WidthKnot::tone at both ends
     double end_tone = tone_of_width(end_width_mm);
+
+    friend bool operator==(const InkSegment&, const InkSegment&) noexcept = default;
   };
   enum class Role {
     kReach,     ///< a radius within which something acts
@@ -46,6 +51,8 @@ struct Overlay {
     Cubic curve;
     double width_mm = 0.0;  ///< of the ink there
     Role role = Role::kSpan;
+
+    friend bool operator==(const Span&, const Span&) noexcept = default;
   };
   struct Outline {
     std::vector<Point> points;
@@ -64,6 +71,11 @@ struct Overlay {
 
   std::vector<InkSegment> ink;
   Rgba ink_color{};
+  /// Identifies the stroke that `ink` shows; 0 if it is unknown.
+  std::uint64_t ink_stroke = 0;
+  /// Number of first segments that never change again: if two overlays show the same stroke, they
+  /// have equal segments up to the smaller number of the two. Set by add_stable_ink().
+  std::size_t ink_stable = 0;
   std::vector<Ring> rings;
   std::vector<Line> lines;
   std::vector<Span> spans;
@@ -72,7 +84,7 @@ struct Overlay {
   std::vector<Label> labels;
 
   void clear() noexcept {
-    ink.clear();
+    clear_ink();
     rings.clear();
     lines.clear();
     spans.clear();
@@ -80,6 +92,18 @@ struct Overlay {
     dots.clear();
     labels.clear();
   }
+  /// Appends the segments of a stroke in progress that never change again. Copies only those that
+  /// are new since this overlay showed the stroke, before clear(). Requires a `stroke` that is not
+  /// 0 and that no other stroke in the program has.
+  void add_stable_ink(std::uint64_t stroke, std::span<const InkSegment> segments);
+
+ private:
+  void clear_ink() noexcept;
+
+  // The ink that clear() removed last, so that add_stable_ink() can continue it.
+  std::vector<InkSegment> last_ink_;
+  std::uint64_t last_stroke_ = 0;
+  std::size_t last_stable_ = 0;
 };
 
 /// Marks the part [u0, u1] of a stroke; on a closed one u1 <= u0 goes through the seam.

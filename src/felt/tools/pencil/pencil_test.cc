@@ -739,6 +739,7 @@ class Hostile {
     if (!random_.chance(0.02)) return;
     overlay_.clear();
     p_.tool.draw(overlay_);
+    ASSERT_EQ(overlay_.ink, p_.overlay().ink) << "a reused overlay shows what a new one shows";
     for (const auto& ink : overlay_.ink) {
       ASSERT_TRUE(is_finite(ink.curve));
       ASSERT_GE(ink.start_width_mm, kMinWidthMm);

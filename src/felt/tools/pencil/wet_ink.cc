@@ -1,6 +1,7 @@
 #include "felt/tools/pencil/wet_ink.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 
 namespace felt {
@@ -19,6 +20,8 @@ Overlay::InkSegment piece(const Cubic& curve, const InkWidth& from, const InkWid
 }  // namespace
 
 void WetInk::begin(const WidthMapOptions& widths) {
+  static std::atomic<std::uint64_t> strokes{0};
+  stroke_ = ++strokes;
   pieces_.clear();
   segments_ = 0;
   places_ = samples_ = 0;
@@ -88,7 +91,7 @@ InkWidth WetInk::open_width(double path_mm) const {
 }
 
 void WetInk::draw(InkFitter& fitter, Overlay& overlay) const {
-  overlay.ink.insert(overlay.ink.end(), pieces_.begin(), pieces_.end());
+  overlay.add_stable_ink(stroke_, pieces_);
   const auto tail = fitter.live_tail();
   double length = 0.0, along = 0.0;
   for (const Cubic& c : tail) length += control_length(c);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "felt/stroke/fit/ink_fitter.h"
@@ -12,7 +13,7 @@ namespace felt {
 /// enough that a straight change of width and tone does, and the provisional tail.
 ///
 /// A piece is made once, when its segment becomes stable: a sample costs what it adds, whatever the
-/// length of the stroke. Only showing copies them all.
+/// length of the stroke. Showing it again in the same overlay costs what is new and the tail.
 class WetInk {
  public:
   static constexpr double kPieceMm = 2.0;
@@ -38,6 +39,7 @@ class WetInk {
   void add_node(Point pen);
   [[nodiscard]] InkWidth open_width(double path_mm) const;
 
+  std::uint64_t stroke_ = 0;  // Overlay::ink_stroke
   std::vector<Overlay::InkSegment> pieces_;
   int segments_ = 0;         // of the fitter, in pieces_
   std::size_t places_ = 0;   // likewise

@@ -1,0 +1,84 @@
+#include "desktop/canvas/wet_ink_view.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace felt::desktop::wet_ink_view_test {
+namespace {
+
+constexpr QSize kSize{400, 300};
+constexpr std::size_t kOpen = 3;  // provisional segments at the end of a line
+
+/// Segment i of a line that crosses itself, or of its provisional end.
+Overlay::InkSegment segment(std::size_t i, bool is_open) {
+  const auto at = [&](double u) {
+    const double r = is_open ? 31.0 : 30.0;
+    return Point{60.0 + r * std::sin(0.31 * u), 45.0 + r * std::sin(0.47 * u)};
+  };
+  const auto u = static_cast<double>(i);
+  const Point a = at(u), b = at(u + 1.0);
+  return {{{a, lerp(a, b, 1.0 / 3.0), lerp(a, b, 2.0 / 3.0), b}}, 1.0, 1.5};
+}
+
+/// Shows the first n segments of a stroke, the last ones of them provisional.
+void show(Overlay& overlay, std::uint64_t stroke, std::size_t n) {
+  std::vector<Overlay::InkSegment> stable;
+  for (std::size_t i = 0; i + kOpen < n; ++i) stable.push_back(segment(i, false));
+  overlay.clear();
+  overlay.add_stable_ink(stroke, stable);
+  for (std::size_t i = stable.size(); i < n; ++i) overlay.ink.push_back(segment(i, true));
+}
+
+WetInkView view_of_the_sheet() {
+  DeviceView view;
+  view.view.set_size(kSize);
+  view.view.fit({0.0, 0.0, 120.0, 90.0});
+  WetInkView ink;
+  ink.set_view(view);
+  return ink;
+}
+
+QImage picture(WetInkView& ink) {
+  QImage image(kSize, QImage::Format_ARGB32_Premultiplied);
+  image.fill(Qt::white);
+  QPainter painter(&image);
+  ink.paint(painter, image.rect());
+  return image;
+}
+
+/// What is stable may hold anything when it is shown again.
+TEST(WetInkView, LooksOnlyAtInkThatIsNotStable) {
+  WetInkView ink = view_of_the_sheet(), expected = view_of_the_sheet();
+  Overlay overlay;
+  std::size_t stable = 0;
+  for (std::size_t n = 1; n < 200; n += 1 + n % 3) {
+    show(overlay, 1, n);
+    Overlay unknown = overlay, spoiled = overlay;
+    unknown.ink_stroke = 0;  // all of it is compared
+    const QRegion changed = expected.update(unknown);
+    for (std::size_t i = 0; i < stable; ++i) spoiled.ink[i] = segment(7 * i, true);
+    EXPECT_EQ(ink.update(spoiled), changed);
+    EXPECT_LE(overlay.ink.size() - overlay.ink_stable, kOpen) << "so many are compared at most";
+    stable = overlay.ink_stable;
+  }
+  EXPECT_EQ(picture(ink), picture(expected));
+}
+
+TEST(WetInkView, ShowsAnotherStrokeWhole) {
+  WetInkView ink = view_of_the_sheet(), expected = view_of_the_sheet();
+  Overlay overlay;
+  show(overlay, 1, 40);
+  for (Overlay::InkSegment& s : overlay.ink) s.curve = reversed(s.curve);
+  ink.update(overlay);
+  show(overlay, 2, 50);
+  ink.update(overlay);
+  expected.update(overlay);
+  EXPECT_EQ(picture(ink), picture(expected));
+  overlay.clear();
+  ink.update(overlay);
+  EXPECT_TRUE(ink.is_empty());
+}
+
+}  // namespace
+}  // namespace felt::desktop::wet_ink_view_test

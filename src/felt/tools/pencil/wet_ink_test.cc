@@ -1,0 +1,74 @@
+#include "felt/tools/pencil/wet_ink.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "felt/tools/pencil/pencil_tool.h"
+#include "felt/tools/testing/desk.h"
+
+namespace felt::wet_ink_test {
+namespace {
+
+constexpr double kMark = -1.0;  // no ink has this tone
+
+/// Returns how many segments were written since the last call, and marks them all.
+std::size_t count_written(Overlay& overlay) {
+  std::size_t written = 0;
+  for (Overlay::InkSegment& segment : overlay.ink) {
+    if (segment.start_tone != kMark) ++written;
+    segment.start_tone = kMark;
+  }
+  return written;
+}
+
+/// A minute of scribble at 1 kHz, about 200 mm/s.
+Point scribble(int ms) {
+  const double t = 0.001 * ms;
+  return {150.0 + 20.0 * std::sin(9.0 * t) + t, 100.0 + 30.0 * std::sin(7.3 * t)};
+}
+
+/// The cost of a refresh, in segments.
+struct Refresh {
+  std::size_t copied = 0;    ///< into the overlay
+  std::size_t compared = 0;  ///< at most, by a view that showed the last refresh
+};
+
+Refresh most_of(const std::vector<Refresh>& refreshes, std::size_t from, std::size_t to) {
+  Refresh most;
+  for (std::size_t i = from; i < to; ++i) {
+    most.copied = std::max(most.copied, refreshes[i].copied);
+    most.compared = std::max(most.compared, refreshes[i].compared);
+  }
+  return most;
+}
+
+TEST(WetInk, ARefreshCostsTheSameWhateverTheLengthOfTheStroke) {
+  testing::Desk desk;
+  PencilTool tool;
+  testing::Pen pen{tool, desk};
+  Overlay overlay;
+  std::vector<Refresh> refreshes;
+  std::size_t last_stable = 0;
+  pen.up(scribble(0));
+  for (int ms = 0; ms < 60'000; ++ms) {
+    pen.down(scribble(ms));
+    if (ms % 16 != 0) continue;
+    overlay.clear();
+    tool.draw(overlay);
+    refreshes.push_back({count_written(overlay), overlay.ink.size() - last_stable});
+    last_stable = overlay.ink_stable;
+  }
+  const std::size_t tenth = refreshes.size() / 10;
+  const Refresh early = most_of(refreshes, 0, tenth);
+  const Refresh late = most_of(refreshes, refreshes.size() - tenth, refreshes.size());
+  EXPECT_GT(overlay.ink.size(), 5'000U);
+  EXPECT_LT(10 * early.copied, overlay.ink.size());
+  EXPECT_LT(late.copied, 2 * early.copied);
+  EXPECT_LT(late.compared, 2 * early.compared);
+}
+
+}  // namespace
+}  // namespace felt::wet_ink_test
