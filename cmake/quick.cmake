@@ -1,7 +1,8 @@
 # FELT_QUICK_BUILD: what nearly every file includes is compiled once a kind of target, several sources
 # of a library, a program or a test compile as one (FELT_UNITY_SOURCES), and test code (not what it tests) is
 # optimised less and carries no debug information. Without it every file is compiled alone, as clang-tidy needs it,
-# and whatever is forgotten to be included shows.
+# and whatever is forgotten to be included shows. More sources at a time build sooner from nothing (the
+# release preset) and later after a change.
 set(FELT_UNITY_SOURCES 8 CACHE STRING "Sources that compile as one with FELT_QUICK_BUILD")
 set(felt_std_headers <algorithm> <array> <chrono> <cmath> <cstdint> <functional> <limits> <map>
   <memory> <mutex> <optional> <random> <set> <span> <string> <string_view> <utility> <variant>
@@ -20,9 +21,8 @@ if(NOT FELT_SANITIZE)
   list(APPEND felt_quick_test_options -g0)
 endif()
 
-function(felt_unity target)
-  set_target_properties(${target} PROPERTIES UNITY_BUILD ON
-    UNITY_BUILD_BATCH_SIZE ${FELT_UNITY_SOURCES})
+function(felt_unity target sources)
+  set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE ${sources})
 endfunction()
 
 # felt_quick_headers(NAME TYPE HEADERS ... [LIBRARIES|DEFINITIONS|OPTIONS ...]): a target that others
@@ -51,7 +51,7 @@ function(felt_quick_library target)
   if(FELT_QUICK_BUILD)
     felt_quick_headers(felt_quick_library STATIC HEADERS ${felt_std_headers})
     target_precompile_headers(${target} REUSE_FROM felt_quick_library)
-    felt_unity(${target})
+    felt_unity(${target} ${FELT_UNITY_SOURCES})
   endif()
 endfunction()
 
@@ -59,7 +59,7 @@ endfunction()
 function(felt_quick_program target)
   if(FELT_QUICK_BUILD)
     target_precompile_headers(${target} PRIVATE ${felt_std_headers} ${ARGN})
-    felt_unity(${target})
+    felt_unity(${target} ${FELT_UNITY_SOURCES})
   endif()
 endfunction()
 
@@ -69,7 +69,7 @@ function(felt_quick_room target)
     felt_quick_headers(felt_quick_room STATIC HEADERS ${felt_std_headers} ${felt_qt_headers}
       LIBRARIES Qt6::Widgets DEFINITIONS QT_NO_KEYWORDS QT_NO_CAST_FROM_BYTEARRAY)
     target_precompile_headers(${target} REUSE_FROM felt_quick_room)
-    felt_unity(${target})
+    felt_unity(${target} ${FELT_UNITY_SOURCES})
   endif()
 endfunction()
 
@@ -79,7 +79,7 @@ function(felt_quick_test target is_desktop)
     return()
   endif()
   target_compile_options(${target} PRIVATE ${felt_quick_test_options})
-  felt_unity(${target})
+  felt_unity(${target} 8)
   if(is_desktop)
     felt_quick_headers(felt_quick_desktop_test EXECUTABLE
       HEADERS ${felt_std_headers} ${felt_test_headers} ${felt_qt_headers}

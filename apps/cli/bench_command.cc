@@ -34,7 +34,7 @@ Strokes simulated_strokes() {
   return strokes;
 }
 
-Strokes read_strokes(const BenchArguments& args, Console& console) {
+Strokes read_bench_strokes(const BenchArguments& args, Console& console) {
   Strokes strokes;
   FitSettings settings;
   settings.measure = true;
@@ -82,7 +82,8 @@ void print_row(double tolerance_mm, const char* what, const FitStats& stats) {
 }
 
 void run_bench(const BenchArguments& args, Console& console) {
-  const Strokes strokes = args.inputs.empty() ? simulated_strokes() : read_strokes(args, console);
+  const Strokes strokes =
+      args.inputs.empty() ? simulated_strokes() : read_bench_strokes(args, console);
   if (strokes.empty()) return;
   print("{:>9}  {:8} {:>8} {:>9} {:>9} {:>8} {:>11} {:>10} {:>8} {:>8} {:>10} {:>9}\n", "tolerance",
         "curve", "strokes", "samples", "segments", "corners", "max error", "ns/sample", "p99.9",

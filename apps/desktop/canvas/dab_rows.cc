@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <span>
 
 #include "felt/render/raster.h"
 #include "felt/stroke/outline/outline.h"
@@ -88,7 +89,9 @@ void DabRows::keep(std::size_t n) {
 
 Rect DabRows::bounds(std::size_t from, std::size_t to) const {
   Rect all;
-  for (std::size_t i = from; i < std::min(to, pieces_.size()); ++i) all.extend(pieces_[i].box);
+  std::span<const Piece> pieces(pieces_);
+  pieces = pieces.first(std::min(to, pieces.size()));
+  for (const Piece& piece : pieces.subspan(std::min(from, pieces.size()))) all.extend(piece.box);
   return all;
 }
 

@@ -5,6 +5,8 @@
 #include <QKeySequence>
 #include <cctype>
 
+#include "desktop/canvas/marks.h"
+
 namespace felt::desktop {
 namespace {
 
@@ -22,11 +24,6 @@ QFont sized(QFont font, double factor) {
     font.setPixelSize(qRound(font.pixelSize() * factor));
   }
   return font;
-}
-
-QColor mixed(const QColor& a, const QColor& b, double share_of_a) {
-  const auto mix = [share_of_a](int x, int y) { return qRound(y + share_of_a * (x - y)); };
-  return {mix(a.red(), b.red()), mix(a.green(), b.green()), mix(a.blue(), b.blue())};
 }
 
 }  // namespace
@@ -60,7 +57,7 @@ void FirstMinute::paint(QPainter& painter, QSize widget, const QFont& font, cons
   QRectF rest = area(widget, font);
   const auto write = [&](const QString& text, const QFont& face, double share) {
     painter.setFont(face);
-    painter.setPen(mixed(ink, paper, share));
+    painter.setPen(mixed(paper, ink, share));
     QRectF used;
     painter.drawText(rest, Qt::AlignHCenter | Qt::AlignTop | Qt::TextWordWrap, text, &used);
     rest.setTop(used.bottom());

@@ -57,6 +57,9 @@ void list_pen(const PenMark& pen, Marks& marks);
 /// Adds around everything of which two lists differ; few rectangles.
 void add_difference(const Marks& before, const Marks& after, QRegion& region);
 
+/// An opaque colour between a and b; share_of_b is 0 to 1.
+QColor mixed(QColor a, QColor b, double share_of_b);
+
 /// The colours of marks on paper: the palette that any colour vision tells apart, lighter on dark
 /// paper, with a halo that keeps every mark apart from the ink below.
 class MarkLook {

@@ -17,11 +17,6 @@ constexpr double kMostDashedPx =
     4000.0;                      // a larger ring is a line on the screen, and its dashes dear
 constexpr double kHaloPx = 1.5;  // beside a line, on either side
 
-QColor mixed(QColor a, QColor b, double share_of_b) {
-  const auto mix = [share_of_b](int x, int y) { return qRound(x + share_of_b * (y - x)); };
-  return {mix(a.red(), b.red()), mix(a.green(), b.green()), mix(a.blue(), b.blue())};
-}
-
 QPen halo_pen(double width, const MarkLook& look) {
   return {look.halo(), width + 2 * kHaloPx, Qt::SolidLine, Qt::FlatCap, Qt::RoundJoin};
 }
@@ -125,6 +120,11 @@ void paint_normal(QPainter& painter, const Mark& mark, const MarkLook& look) {
 }
 
 }  // namespace
+
+QColor mixed(QColor a, QColor b, double share_of_b) {
+  const auto mix = [share_of_b](int x, int y) { return qRound(x + share_of_b * (y - x)); };
+  return {mix(a.red(), b.red()), mix(a.green(), b.green()), mix(a.blue(), b.blue())};
+}
 
 MarkLook::MarkLook(QColor paper) : paper_(std::move(paper)) {
   const QColor over = mixed(Qt::white, paper_, static_cast<double>(paper_.alphaF()));
