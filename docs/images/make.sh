@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # docs/images/make.sh [FELTLINE]: makes the pictures of README.md again, from the project's own
 # sample strokes. FELTLINE is the program, by default that of `./dev build --preset release`.
-# detail.png and media.png need rsvg-convert, detail.png python3.
+# detail.png and media.png need rsvg-convert, detail.png and pull.svg python3.
 set -euo pipefail
 here=$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")
 feltline=$(readlink -f "${1:-$here/../../build/release/bin/feltline}")
@@ -14,6 +14,8 @@ trap 'rm -rf "$scratch"' EXIT
 python3 "$here/detail.py" "$samples/page.ndjson" "$scratch/page.ndjson" 82.2 98.4 36.2 17.8 \
   >"$scratch/detail.svg"
 rsvg-convert --width 1000 "$scratch/detail.svg" -o "$here/detail.png"
+python3 "$here/pull.py" "$feltline" "$here/../../src/felt/tools" >"$scratch/pull.svg"
+cp "$scratch/pull.svg" "$here/pull.svg"
 "$feltline" demo -o "$scratch/demo"
 cp "$scratch/demo/sketch.png" "$here/demo.png"
 cp "$scratch/demo/forces.png" "$here/forces.png"
