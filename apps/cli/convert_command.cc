@@ -64,7 +64,9 @@ void convert_lines(const Input& input, const ConvertArguments& args, Format form
 /// Says what becomes of hidden layers in a format that cannot hide them.
 void note_hidden_layers(const Document& document, Format format, const std::string& output,
                         Console& console) {
-  if (format != Format::kNdjson && format != Format::kXopp) return;
+  // A picture shows what is seen; that needs no word.
+  const FormatTraits& traits = traits_of(format);
+  if (format != Format::kXopp && (traits.layers || traits.picture)) return;
   std::size_t strokes = 0;
   for (const Layer& layer : document.layers()) {
     if (!layer.visible) strokes += layer.strokes.size();

@@ -55,7 +55,8 @@ done
 
 cat >&2 <<END
 $folder is a tool that moves the line under the pen. Try it:
-  ./dev test -R '$camel|Scenarios|gestures'    its own tests, its scenario, random gestures
+  ./dev build tools_test && build/dev/bin/tools_test --gtest_filter='$camel*'    its own tests, the quickest
+  ./dev test -R '$camel|Scenarios|gestures'    builds everything; its scenario, random gestures, too
   ./dev run                                    the tool bar has it
 Then make it yours: what it does (${name}_tool.cc), what the hand feels (${name}_force.h), its options, its
 picture ($name.svg, 24 x 24, in the two colours that are there), its page ($name.md), and its words

@@ -1,6 +1,7 @@
 # 'record' and 'device-test' with a driver of a real device, before the fake of its maker's library
 # ($FELT_OPENHAPTICS_LIBRARY), which lives in real time.
 . "$(dirname "$0")/helpers.sh"
+[ -e "$FELT_OPENHAPTICS_LIBRARY" ] || { echo "not built: $FELT_OPENHAPTICS_LIBRARY (./dev build)" >&2; exit 1; }
 export HOME=$work/home
 unset XDG_CONFIG_HOME
 mkdir home

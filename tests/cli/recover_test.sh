@@ -1,6 +1,7 @@
 # Drawings that a killed program left behind come back without a window.
 kill_loop=$2
 . "$(dirname "$0")/helpers.sh"
+[ -x "$kill_loop" ] || { echo "not built: $kill_loop (./dev build kill_loop)" >&2; exit 1; }
 
 export XDG_STATE_HOME=$PWD/state XDG_CACHE_HOME=$PWD/cache XDG_RUNTIME_DIR=$PWD/run TMPDIR=$PWD
 run 0 "$feltline" recover --list

@@ -53,8 +53,10 @@ TEST(FormatTexts, TranslatorsSeeEveryWordOfTheTable) {
   QSet<QString> words;
   for (const char* word : format_words()) words.insert(QString::fromUtf8(word));
   for (const FormatTraits& row : format_table()) {
-    EXPECT_TRUE(words.contains(QString::fromStdString(std::string(row.title)))) << row.title;
-    EXPECT_TRUE(words.contains(QString::fromStdString(std::string(row.kept)))) << row.kept;
+    EXPECT_TRUE(words.contains(QString::fromStdString(std::string(row.title))))
+        << "add to format_texts.cc: " << row.title;
+    EXPECT_TRUE(words.contains(QString::fromStdString(std::string(row.kept))))
+        << "add to format_texts.cc: " << row.kept;
   }
 }
 

@@ -73,7 +73,8 @@ LC_ALL=C awk '
     }
     # The one file that lists the rooms of a layer may see them.
     else if (FILENAME !~ /\/rooms(_test)?\.cc$/)
-      complain((room == "" ? layer : room) " must not include the room " room_of " (" name ")")
+      complain((room == "" ? layer : room) " must not include the room " room_of " (" name \
+        "); it is private as long as rules.txt has no line \"folder " room_of ":\"")
   }
 
   # What stands between quotes in a program.
@@ -163,7 +164,7 @@ LC_ALL=C awk '
     for (folder in seen) {
       readme = folder "/README.md"; text = ""
       while ((getline line < readme) > 0) text = text line
-      if (length(text) < 40) { print readme ":1: say here what the layer is for"; broken = 1 }
+      if (length(text) < 40) { print readme ":1: say here what the folder is for"; broken = 1 }
       close(readme)
     }
     exit broken

@@ -23,12 +23,28 @@ check desktop-file-validate $entry
 check appstreamcli validate --no-net --explain $metainfo
 for file in $mime $metainfo share/icons/*.svg; do check xmllint --noout "$file"; done
 
+# texts_of_readable Types|Endings: of every format that is read, one a line.
+texts_of_readable() {
+  awk -v kind="$1" -F '[{}]' '
+    /^constexpr Texts k/ { name = $1; sub(/^constexpr Texts /, "", name); sub(/\[.*/, "", name); texts[name] = $2 }
+    /FormatTraits\{/ { wanted = "" }
+    $0 ~ "\\.(endings|media_types) = k[A-Za-z]*" kind { wanted = $0; gsub(/.* = |,.*/, "", wanted) }
+    /\.reads = true/ { print texts[wanted] }' src/felt/formats/format_traits.cc |
+    grep -oE '"[^"]+"' | tr -d '"'
+}
+
+# The shells complete every ending that can be read.
+while read -r ending; do
+  for file in bash/feltline bash/feltline-desktop zsh/_feltline zsh/_feltline-desktop; do
+    grep -qE "[(|]${ending#.}[|)]" share/completions/$file || complain "share/completions/$file: no ending $ending"
+  done
+done < <(texts_of_readable Endings)
+
 # Every format that the door reads can be opened with the program; these types alone are not known
 # to every system.
 while read -r type; do
   grep -qE "^MimeType=(.*;)?${type//+/\\+};" $entry || complain "$entry: no MimeType $type"
-done < <(grep -E '^constexpr Texts k(Felt|Svg|Inkml|Xopp|Ndjson)Types' \
-  src/felt/formats/format_traits.cc | grep -oE '"[^"]+"' | tr -d '"')
+done < <(texts_of_readable Types)
 for type in application/inkml+xml application/x-xopp application/x-ndjson; do
   want $mime "<mime-type type=\"$type\">"
 done
